@@ -1,5 +1,6 @@
 #include "smMassAnalysis.h"
 
+#include "smCoincidentFaces.h"
 #include "smBodyScales.h"
 #include "smFormat.h"
 #include "smMassIntegrands.h"
@@ -145,6 +146,7 @@ void CheckClosureCorrection(BodyIntegrals& body, const MassRow& row, double limi
 /// Computes the properties of a body that encloses a volume. Returns false if the body turns out to be a surface.
 bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, MassRow& row, Moments& moments)
 {
+  FlagCoincidentFaces(body, MassVolume, MassArea);
   ReverseShells(body, MakeMassIntegrands(), MassVolume);
   moments = GetMoments(body, body.Bound);
   if (!options.HasBounds)

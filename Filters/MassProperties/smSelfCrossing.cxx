@@ -85,8 +85,8 @@ public:
     for (const BodyIntegrals* part : parts)
     {
       AddPlacedBox(*part, box);
-      this->Slack = std::max(
-        { this->Slack, std::isfinite(part->MaxGap) ? part->MaxGap : 0.0, part->Model->GetFileUncertainty() });
+      // The uncertainty that a file states is no part of it: gaps are measured, and a large one would excuse whole parts of a body.
+      this->Slack = std::max(this->Slack, std::isfinite(part->MaxGap) ? part->MaxGap : 0.0);
     }
     this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
     this->Slack += 1e-9 * this->Diagonal;

@@ -11,6 +11,7 @@ void PutCurve(ByteWriter& to, const PolynomialCurve<Dimension>& curve)
   to.PutAll(curve.Offsets);
   to.PutAll(curve.Coefficients);
   to.Put(curve.Residual);
+  to.PutAll(curve.PieceResiduals);
 }
 
 template <int Dimension>
@@ -20,6 +21,7 @@ void GetCurve(ByteReader& from, PolynomialCurve<Dimension>& curve)
   curve.Offsets = from.GetAll<std::size_t>();
   curve.Coefficients = from.GetAll<typename PolynomialCurve<Dimension>::Point>();
   curve.Residual = from.Get<typename PolynomialCurve<Dimension>::Point>();
+  curve.PieceResiduals = from.GetAll<typename PolynomialCurve<Dimension>::Point>();
 }
 }
 

@@ -248,7 +248,7 @@ void Builder::AddRibbons(const Coedge& coedge, int piece, std::uint32_t trim, co
         static_cast<std::uint8_t>(curve.GetDegree(piece)),
         static_cast<std::uint8_t>(edge.GetDegree(edgePiece)), this->Source.Reversed != coedge.Reversed,
         !coedge.Use->Degenerate, local, nextLocal, (t - edgeStart) / edgeWidth,
-        (next - edgeStart) / edgeWidth, this->CoedgeIndex });
+        (next - edgeStart) / edgeWidth, this->CoedgeIndex, piece });
     }
     if (last)
     {
@@ -442,7 +442,7 @@ FacePanels Builder::Build()
     }
   }
   this->AddCoveredEdges();
-  this->Result.CoverageDefects += HasCrossingLoops(this->Source) ? 1 : 0;
+  this->Result.CoverageDefects += HasWrongLoops(this->Source) ? 1 : 0;
   return std::move(this->Result);
 }
 }

@@ -77,6 +77,8 @@ struct Ribbon
   double EdgeStart, EdgeEnd;
   /// Index of the coedge, counted through all loops of the face; -1: the strip at a loop's corner.
   int Coedge;
+  /// Index of the piece of the coedge's trim curve.
+  int Piece = 0;
 };
 
 /// The triangle Apex, From, To of a corner cone; the area vector of the chain is (From-Apex) x (To-Apex) / 2,

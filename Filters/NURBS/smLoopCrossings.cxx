@@ -24,6 +24,9 @@ constexpr double LargestExcuse = 1e-3;
 constexpr double LargestCorner = 0.1;
 /// Largest number of crossings that are examined; a sound face has none but where loops touch.
 constexpr int MostCrossings = 4096;
+/// Number of chords of a loop beside which its place is examined, and most rows into which chords are sorted.
+constexpr std::size_t MostPlaces = 4;
+constexpr std::size_t MostRows = 128;
 
 double Cross2(const Point2& a, const Point2& b)
 {
@@ -51,6 +54,8 @@ class FlatLoops
 public:
   explicit FlatLoops(const Face& face);
   bool HasCrossing();
+  /// Returns true if the loops wind more than once, or the wrong way, beside one that crosses none.
+  bool HasMisplacedLoop();
   /// The point is in the coordinates of the surface.
   bool IsFarFromLoops(const Point2& uv);
 
@@ -58,6 +63,10 @@ private:
   /// Returns true if the loops overlap beside the place where two chords cross, at the fraction x of the first one.
   bool IsOverlap(const Chord& a, const Chord& b, double x);
   void WidenSlack();
+  void SortIntoRows();
+  const std::vector<std::size_t>& GetRow(double v) const;
+  /// Looks on one side of a chord; returns 1 for a point there that is wound wrongly, 0 for a right one, -1 if none is far from all loops.
+  int ExamineBeside(const Chord& chord, double side) const;
   /// How far the ends of a coedge are apart if it closes a gap between its neighbours.
   Point2 GetFilledGap(const Coedge& coedge) const;
   int GetWindingNumber(const Point2& p) const;
@@ -67,6 +76,10 @@ private:
   Point2 Low{ std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
   Point2 Size{};
   std::vector<Chord> Chords;
+  /// The first chord of each loop that has one.
+  std::vector<std::size_t> FirstChords;
+  /// The chords that come within the slack of each of equal strips of v.
+  std::vector<std::vector<std::size_t>> Rows;
   /// Within this distance of a chord, in u and in v, the winding number of a point proves no overlap.
   Point2 Slack{};
   bool HasTolerances = false;
@@ -121,6 +134,10 @@ FlatLoops::FlatLoops(const Face& face)
   for (const std::vector<Point2>& loop : polygons.Loops)
   {
     const std::size_t first = this->Chords.size();
+    if (!loop.empty())
+    {
+      this->FirstChords.push_back(first);
+    }
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
       Chord chord{ loop[i], loop[(i + 1) % loop.size()] };
@@ -157,8 +174,9 @@ Point2 FlatLoops::GetFilledGap(const Coedge& coedge) const
 int FlatLoops::GetWindingNumber(const Point2& p) const
 {
   int winding = 0;
-  for (const Chord& chord : this->Chords)
+  for (const std::size_t index : this->GetRow(p[1]))
   {
+    const Chord& chord = this->Chords[index];
     const bool isUp = chord.From[1] <= p[1] && chord.To[1] > p[1];
     const bool isDown = chord.To[1] <= p[1] && chord.From[1] > p[1];
     if (isUp || isDown)
@@ -173,9 +191,11 @@ int FlatLoops::GetWindingNumber(const Point2& p) const
 bool FlatLoops::IsFarFrom(const Point2& p) const
 {
   // A chord meets the box of half widths Slack about p if it does so in u, in v, and across its own direction.
-  return std::none_of(this->Chords.begin(), this->Chords.end(),
-    [this, &p](const Chord& chord)
+  const std::vector<std::size_t>& row = this->GetRow(p[1]);
+  return std::none_of(row.begin(), row.end(),
+    [this, &p](std::size_t index)
     {
+      const Chord& chord = this->Chords[index];
       const Point2 along = Subtract2(chord.To, chord.From);
       const double reach = this->Slack[0] * std::abs(along[1]) + this->Slack[1] * std::abs(along[0]);
       return chord.GetLow(0) <= p[0] + this->Slack[0] && chord.GetHigh(0) >= p[0] - this->Slack[0] &&
@@ -221,6 +241,30 @@ void FlatLoops::WidenSlack()
   for (int d = 0; d < 2; ++d)
   {
     this->Slack[d] += width[d] > 0.0 ? excuse / width[d] : std::numeric_limits<double>::infinity();
+  }
+  this->SortIntoRows();
+}
+
+const std::vector<std::size_t>& FlatLoops::GetRow(double v) const
+{
+  const double row = v * static_cast<double>(this->Rows.size());
+  const std::size_t last = this->Rows.size() - 1;
+  // Not a number is in the first row.
+  return this->Rows[!(row > 0.0)        ? 0
+      : row < static_cast<double>(last) ? static_cast<std::size_t>(row)
+                                        : last];
+}
+
+void FlatLoops::SortIntoRows()
+{
+  this->Rows.resize(std::clamp<std::size_t>(this->Chords.size() / 16, 1, MostRows));
+  for (std::size_t i = 0; i < this->Chords.size(); ++i)
+  {
+    const auto end = &this->GetRow(this->Chords[i].GetHigh(1) + this->Slack[1]) - this->Rows.data() + 1;
+    for (auto r = &this->GetRow(this->Chords[i].GetLow(1) - this->Slack[1]) - this->Rows.data(); r < end; ++r)
+    {
+      this->Rows[r].push_back(i);
+    }
   }
 }
 
@@ -294,11 +338,62 @@ bool FlatLoops::HasCrossing()
   }
   return false;
 }
+
+int FlatLoops::ExamineBeside(const Chord& chord, double side) const
+{
+  const Point2 along = Subtract2(chord.To, chord.From);
+  const double length = std::hypot(along[0], along[1]);
+  for (double step = 2.0 * std::max(this->Slack[0], this->Slack[1]); length > 0.0 && step < 0.5; step *= 1.5)
+  {
+    const Point2 p{ 0.5 * (chord.From[0] + chord.To[0]) - side * step * along[1] / length,
+      0.5 * (chord.From[1] + chord.To[1]) + side * step * along[0] / length };
+    if (this->IsFarFrom(p))
+    {
+      const int winding = this->GetWindingNumber(p);
+      return winding < 0 || winding > 1 ? 1 : 0;
+    }
+  }
+  return -1;
 }
 
-bool HasCrossingLoops(const Face& face)
+bool FlatLoops::HasMisplacedLoop()
 {
-  return !face.Loops.empty() && FlatLoops(face).HasCrossing();
+  if (this->FirstChords.empty())
+  {
+    return false;
+  }
+  this->WidenSlack();
+  for (std::size_t k = 0; k < this->FirstChords.size(); ++k)
+  {
+    const std::size_t first = this->FirstChords[k];
+    const std::size_t count =
+      (k + 1 < this->FirstChords.size() ? this->FirstChords[k + 1] : this->Chords.size()) - first;
+    for (const double side : { 1.0, -1.0 })
+    {
+      const std::size_t places = std::min(count, MostPlaces);
+      int found = -1;
+      for (std::size_t i = 0; i < places && found < 0; ++i)
+      {
+        found = this->ExamineBeside(this->Chords[first + i * count / places], side);
+      }
+      if (found == 1)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
+
+bool HasWrongLoops(const Face& face)
+{
+  if (face.Loops.empty())
+  {
+    return false;
+  }
+  FlatLoops loops(face);
+  return loops.HasCrossing() || loops.HasMisplacedLoop();
 }
 
 std::vector<bool> AreFarFromLoops(const Face& face, const std::vector<Point2>& points)

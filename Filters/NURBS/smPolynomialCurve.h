@@ -72,11 +72,32 @@ struct PolynomialCurve
   std::vector<Point> Coefficients;
   /// Largest distance of each coordinate from the curve it was made from; 0: exact.
   Point Residual{};
+  /// The same for each piece, of a curve of which a few pieces are much farther from the original than the others; else empty.
+  std::vector<Point> PieceResiduals;
 
-  double GetLargestResidual() const { return *std::max_element(this->Residual.begin(), this->Residual.end()); }
+  double GetLargestResidual() const
+  {
+    return *std::max_element(this->Residual.begin(), this->Residual.end());
+  }
   void RaiseResidual(int coordinate, double residual)
   {
     this->Residual[coordinate] = std::max(this->Residual[coordinate], residual);
+    for (Point& r : this->PieceResiduals)
+    {
+      r[coordinate] = std::max(r[coordinate], residual);
+    }
+  }
+  void AddResidual(int coordinate, double residual)
+  {
+    this->Residual[coordinate] += residual;
+    for (Point& r : this->PieceResiduals)
+    {
+      r[coordinate] += residual;
+    }
+  }
+  const Point& GetResidual(int piece) const
+  {
+    return this->PieceResiduals.empty() ? this->Residual : this->PieceResiduals[piece];
   }
 
   int GetNumberOfPieces() const { return static_cast<int>(this->Offsets.size()) - 1; }

@@ -137,14 +137,38 @@ void EvaluateNormal(const WideRow& row, int p, int q, const Wide* basis, const W
   }
 }
 
-/// T_0 .. T_{n-1} at x.
-void FillChebyshev(int n, Wide x, std::vector<Wide>& values)
+/// T_0 .. T_{n-1} at every node of a rule, one node after another.
+std::vector<Wide> MakeChebyshevTable(int n, const ChebyshevRule& rule)
 {
-  values.resize(n);
-  for (int k = 0; k < n; ++k)
+  std::vector<Wide> table(static_cast<std::size_t>(n) * rule.GetSize());
+  for (int i = 0; i < rule.GetSize(); ++i)
   {
-    values[k] = k == 0 ? 1 : k == 1 ? x : 2 * x * values[k - 1] - values[k - 2];
+    Wide* values = table.data() + static_cast<std::size_t>(n) * i;
+    const Wide x = rule.GetWideNode(i);
+    for (int k = 0; k < n; ++k)
+    {
+      values[k] = k == 0 ? 1 : k == 1 ? x : 2 * x * values[k - 1] - values[k - 2];
+    }
   }
+  return table;
+}
+
+/// Sum of values[k] times the vector at series + 4 k. Local sums stay in registers.
+std::array<Wide, 4> SumSeries(const Wide* values, const Wide* series, int count)
+{
+  Wide x = 0;
+  Wide y = 0;
+  Wide z = 0;
+  Wide w = 0;
+  for (int k = 0; k < count; ++k, series += 4)
+  {
+    const Wide value = values[k];
+    x += value * series[0];
+    y += value * series[1];
+    z += value * series[2];
+    w += value * series[3];
+  }
+  return { x, y, z, w };
 }
 
 Vector3 GetPosition(const std::array<double, 4>& point)
@@ -390,8 +414,10 @@ std::vector<Wide> PatchMajorants::ExpandWideNormal(const std::array<double, 4>* 
   const ChebyshevRule& ruleR = ChebyshevRule::Get(3 * this->Q - 1);
   const int countS = ruleS.GetSize();
   const int countR = ruleR.GetSize();
-  std::vector<Wide> series(4 * static_cast<std::size_t>(countS) * countR, 0);
-  std::vector<Wide> line(4 * static_cast<std::size_t>(countS));
+  std::vector<Wide> series(4 * static_cast<std::size_t>(countS) * countR);
+  // Transforms in s of the rows so far, a vector of them for each k.
+  std::vector<Wide> lines(series.size());
+  std::vector<Wide> samples(4 * static_cast<std::size_t>(countS));
   std::vector<std::array<Wide, MaximumDegree + 1>> bases(2 * static_cast<std::size_t>(countS));
   for (int a = 0; a < countS; ++a)
   {
@@ -403,7 +429,6 @@ std::vector<Wide> PatchMajorants::ExpandWideNormal(const std::array<double, 4>* 
   {
     const Wide r = this->Box.Middle[1] + this->Box.Half[1] * ruleR.GetWideNode(b);
     const WideRow row(points, this->P, this->Q, r);
-    std::fill(line.begin(), line.end(), 0);
     for (int a = 0; a < countS; ++a)
     {
       const Wide s = this->Box.Middle[0] + this->Box.Half[0] * ruleS.GetWideNode(a);
@@ -411,22 +436,24 @@ std::vector<Wide> PatchMajorants::ExpandWideNormal(const std::array<double, 4>* 
       EvaluateNormal(row, this->P, this->Q, bases[2 * a].data(), bases[2 * a + 1].data(), m);
       m[3] = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
       const Wide factor = this->GetFactor(s, r);
-      for (int k = 0; k < countS; ++k)
+      for (int c = 0; c < 4; ++c)
       {
-        const Wide weight = ruleS.GetTransform<Wide>(k)[a] / factor;
-        for (int c = 0; c < 4; ++c)
-        {
-          line[4 * k + c] += weight * m[c];
-        }
+        samples[4 * a + c] = m[c] / factor;
       }
     }
-    for (int l = 0; l < countR; ++l)
+    for (int k = 0; k < countS; ++k)
     {
-      const Wide weight = ruleR.GetTransform<Wide>(l)[b];
-      for (std::size_t i = 0; i < line.size(); ++i)
-      {
-        series[line.size() * l + i] += weight * line[i];
-      }
+      const std::array<Wide, 4> sum = SumSeries(ruleS.GetTransform<Wide>(k), samples.data(), countS);
+      std::copy(sum.begin(), sum.end(), &lines[4 * (b + static_cast<std::size_t>(countR) * k)]);
+    }
+  }
+  for (int l = 0; l < countR; ++l)
+  {
+    for (int k = 0; k < countS; ++k)
+    {
+      const std::array<Wide, 4> sum =
+        SumSeries(ruleR.GetTransform<Wide>(l), &lines[4 * static_cast<std::size_t>(countR) * k], countR);
+      std::copy(sum.begin(), sum.end(), &series[4 * (k + static_cast<std::size_t>(countS) * l)]);
     }
   }
   return series;
@@ -451,35 +478,22 @@ bool PatchMajorants::MeasureLengthDeviation(
     (GetLebesgueConstant(countS) * GetLebesgueConstant(countR) * GetWideRoundings(this->P, this->Q) *
         NetSize(points, this->P, this->Q).GetNumerator() / this->GetLeastFactor() +
       static_cast<double>(sum) * (countS * (countS + 5.0) + countR * (countR + 5.0)));
-  std::vector<Wide> valuesS;
-  std::vector<Wide> valuesR;
+  const std::vector<Wide> valuesS = MakeChebyshevTable(countS, checkS);
+  const std::vector<Wide> valuesR = MakeChebyshevTable(countR, checkR);
   std::vector<Wide> line(4 * static_cast<std::size_t>(countR));
   double largestSquare = 0.0;
   for (int a = 0; a < checkS.GetSize(); ++a)
   {
-    FillChebyshev(countS, checkS.GetWideNode(a), valuesS);
-    std::fill(line.begin(), line.end(), 0);
     for (int l = 0; l < countR; ++l)
     {
-      for (int k = 0; k < countS; ++k)
-      {
-        for (int c = 0; c < 4; ++c)
-        {
-          line[4 * l + c] += valuesS[k] * series[4 * (k + static_cast<std::size_t>(countS) * l) + c];
-        }
-      }
+      const std::array<Wide, 4> vector = SumSeries(&valuesS[static_cast<std::size_t>(countS) * a],
+        &series[4 * static_cast<std::size_t>(countS) * l], countS);
+      std::copy(vector.begin(), vector.end(), &line[4 * static_cast<std::size_t>(l)]);
     }
     for (int b = 0; b < checkR.GetSize(); ++b)
     {
-      FillChebyshev(countR, checkR.GetWideNode(b), valuesR);
-      Wide value[4] = {};
-      for (int l = 0; l < countR; ++l)
-      {
-        for (int c = 0; c < 4; ++c)
-        {
-          value[c] += valuesR[l] * line[4 * l + c];
-        }
-      }
+      const std::array<Wide, 4> value =
+        SumSeries(&valuesR[static_cast<std::size_t>(countR) * b], line.data(), countR);
       const Wide length = std::sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
       const double cube = this->EvaluateCube(checkS.GetNode(a), checkR.GetNode(b));
       const double difference = static_cast<double>(std::abs(length - value[3]));

@@ -28,18 +28,14 @@ RibbonPlanner::RibbonPlanner(
   : Panels(panels)
   , Request(request)
   , Result(plan)
+  , Transposed(face.Surface.Degree[0] > face.Surface.Degree[1])
   , Gap(panels, request.Shift)
 {
-  // Panels may have u and v exchanged, see smFacePanels.h.
-  const bool transposed = face.Surface.Degree[0] > face.Surface.Degree[1];
   for (const Loop& loop : face.Loops)
   {
     for (const Coedge& coedge : loop.Coedges)
     {
-      const std::array<double, 2>& trim = coedge.Curve.Residual;
-      const std::array<double, 3>& edge = coedge.Use->Curve.Residual;
-      this->Residuals.push_back(
-        { transposed ? std::array<double, 2>{ trim[1], trim[0] } : trim, Norm(edge.data()) });
+      this->Coedges.push_back(&coedge);
     }
   }
 }
@@ -105,10 +101,12 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real
     return;
   }
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
-  const Residual& residual = this->Residuals[ribbon.Coedge];
-  const double ds = residual.Trim[0] / patch.Width[0];
-  const double dr = residual.Trim[1] / patch.Width[1];
-  if (ds == 0.0 && dr == 0.0 && residual.Edge == 0.0)
+  const Coedge& coedge = *this->Coedges[ribbon.Coedge];
+  const TrimCurve::Point& trim = coedge.Curve.GetResidual(ribbon.Piece);
+  const double edge = Norm(coedge.Use->Curve.Residual.data());
+  const double ds = trim[this->Transposed ? 1 : 0] / patch.Width[0];
+  const double dr = trim[this->Transposed ? 0 : 1] / patch.Width[1];
+  if (ds == 0.0 && dr == 0.0 && edge == 0.0)
   {
     return;
   }
@@ -116,7 +114,7 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real
   // volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length.
   const double area =
     this->Gap.GetNormalLength() * (ds * this->Gap.GetTrimSlope()[1] + dr * this->Gap.GetTrimSlope()[0]);
-  const double moved = ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1] + residual.Edge;
+  const double moved = ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1] + edge;
   const double length = real.CurveSlope + real.GapSlope;
   const double reach = real.Curve + real.Gap;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)

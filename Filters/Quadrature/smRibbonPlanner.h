@@ -40,13 +40,10 @@ private:
   const FacePanels& Panels;
   const PlanRequest& Request;
   FacePlan& Result;
-  /// Residuals of the trim curve, in u and v of the panels, and of the edge curve, per coedge.
-  struct Residual
-  {
-    std::array<double, 2> Trim;
-    double Edge;
-  };
-  std::vector<Residual> Residuals;
+  /// The coedges, counted through all loops of the face.
+  std::vector<const Coedge*> Coedges;
+  /// True if the panels have u and v exchanged, see smFacePanels.h.
+  bool Transposed;
 
   // Values of the current part.
   GapSeries Gap;

@@ -50,6 +50,13 @@ bool vtkSMSolidsRepresentationProxy::GetUsingScalarColoring()
   return this->Superclass::GetUsingScalarColoring() || (!this->IsDrawn && GetArrayName(this).empty());
 }
 
+vtkPVDataInformation* vtkSMSolidsRepresentationProxy::GetRepresentedDataInformation()
+{
+  return this->IsWaiting && !this->IsDrawn && GetArrayName(this).empty()
+    ? this->NoInformation.Get()
+    : this->Superclass::GetRepresentedDataInformation();
+}
+
 void vtkSMSolidsRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);

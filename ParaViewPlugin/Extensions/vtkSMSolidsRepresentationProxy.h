@@ -7,13 +7,16 @@
  * the unit of its array.
  *
  * Solids without an array of colours have one colour. Apply in ParaView's window would colour them like the input, or with vtkBlockColors,
- * and add a legend. Therefore GetUsingScalarColoring() is true until the first drawing, so that Apply does not change the colouring; the
- * user may change it.
+ * and add a legend. Therefore GetUsingScalarColoring() is true until the first drawing, and GetRepresentedDataInformation() is empty between
+ * the view's first update and its drawing (ParaView 5.13 asks only for that), so that Apply does not change the colouring; the user may
+ * change it.
  */
 #ifndef vtkSMSolidsRepresentationProxy_h
 #define vtkSMSolidsRepresentationProxy_h
 
 #include "smParaViewExtensionsModule.h" // for the export macro
+#include "vtkNew.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMPVRepresentationProxy.h"
 
 class SMPARAVIEWEXTENSIONS_EXPORT vtkSMSolidsRepresentationProxy : public vtkSMPVRepresentationProxy
@@ -25,6 +28,7 @@ public:
 
   using Superclass::GetUsingScalarColoring;
   bool GetUsingScalarColoring() override;
+  vtkPVDataInformation* GetRepresentedDataInformation() override;
   void ViewUpdated(vtkSMProxy* view) override;
 
   using Superclass::SetScalarBarVisibility;
@@ -47,6 +51,7 @@ private:
   /// Waits for the end of the first drawing.
   bool IsWaiting = false;
   bool IsDrawn = false;
+  vtkNew<vtkPVDataInformation> NoInformation;
 };
 
 #endif

@@ -15,13 +15,17 @@ STEPCensus STEPCensusTaker::Take()
   this->AddBodies();
   this->AddArcs();
   this->CountAll();
-  this->FindSolidsBelow();
+  this->SolidsBelow = this->FindAbove({ CensusBodyKind::Solid }, true);
   this->SetInstances();
+  this->FindAlternatives();
+  this->FindShapelessProducts();
+  this->ReadQuantities();
   this->WalkBodies();
   this->FindCycles();
   this->MarkStructure();
   this->CheckBounds();
   this->CheckLoops();
+  this->CheckEdges();
   this->FindUnused();
   this->SpreadDamage();
   this->ReportUnits();
@@ -112,9 +116,11 @@ const char* GetName(CensusDefect defect)
 {
   static const char* const names[] = { "damaged entity", "undefined reference", "wrong type",
     "wrong parameter", "value out of range", "inconsistent spline", "cyclic reference", "bound of two faces",
-    "a curved edge runs against its neighbours", "face twice in a shell", "item twice in a representation",
-    "used by nothing", "shell without faces", "assembly contains itself", "missing placement",
-    "placement of other products", "in no product", "missing unit", "wrong unit", "absurd unit" };
+    "a curved edge runs against its neighbours", "a curve does not pass through the vertices of its edge",
+    "an edge runs against its loop or its curve, with the same points", "face twice in a shell",
+    "item twice in a representation", "used by nothing", "shell without faces", "assembly contains itself",
+    "missing placement", "placement of other products", "in no product", "missing unit", "wrong unit",
+    "absurd unit" };
   static_assert(
     sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(CensusDefect::Count), "a name each");
   return names[static_cast<std::size_t>(defect)];

@@ -25,13 +25,15 @@ enum class CensusDefect : unsigned char
   InconsistentSpline, ///< multiplicities, knots, poles and degree do not fit together
   CyclicReference,    ///< an oriented shell, face or edge, a boundary or a curve that is part of itself
   SharedBound,        ///< a bound of two faces, or twice of one
-  ReversedEdge,     ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
-  RepeatedFace,     ///< a face twice in one shell
-  RepeatedItem,     ///< a solid twice in one representation; it is counted once
-  UnusedEntity,     ///< a face, bound, loop, shell or solid that nothing uses
-  EmptyShell,       ///< a shell without a face
-  AssemblyCycle,    ///< a product, or a representation, that contains itself
-  MissingPlacement, ///< an occurrence in an assembly without a transformation
+  ReversedEdge,   ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
+  CurveOffVertex, ///< a line, circle or ellipse that does not pass through the vertices of its edge
+  ReversedLine, ///< a straight edge against its loop, or a line or an open spline against its edge: the points are the same
+  RepeatedFace,      ///< a face twice in one shell
+  RepeatedItem,      ///< a solid twice in one representation; it is counted once
+  UnusedEntity,      ///< a face, bound, loop, shell or solid that nothing uses
+  EmptyShell,        ///< a shell without a face
+  AssemblyCycle,     ///< a product, or a representation, that contains itself
+  MissingPlacement,  ///< an occurrence in an assembly without a transformation
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses
   MissingUnit,       ///< no length unit, or no angle unit
@@ -97,7 +99,7 @@ struct CensusShellUse
 enum class CensusBodyKind : unsigned char
 {
   Solid,      ///< MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS, FACETED_BREP
-  OtherSolid, ///< CSG, swept solids: declared, but there are no faces to integrate
+  OtherSolid, ///< CSG, swept solids, construction history: declared, but there are no faces to integrate
   SurfaceModel, ///< SHELL_BASED_SURFACE_MODEL, FACE_BASED_SURFACE_MODEL, a shell or a face as an item of its own
   GeometricSet, ///< GEOMETRIC_SET, GEOMETRIC_CURVE_SET, wireframes
   Tessellated   ///< triangles
@@ -126,6 +128,8 @@ struct CensusBody
   bool DensitiesDiffer = false;
   /// True if it depends on an entity with a defect of geometry.
   bool Damaged = false;
+  /// True for triangles whose products all have exact faces, too, or that name the solid which they approximate.
+  bool Alternative = false;
 };
 
 /// An occurrence of a product in an assembly: NEXT_ASSEMBLY_USAGE_OCCURRENCE.
@@ -143,6 +147,29 @@ struct CensusOccurrence
   CensusCount Instances = 0;
   /// True if the product or one below it has a solid.
   bool HasSolids = false;
+};
+
+/// A product that occurs in an assembly and has neither a body nor parts.
+struct CensusShapelessProduct
+{
+  /// Number of the PRODUCT_DEFINITION.
+  std::uint64_t Id = 0;
+  std::string Name;
+  /// The file that has its shape, as the file names it; empty for none.
+  std::string File;
+};
+
+/// QUANTIFIED_ASSEMBLY_COMPONENT_USAGE of a product with solids: how many of it an assembly has, without their positions.
+struct CensusQuantity
+{
+  std::uint64_t Id = 0;
+  /// Numbers of the PRODUCT_DEFINITIONs.
+  std::uint64_t Parent = 0;
+  std::uint64_t Child = 0;
+  std::string ChildName;
+  double Quantity = 0.0;
+  /// Number of occurrences of the child in the parent.
+  std::size_t Placed = 0;
 };
 
 /// MAPPED_ITEM in a representation that a product uses.
@@ -230,8 +257,8 @@ enum Bit : unsigned char
  * - Problems, only at entities that bodies, structure or units depend on: damage elsewhere, for example in text annotations, is not
  * reported. The
  *   parameters of all geometric entities below a face are checked against ISO 10303-42: number, kind, type of what they refer to,
- * ranges, and for splines that knots, multiplicities, poles and degree agree. Not checked are the positions of curves and points relative
- * to each other, and validation rules of the schemas beyond those named.
+ * ranges, and for splines that knots, multiplicities, poles and degree agree. Lines, circles and ellipses of edges must pass through the
+ * edges' vertices. Not checked are the positions of other curves and of points relative to each other, and validation rules of the schemas beyond those named.
  *
  * Time and memory are linear in the file (a file of 2^17 leaves in 17 levels takes no more than its 34 occurrences), and there is no
  * recursion over the depth of the file. Only std::bad_alloc is thrown.
@@ -250,6 +277,8 @@ struct SMREADERSPART21_EXPORT STEPCensus
   std::vector<std::uint64_t> Bounds;
   std::vector<CensusOccurrence> Occurrences;
   std::vector<CensusMappedItem> MappedItems;
+  std::vector<CensusShapelessProduct> ShapelessProducts;
+  std::vector<CensusQuantity> Quantities;
   std::vector<CensusContext> Contexts;
   /// At most one for each product, by the product's number.
   std::vector<STEPDensity> Densities;

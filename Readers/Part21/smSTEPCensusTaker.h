@@ -74,9 +74,18 @@ private:
   // smSTEPInstances.cxx: numbers of instances of products and shapes
   void CountAll();
   void PassDensity(Index from, Index to);
-  void FindSolidsBelow();
+  /// Marks groups with a body of one of these kinds, and what they are part of; `intoAssemblies`: assemblies, too.
+  std::vector<bool> FindAbove(const std::vector<CensusBodyKind>& kinds, bool intoAssemblies) const;
   void ReportCycles(const std::vector<std::uint32_t>& open);
   void SetInstances();
+
+  // smSTEPComponents.cxx: what products declare besides their bodies
+  bool IsOfAssembly(const Arc& arc) const;
+  void FindAlternatives();
+  void FindShapelessProducts();
+  std::unordered_map<Index, std::string> FindFilesOfProducts() const;
+  std::string GetProductName(Index product) const;
+  void ReadQuantities();
 
   // smSTEPBodies.cxx: bodies, shells, faces
   void AddBodies();
@@ -92,12 +101,29 @@ private:
 
   // smSTEPLoops.cxx: the order of edges
   using Point3 = std::array<double, 3>;
+  /// An edge with its vertices.
+  struct VertexPair
+  {
+    Index Edge;
+    Point3 Ends[2];
+    bool Straight;
+  };
   void CheckLoops();
+  const VertexPair* ReadEdge(Index edge);
   void CheckLoop(Index face, Index loop);
   /// Reads the coordinates of a vertex; returns false if that fails.
   bool ReadVertex(Index vertex, Point3& point);
-  bool IsStraight(Index curve) const;
+  Index FindSpatialCurve(Index edge) const;
   void CheckBounds();
+
+  // smSTEPEdges.cxx: curves and vertices of edges
+  void CheckEdges();
+  void CheckEdges(const CensusBody& body);
+  void CheckEdge(Index edge, const Point3 ends[2], double limit);
+  bool ReadNumbers(Index entity, const STEPAttribute& attribute, Point3& numbers) const;
+  bool ReadLine(Index line, Point3& point, Point3& direction) const;
+  bool IsAgainstSpline(Index spline, bool isForward, const Point3 ends[2], double limit) const;
+  double GetConicDistance(Index conic, const Point3& point) const;
 
   // smSTEPDependence.cxx: the entities on which bodies depend, and their damage
   void WalkBodies();
@@ -158,6 +184,10 @@ private:
   std::vector<Index> ShellEntities;
   std::vector<Index> FaceEntities;
   std::unordered_map<Index, int> ContextIndices;
+  /// The edges of all loops, in the order in which they are found; the place in it of each edge; and the first edge of each face.
+  std::vector<VertexPair> Edges;
+  std::vector<Index> EdgePlaces;
+  std::vector<std::size_t> FirstEdges;
   std::vector<bool> GeometricDamage;
   std::vector<unsigned char> Visited;
 };

@@ -124,21 +124,26 @@ void STEPCensusTaker::ReportCycles(const std::vector<std::uint32_t>& open)
   }
 }
 
-void STEPCensusTaker::FindSolidsBelow()
+std::vector<bool> STEPCensusTaker::FindAbove(
+  const std::vector<CensusBodyKind>& kinds, bool intoAssemblies) const
 {
   std::vector<Arc> back;
   for (const Arc& arc : this->Arcs)
   {
-    back.push_back({ arc.To, arc.From, arc.By });
+    if (intoAssemblies || !this->IsOfAssembly(arc))
+    {
+      back.push_back({ arc.To, arc.From, arc.By });
+    }
   }
   std::sort(back.begin(), back.end());
-  this->SolidsBelow.assign(this->File.GetNumberOfInstances(), false);
+  std::vector<bool> above(this->File.GetNumberOfInstances(), false);
   std::vector<Index> open;
   for (const auto& [group, body] : this->BodiesOfGroups)
   {
-    if (this->Census.Bodies[body].Kind == CensusBodyKind::Solid && !this->SolidsBelow[group])
+    const CensusBodyKind kind = this->Census.Bodies[body].Kind;
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end() && !above[group])
     {
-      this->SolidsBelow[group] = true;
+      above[group] = true;
       open.push_back(group);
     }
   }
@@ -149,13 +154,14 @@ void STEPCensusTaker::FindSolidsBelow()
     for (auto arc = std::lower_bound(back.begin(), back.end(), Arc{ end, 0, 0 });
          arc != back.end() && arc->From == end; ++arc)
     {
-      if (!this->SolidsBelow[arc->To])
+      if (!above[arc->To])
       {
-        this->SolidsBelow[arc->To] = true;
+        above[arc->To] = true;
         open.push_back(arc->To);
       }
     }
   }
+  return above;
 }
 
 void STEPCensusTaker::SetInstances()

@@ -1,6 +1,7 @@
 // Finds loops whose edges run against one another.
 #include "smSTEPCensusTaker.h"
 #include "smSTEPPropertyAttributes.h"
+#include "smSTEPTopologyAttributes.h"
 
 #include <algorithm>
 #include <array>
@@ -11,14 +12,7 @@ namespace sm
 {
 namespace
 {
-constexpr STEPAttribute LoopOfBound = { "FACE_BOUND", 0, 1, "bound" };
-constexpr STEPAttribute EdgesOfLoop = { "PATH", 0, 1, "edges" };
-constexpr STEPAttribute EdgeOfOriented = { "ORIENTED_EDGE", 0, 3, "edge" };
 constexpr STEPAttribute Orientation = { "ORIENTED_EDGE", 1, 4, "orientation" };
-constexpr STEPAttribute StartOfEdge = { "EDGE", 0, 1, "start" };
-constexpr STEPAttribute EndOfEdge = { "EDGE", 1, 2, "end" };
-constexpr STEPAttribute CurveOfEdge = { "EDGE_CURVE", 0, 3, "geometry" };
-constexpr STEPAttribute CurveInSpace = { "SURFACE_CURVE", 0, 1, "3D curve" };
 constexpr STEPAttribute PointOfVertex = { "VERTEX_POINT", 0, 1, "point" };
 
 /// Ends of edges that are closer than this, relative to the extent of the loop's vertices, are connected. A wider gap is detected by the
@@ -89,24 +83,34 @@ bool STEPCensusTaker::ReadVertex(Index vertex, Point3& point)
   return isKnown;
 }
 
-bool STEPCensusTaker::IsStraight(Index curve) const
+/// Returns the curve of an edge, without the pcurves that may stand beside it; None if there is none.
+STEPCensusTaker::Index STEPCensusTaker::FindSpatialCurve(Index edge) const
 {
+  const Index curve = this->Entities.Follow(this->Entities.Get(edge, CurveOfEdge));
   std::string_view parameters;
-  for (int k = 0; k < 2 && curve != None; ++k)
+  const bool isOnSurfaces = this->Entities.FindRecord(curve, "SURFACE_CURVE", parameters) ||
+    this->Entities.FindRecord(curve, "SEAM_CURVE", parameters) ||
+    this->Entities.FindRecord(curve, "INTERSECTION_CURVE", parameters);
+  return isOnSurfaces ? this->Entities.Follow(this->Entities.Get(curve, CurveInSpace)) : curve;
+}
+
+/// Returns the vertices of an edge, which are read once; null if they cannot be read. The pointer is valid until the next call.
+const STEPCensusTaker::VertexPair* STEPCensusTaker::ReadEdge(Index edge)
+{
+  if (this->EdgePlaces[edge] == None)
   {
-    if (this->Entities.FindRecord(curve, "LINE", parameters))
+    VertexPair found{ edge, {}, false };
+    if (!this->ReadVertex(this->Entities.Follow(this->Entities.Get(edge, StartOfEdge)), found.Ends[0]) ||
+      !this->ReadVertex(this->Entities.Follow(this->Entities.Get(edge, EndOfEdge)), found.Ends[1]))
     {
-      return true;
+      return nullptr;
     }
-    if (!this->Entities.FindRecord(curve, "SURFACE_CURVE", parameters) &&
-      !this->Entities.FindRecord(curve, "SEAM_CURVE", parameters) &&
-      !this->Entities.FindRecord(curve, "INTERSECTION_CURVE", parameters))
-    {
-      return false;
-    }
-    curve = this->Entities.Follow(this->Entities.Get(curve, CurveInSpace));
+    std::string_view line;
+    found.Straight = this->Entities.FindRecord(this->FindSpatialCurve(edge), "LINE", line);
+    this->EdgePlaces[edge] = static_cast<Index>(this->Edges.size());
+    this->Edges.push_back(found);
   }
-  return false;
+  return &this->Edges[this->EdgePlaces[edge]];
 }
 
 void STEPCensusTaker::CheckLoop(Index face, Index loop)
@@ -129,14 +133,12 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
     {
       return;
     }
-    LoopEdge found;
-    found.Id = this->File.GetId(edge);
-    if (!this->ReadVertex(this->Entities.Follow(this->Entities.Get(edge, StartOfEdge)), found.Start) ||
-      !this->ReadVertex(this->Entities.Follow(this->Entities.Get(edge, EndOfEdge)), found.End))
+    const VertexPair* const ends = this->ReadEdge(edge);
+    if (!ends)
     {
       return;
     }
-    found.Straight = this->IsStraight(this->Entities.Follow(this->Entities.Get(edge, CurveOfEdge)));
+    LoopEdge found{ this->File.GetId(edge), ends->Ends[0], ends->Ends[1], ends->Straight };
     if (this->Entities.Get(oriented, Orientation).Text == "F")
     {
       std::swap(found.Start, found.End);
@@ -179,12 +181,18 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
     this->GeometricDamage[face] = true;
     this->Add(CensusDefect::ReversedEdge, loop, edges[*curved].Id, EdgesOfLoop.Name);
   }
+  else if (!reversed.empty())
+  {
+    this->Add(CensusDefect::ReversedLine, loop, edges[reversed.front()].Id, EdgesOfLoop.Name);
+  }
 }
 
 void STEPCensusTaker::CheckLoops()
 {
+  this->EdgePlaces.assign(this->File.GetNumberOfInstances(), None);
   for (std::size_t k = 0; k < this->Census.Faces.size(); ++k)
   {
+    this->FirstEdges.push_back(this->Edges.size());
     const CensusFace face = this->Census.Faces[k];
     for (std::uint32_t b = 0; b < face.NumberOfBounds; ++b)
     {
@@ -197,5 +205,6 @@ void STEPCensusTaker::CheckLoops()
       }
     }
   }
+  this->FirstEdges.push_back(this->Edges.size());
 }
 }

@@ -18,7 +18,7 @@ namespace STEPRole
 enum Bit : std::uint64_t
 {
   Solid = 1ull << 0,      ///< MANIFOLD_SOLID_BREP and its kinds
-  OtherSolid = 1ull << 1, ///< CSG and swept solids: no boundary that could be integrated
+  OtherSolid = 1ull << 1, ///< CSG, swept solids, construction history: no boundary that could be integrated
   SurfaceModel = 1ull << 2,
   WireModel = 1ull << 3,
   GeometricSet = 1ull << 4,
@@ -56,6 +56,10 @@ enum Bit : std::uint64_t
   SplineCurve = 1ull << 36,
   SplineSurface = 1ull << 37,
   OtherUsage = 1ull << 38, ///< a relationship of products that places no part by itself
+  Document = 1ull << 39,   ///< DOCUMENT_FILE
+  DocumentEquivalence = 1ull << 40,
+  DocumentReference = 1ull << 41,
+  FileIdentification = 1ull << 42, ///< the path of a document's file
 };
 }
 

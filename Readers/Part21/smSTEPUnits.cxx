@@ -71,7 +71,7 @@ const NamedFactor* FindFactor(const NamedFactor (&table)[N], std::string_view na
   return nullptr;
 }
 
-/// Records of units in complex instances, and simple measures, by the number of their parameters.
+/// Records of units and contexts in complex instances, and simple measures, by the number of their parameters.
 struct UnitRecord
 {
   std::string_view Type;
@@ -79,10 +79,12 @@ struct UnitRecord
 };
 const UnitRecord UnitRecords[] = { { "NAMED_UNIT", 1 }, { "SI_UNIT", 2 }, { "CONVERSION_BASED_UNIT", 2 },
   { "LENGTH_UNIT", 0 }, { "PLANE_ANGLE_UNIT", 0 }, { "MASS_UNIT", 0 }, { "MEASURE_WITH_UNIT", 2 },
-  { "LENGTH_MEASURE_WITH_UNIT", 2 }, { "PLANE_ANGLE_MEASURE_WITH_UNIT", 2 },
-  { "MASS_MEASURE_WITH_UNIT", 2 } };
+  { "LENGTH_MEASURE_WITH_UNIT", 2 }, { "PLANE_ANGLE_MEASURE_WITH_UNIT", 2 }, { "MASS_MEASURE_WITH_UNIT", 2 },
+  { "GEOMETRIC_REPRESENTATION_CONTEXT", 1 }, { "REPRESENTATION_CONTEXT", 2 },
+  { "GLOBAL_UNIT_ASSIGNED_CONTEXT", 1 }, { "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT", 1 },
+  { "PARAMETRIC_REPRESENTATION_CONTEXT", 0 } };
 
-/// OpenCASCADE ignores a unit that has a parameter too many, or too few, and takes another.
+/// OpenCASCADE ignores a unit or context that has a parameter too many, or too few, and takes other units.
 bool HasWrongCount(const Part21File& file, Part21File::Index unit)
 {
   for (std::size_t r = 0; r < file.GetNumberOfRecords(unit); ++r)
@@ -121,7 +123,7 @@ bool HasWrongRecords(const STEPAttributes& entities, Part21File::Index unit, con
       !entities.FindRecord(unit, kind.Record, record));
 }
 
-/// Returns true for a context with other records than these, likewise.
+/// Returns true for a context with other records than these, or with a wrong number of parameters, likewise.
 bool HasWrongContextRecords(const STEPAttributes& entities, Part21File::Index context)
 {
   static constexpr std::string_view known[] = { "GEOMETRIC_REPRESENTATION_CONTEXT", "REPRESENTATION_CONTEXT",
@@ -135,7 +137,7 @@ bool HasWrongContextRecords(const STEPAttributes& entities, Part21File::Index co
   }
   return entities.File.IsComplex(context) && !entities.File.IsDamaged(context) &&
     (found != entities.File.GetNumberOfRecords(context) || !entities.FindRecord(context, known[0], record) ||
-      !entities.FindRecord(context, known[1], record));
+      !entities.FindRecord(context, known[1], record) || HasWrongCount(entities.File, context));
 }
 
 /// Returns true for a unit of any kind whose records can be read.

@@ -156,7 +156,7 @@ public:
     this->Result.Breaks.back() = this->End;
     for (int d = 0; d < 2; ++d)
     {
-      this->Result.Residual[d] += this->Trim.Residual[d];
+      this->Result.AddResidual(d, this->Trim.Residual[d]);
     }
     result = std::move(this->Result);
     return true;
@@ -453,6 +453,56 @@ Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeC
 {
   CellSurface cells(surface);
   return MeasureStep(cells, trim, edge);
+}
+
+TrimCurve::Point MeasureResidual(const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge)
+{
+  // What may be missed between the points, and the least speed along a parameter, relative to the largest one of the curve.
+  constexpr double between = 1.25;
+  constexpr double leastSpeed = 0.01;
+  CellSurface cells(surface);
+  struct Sample
+  {
+    double Distance;
+    Point2 Speed;
+  };
+  std::vector<Sample> samples;
+  Point2 fastest{};
+  for (int k = 0; k < trim.GetNumberOfPieces(); ++k)
+  {
+    for (const double x : GetFitNodes())
+    {
+      Point3 du;
+      Point3 dv;
+      const Point3 position = cells.Evaluate(trim.GetPiece(k).Evaluate(x), &du, &dv);
+      // A displacement along the edge does not move the border.
+      Point3 tangent;
+      const Point3 target = edge.Evaluate((1.0 - x) * trim.Breaks[k] + x * trim.Breaks[k + 1], &tangent);
+      const Point3 gap = { target[0] - position[0], target[1] - position[1], target[2] - position[2] };
+      const double speed = Dot(tangent, tangent);
+      const double along = speed > 0.0 ? Dot(gap, tangent) * Dot(gap, tangent) / speed : 0.0;
+      const Point3 normal = Cross(du, dv);
+      const double squares[2] = { Dot(du, du), Dot(dv, dv) };
+      const double sine =
+        squares[0] * squares[1] > 0.0 ? std::sqrt(Dot(normal, normal) / (squares[0] * squares[1])) : 1.0;
+      samples.push_back({ std::sqrt(std::max(0.0, Dot(gap, gap) - along)) / std::max(sine, leastSpeed),
+        { std::sqrt(squares[0]), std::sqrt(squares[1]) } });
+      for (int d = 0; d < 2; ++d)
+      {
+        fastest[d] = std::max(fastest[d], samples.back().Speed[d]);
+      }
+    }
+  }
+  TrimCurve::Point residual{};
+  for (const Sample& s : samples)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      residual[d] =
+        std::max(residual[d], between * s.Distance / std::max(s.Speed[d], leastSpeed * fastest[d]));
+    }
+  }
+  return residual;
 }
 
 StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& edge, double size,

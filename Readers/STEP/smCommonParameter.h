@@ -23,6 +23,10 @@ struct Step
 SMREADERSSTEP_EXPORT Step MeasureStep(
   const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge);
 
+/// Returns by how much u and v of a trim curve differ from those of the edge's points, at most; from the distance between both, at some points
+/// of each piece.
+TrimCurve::Point MeasureResidual(const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge);
+
 enum class StepResult
 {
   InStep,

@@ -5,6 +5,7 @@
 #include "smOCCTClosing.h"
 #include "smOCCTCompleteLoops.h"
 #include "smOCCTEdge.h"
+#include "smOCCTFaceInspection.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
 #include "smOCCTRounding.h"
@@ -15,6 +16,7 @@
 #include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace sm
@@ -36,7 +38,7 @@ std::string Label(const char* kind, int fileId, std::size_t index)
 
 /// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
 /// distances of up to 1.3e-3.
-constexpr double EndTolerance = 1e-2;
+constexpr double EndTolerance = 2e-3;
 
 class BodyConverter
 {
@@ -211,7 +213,9 @@ private:
   {
     if (!inspected.Face.IsEqual(draft.Face))
     {
-      const std::string problem = CompleteLoops(draft);
+      const double any = std::numeric_limits<double>::infinity();
+      const std::string problem =
+        inspected.TurnedEdges > 0 ? InspectFace(draft, gp_Pnt(), any, any).Problem : CompleteLoops(draft);
       if (!problem.empty())
       {
         throw std::runtime_error(problem);
@@ -263,7 +267,10 @@ private:
     const AffineMap map = this->Place.MakeMap(draft.Location);
     std::vector<std::vector<TrimCurve>> trims = this->ProjectTrims(draft, map);
     const NativeBox box = GetCoveredBox(draft, trims);
-    ConvertedSurface surface = ConvertSurface(draft.Surface, box, map);
+    const Handle(Geom_Surface) own =
+      info.OwnSurface.Surface.IsNull() ? nullptr : CoverBox(info.OwnSurface, draft.Surface, box);
+    const Handle(Geom_Surface)& source = own.IsNull() ? draft.Surface : own;
+    ConvertedSurface surface = ConvertSurface(source, box, map);
 
     auto face = std::make_shared<Face>();
     face->Id = NewId();
@@ -280,8 +287,14 @@ private:
       this->ConvertLoop(draft, draft.Loops[l], added, surface, box, trims[l], *face, result);
     }
     face->Surface = std::move(surface.Surface);
-    face->Surface.Rounding =
-      GetReadingRounding(draft.Surface, box, map, this->Place.Origin, this->Roundings, face->Surface);
+    // The unit of the file's own surface is converted by one more factor.
+    face->Surface.Rounding = GetReadingRounding(
+      source, box, map, this->Place.Origin, this->Roundings + (own.IsNull() ? 0 : 2), face->Surface);
+    for (double& rounding : face->Surface.Rounding)
+    {
+      // The control points of a face that crosses the seam are those that OpenCASCADE moved.
+      rounding += own.IsNull() ? info.OwnSurface.Distance * map.GetScale() : 0.0;
+    }
     for (DraftLoop& loop : draft.Loops)
     {
       for (DraftCoedge& coedge : loop)
@@ -325,6 +338,20 @@ private:
       coedge.Curve = from.Projected ? std::move(projected[i])
                                     : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
                                         coedge.Use->Curve.GetEnd(), surface.Map, width);
+      if (from.Trim.Residual[0] + from.Trim.Residual[1] > 0.0 ||
+        (from.Trim.Feet && coedge.Curve.GetLargestResidual() > 1e-12))
+      {
+        // A line may be nearer to the edge than the foot points, which OpenCASCADE evaluates.
+        const TrimCurve::Point measured = MeasureResidual(surface.Surface, coedge.Curve, coedge.Use->Curve);
+        for (int d = 0; d < 2; ++d)
+        {
+          coedge.Curve.Residual[d] = std::min(coedge.Curve.Residual[d], measured[d]);
+          for (TrimCurve::Point& residual : coedge.Curve.PieceResiduals)
+          {
+            residual[d] = std::min(residual[d], measured[d]);
+          }
+        }
+      }
       SnapToKnots(knots, coedge.Curve);
       if (!coedge.Use->Degenerate && !from.Projected)
       {
@@ -422,8 +449,12 @@ private:
 
 bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table)
 {
-  const TopExp_Explorer faces(shape, TopAbs_FACE);
-  return faces.More() && Find(table, faces.Current()).AsInFile != nullptr;
+  bool isAny = false;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More() && !isAny; faces.Next())
+  {
+    isAny = Find(table, faces.Current()).AsInFile != nullptr;
+  }
+  return isAny;
 }
 
 ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit, const double origin[3],

@@ -6,6 +6,7 @@
 #define smOCCTBody_h
 
 #include "smFace.h"
+#include "smOCCTFileSurface.h"
 #include "smOCCTLoop.h"
 #include "smProgressCallback.h"
 #include "smReadersSTEPModule.h"
@@ -32,6 +33,8 @@ struct ShapeInfo
   bool Bounded = false;
   /// The completed loops (smOCCTCompleteLoops.h) of a face that OpenCASCADE has not repaired; null for other shapes.
   std::shared_ptr<const DraftFace> AsInFile;
+  /// The surface of a face in the file, if OpenCASCADE changed it.
+  FileSurface OwnSurface;
   /// Number of faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
   /// True for a solid or shell one of whose instances lost its scale or reflection in the transfer.
@@ -39,7 +42,7 @@ struct ShapeInfo
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
 
-/// Returns true if OpenCASCADE has not repaired the faces of a solid or shell.
+/// Returns true if OpenCASCADE has not repaired a solid or shell, or only some of its faces.
 SMREADERSSTEP_EXPORT bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table);
 
 struct ConvertedFace

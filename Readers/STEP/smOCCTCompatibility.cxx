@@ -4,6 +4,12 @@
 #include <utility>
 
 #if !__has_include(<XSAlgo_ShapeProcessor.hxx>)
+#include <BRep_Builder.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeProcess_ShapeContext.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapIteratorOfDataMapOfShapeShape.hxx>
+#include <TopoDS_Shell.hxx>
 #include <XSAlgo.hxx>
 #include <XSAlgo_AlgoContainer.hxx>
 #endif
@@ -17,7 +23,7 @@ const bool KernelReadsTessellations = false;
 #endif
 
 #if __has_include(<XSAlgo_ShapeProcessor.hxx>)
-TransferFilter::TransferFilter(std::function<bool(TopoDS_Shape&)>) {}
+TransferFilter::TransferFilter(Callback) {}
 
 TransferFilter::~TransferFilter() = default;
 #else
@@ -28,7 +34,7 @@ template <typename... Last>
 class FilteringContainer : public XSAlgo_AlgoContainer
 {
 public:
-  explicit FilteringContainer(std::function<bool(TopoDS_Shape&)> isSound)
+  explicit FilteringContainer(TransferFilter::Callback isSound)
     : IsSound(std::move(isSound))
   {
   }
@@ -37,9 +43,49 @@ public:
     Standard_CString resource, Standard_CString sequence, Handle(Standard_Transient) & info,
     const Message_ProgressRange& progress, Standard_Boolean nonManifold, Last... last) const override
   {
-    TopoDS_Shape shape = original;
-    if (!nonManifold && std::strncmp(sequence, "read.", 5) == 0 && this->IsSound(shape))
+    Handle(Standard_Transient) changes;
+    const FaceRepair repair = [&](const TopoDS_Shape& whole, const std::vector<TopoDS_Shape>& faces,
+                                std::vector<TopoDS_Shape>& repaired)
     {
+      const Handle(ShapeBuild_ReShape) substitution = new ShapeBuild_ReShape();
+      for (const TopoDS_Shape& face : faces)
+      {
+        // By itself a face would be repaired with other settings than in a shell.
+        TopoDS_Shell shell;
+        BRep_Builder().MakeShell(shell);
+        BRep_Builder().Add(shell, substitution->Apply(face));
+        // A context made there would not record vertices.
+        const Handle(ShapeProcess_ShapeContext) context = new ShapeProcess_ShapeContext(shell, resource);
+        context->SetDetalisation(TopAbs_VERTEX);
+        Handle(Standard_Transient) own(context);
+        this->XSAlgo_AlgoContainer::ProcessShape(
+          shell, precision, maximum, resource, sequence, own, Message_ProgressRange(), false, last...);
+        for (TopTools_DataMapIteratorOfDataMapOfShapeShape it(context->Map()); it.More(); it.Next())
+        {
+          if (it.Key().ShapeType() > TopAbs_SHELL && !it.Value().IsNull())
+          {
+            substitution->Replace(it.Key(), it.Value());
+          }
+        }
+      }
+      const TopoDS_Shape result = substitution->Apply(whole);
+      for (const TopoDS_Shape& face : faces)
+      {
+        for (TopExp_Explorer it(substitution->Apply(face), TopAbs_FACE); it.More(); it.Next())
+        {
+          repaired.push_back(it.Current());
+        }
+      }
+      const Handle(ShapeProcess_ShapeContext) context = new ShapeProcess_ShapeContext(whole, resource);
+      context->SetDetalisation(TopAbs_EDGE);
+      context->RecordModification(substitution);
+      changes = context;
+      return result;
+    };
+    TopoDS_Shape shape = original;
+    if (!nonManifold && std::strncmp(sequence, "read.", 5) == 0 && this->IsSound(shape, repair))
+    {
+      info = changes;
       return shape;
     }
     return this->XSAlgo_AlgoContainer::ProcessShape(
@@ -47,7 +93,7 @@ public:
   }
 
 private:
-  std::function<bool(TopoDS_Shape&)> IsSound;
+  TransferFilter::Callback IsSound;
 };
 
 /// Makes a container whose ProcessShape() has the parameters of the given method.
@@ -56,13 +102,13 @@ Handle(XSAlgo_AlgoContainer)
   MakeContainer(TopoDS_Shape (XSAlgo_AlgoContainer::*)(const TopoDS_Shape&, Standard_Real, Standard_Real,
                   Standard_CString, Standard_CString, Handle(Standard_Transient) &,
                   const Message_ProgressRange&, Standard_Boolean, Last...) const,
-    std::function<bool(TopoDS_Shape&)> isSound)
+    TransferFilter::Callback isSound)
 {
   return new FilteringContainer<Last...>(std::move(isSound));
 }
 }
 
-TransferFilter::TransferFilter(std::function<bool(TopoDS_Shape&)> isSound)
+TransferFilter::TransferFilter(Callback isSound)
   : Previous(XSAlgo::AlgoContainer())
 {
   XSAlgo::SetAlgoContainer(MakeContainer(&XSAlgo_AlgoContainer::ProcessShape, std::move(isSound)));

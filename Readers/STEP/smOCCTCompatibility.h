@@ -9,6 +9,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <functional>
+#include <vector>
 
 namespace sm
 {
@@ -16,15 +17,22 @@ namespace sm
 /// quadratic in their number.
 extern const bool KernelReadsTessellations;
 
+/// Repairs some faces of a shape as OpenCASCADE's repair of the whole shape would, and returns the shape with them; `repaired` gets what
+/// became of these faces. The shape given is not changed, apart from what OpenCASCADE adds to edges and vertices of these faces.
+using FaceRepair = std::function<TopoDS_Shape(
+  const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& faces, std::vector<TopoDS_Shape>& repaired)>;
+
 /**
  * During the lifetime of this object `isSound` is called for each shape of a STEP transfer before OpenCASCADE repairs it. If it returns
- * true, the shape, which it may exchange, is not repaired. The hook is global: hold a KernelSession. From OpenCASCADE 7.9 on it is never
+ * true, the shape, which it may exchange or repair in part, is not repaired. The hook is global: hold a KernelSession. From OpenCASCADE 7.9 on it is never
  * called and all shapes are repaired, because the repair is no virtual function any more.
  */
 class TransferFilter
 {
 public:
-  explicit TransferFilter(std::function<bool(TopoDS_Shape&)> isSound);
+  using Callback = std::function<bool(TopoDS_Shape&, const FaceRepair&)>;
+
+  explicit TransferFilter(Callback isSound);
   ~TransferFilter();
   TransferFilter(const TransferFilter&) = delete;
   void operator=(const TransferFilter&) = delete;

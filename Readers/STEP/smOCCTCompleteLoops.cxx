@@ -50,6 +50,9 @@ public:
     return problem;
   }
 
+  /// Returns true if an edge passes a pole so closely that its trim curve is not exact.
+  bool IsDisturbedByPole() const { return this->Disturbed; }
+
 private:
   using Pole = FootPointFinder::Pole;
 
@@ -82,10 +85,13 @@ private:
           return this->Finder ? "an edge has no feet on it"
                               : "its surface is closed, or of a kind that has no inverse";
         }
+        this->Disturbed = this->Disturbed || feet->IsDisturbedByPole();
         coedge.EdgeDistance = feet->GetDistance();
         coedge.Overhang = feet->GetOverhang();
         coedge.Trim.Curve = feet->GetLine();
         coedge.Trim.Feet = coedge.Trim.Curve.IsNull() ? feet : nullptr;
+        coedge.Trim.Residual[0] = feet->GetResidual(0);
+        coedge.Trim.Residual[1] = feet->GetResidual(1);
         coedge.NeedsFeet = false;
       }
     }
@@ -430,6 +436,7 @@ private:
   std::vector<WindingLoop> Winding;
   /// True if the loops have been moved into one period.
   bool IsPlaced = false;
+  bool Disturbed = false;
 };
 
 bool HasStoredTrims(const DraftFace& face)
@@ -447,16 +454,108 @@ bool HasStoredTrims(const DraftFace& face)
   return false;
 }
 
-/// Returns the same sphere with its poles on its x axis (or y axis).
-Handle(Geom_Surface) TurnSphere(const Handle(Geom_SphericalSurface) & sphere, bool isX)
+/// Returns the same sphere with another axis.
+Handle(Geom_Surface) TurnSphere(const Handle(Geom_SphericalSurface) & sphere, const gp_Dir& axis)
 {
   const gp_Ax3& from = sphere->Position();
-  gp_Ax3 frame(from.Location(), isX ? from.XDirection() : from.YDirection(), from.Direction());
+  gp_Ax3 frame(from.Location(), axis);
   if (!from.Direct())
   {
     frame.YReverse();
   }
   return new Geom_SphericalSurface(frame, sphere->Radius());
+}
+
+/// Returns twice the signed area of a loop in the parameters, of its curves at some points.
+double GetLoopArea(const DraftLoop& loop)
+{
+  constexpr int segments = 16;
+  const Point2 origin = loop[0].GetStartPoint();
+  Point2 last = origin;
+  double area = 0.0;
+  for (const DraftCoedge& coedge : loop)
+  {
+    for (int i = 0; i <= segments; ++i)
+    {
+      const double x = static_cast<double>(coedge.Reversed ? segments - i : i) / segments;
+      const Point2 p = coedge.Trim.Evaluate((1.0 - x) * coedge.Trim.First + x * coedge.Trim.Last);
+      area += (last[0] - origin[0]) * (p[1] - origin[1]) - (last[1] - origin[1]) * (p[0] - origin[0]);
+      last = p;
+    }
+  }
+  return area;
+}
+
+/// Returns true if the largest loop runs clockwise: no pole is in any hole of the sphere, so that the loops do not bound the face from
+/// outside.
+bool HasOnlyHoles(const DraftFace& face)
+{
+  double largest = 0.0;
+  for (const DraftLoop& loop : face.Loops)
+  {
+    const double area = GetLoopArea(loop);
+    largest = std::abs(area) > std::abs(largest) ? area : largest;
+  }
+  return largest < 0.0;
+}
+
+/// Returns the direction of a loop's vector area; it is the axis of a loop that is a circle.
+bool FindLoopAxis(const DraftFace& face, const gp_Pnt& center, const DraftLoop& loop, gp_Dir& axis)
+{
+  constexpr int segments = 16;
+  gp_XYZ area(0.0, 0.0, 0.0);
+  gp_XYZ first;
+  gp_XYZ last;
+  bool isFirst = true;
+  for (const DraftCoedge& coedge : loop)
+  {
+    TopLoc_Location location;
+    double range[2];
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(coedge.Edge, location, range[0], range[1]);
+    if (curve.IsNull())
+    {
+      continue;
+    }
+    const gp_Trsf placement = face.Location.Inverted() * location.Transformation();
+    for (int i = 0; i <= segments; ++i)
+    {
+      const double x = static_cast<double>(coedge.Reversed ? segments - i : i) / segments;
+      const gp_XYZ p =
+        curve->Value((1.0 - x) * range[0] + x * range[1]).Transformed(placement).XYZ() - center.XYZ();
+      first = isFirst ? p : first;
+      area += isFirst ? gp_XYZ(0.0, 0.0, 0.0) : (last - first).Crossed(p - first);
+      last = p;
+      isFirst = false;
+    }
+  }
+  if (!(area.Modulus() > 0.0))
+  {
+    return false;
+  }
+  axis = gp_Dir(area);
+  return true;
+}
+
+/// Returns axes to try for a sphere: those of its loops, which make a circle a line of constant parameter, then fixed ones.
+std::vector<gp_Dir> ListAxes(const DraftFace& face, const Handle(Geom_SphericalSurface) & sphere)
+{
+  const gp_Ax3& frame = sphere->Position();
+  std::vector<gp_Dir> axes;
+  for (const DraftLoop& loop : face.Loops)
+  {
+    gp_Dir axis;
+    if (axes.size() < 4 && FindLoopAxis(face, frame.Location(), loop, axis))
+    {
+      axes.push_back(axis);
+    }
+  }
+  for (const auto& [x, y, z] :
+    { std::array<double, 3>{ 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 1 }, { -1, 1, 1 }, { 1, -1, 1 }, { 1, 1, -1 } })
+  {
+    axes.emplace_back(
+      x * frame.XDirection().XYZ() + y * frame.YDirection().XYZ() + z * frame.Direction().XYZ());
+  }
+  return axes;
 }
 }
 
@@ -467,23 +566,45 @@ std::string CompleteLoops(DraftFace& face)
   {
     return LoopCompleter(face).Run();
   }
+  // The poles of a sphere can be chosen freely. The foot point of an edge that passes a pole is not a smooth function of the parameter, and
+  // a hole that contains no pole is the only loop of a face that is larger than half the sphere.
   const DraftFace before = face;
-  std::string problem = LoopCompleter(face).Run();
-  const std::string first = problem;
-  // The foot point of an edge that passes a pole is not a smooth function of the parameter. The poles of a sphere can be chosen freely.
-  for (const bool isX : { true, false })
-  {
-    if (!problem.empty())
-    {
-      face = before;
-      face.Surface = TurnSphere(sphere, isX);
-      problem = LoopCompleter(face).Run();
-    }
-  }
-  if (!problem.empty())
+  DraftFace second;
+  bool hasSecond = false;
+  std::string first;
+  std::vector<gp_Dir> axes{ sphere->Position().Direction() };
+  for (std::size_t i = 0; i < axes.size(); ++i)
   {
     face = before;
+    face.Surface = i == 0 ? before.Surface : TurnSphere(sphere, axes[i]);
+    LoopCompleter completer(face);
+    const std::string problem = completer.Run();
+    if (problem.empty() && !HasOnlyHoles(face))
+    {
+      if (!completer.IsDisturbedByPole())
+      {
+        return problem;
+      }
+      second = hasSecond ? second : face;
+      hasSecond = true;
+    }
+    if (i == 0)
+    {
+      first = problem;
+      const std::vector<gp_Dir> others = ListAxes(before, sphere);
+      axes.insert(axes.end(), others.begin(), others.end());
+    }
   }
-  return problem.empty() ? problem : first;
+  face = hasSecond ? second : before;
+  if (hasSecond)
+  {
+    return {};
+  }
+  if (first.empty())
+  {
+    // The inspection finds what is wrong.
+    return LoopCompleter(face).Run();
+  }
+  return first;
 }
 }

@@ -12,6 +12,7 @@
 #include "smOCCTRecords.h"
 #include "smOCCTRepair.h"
 #include "smOCCTTable.h"
+#include "smOCCTTurnedShells.h"
 #include "smPart21File.h"
 #include "smPart21Remains.h"
 #include "smSTEPExplicit.h"
@@ -21,6 +22,10 @@
 #include "vtkTimerLog.h"
 
 #include <STEPCAFControl_Reader.hxx>
+#include <StepAP214_AppliedDocumentReference.hxx>
+#include <StepBasic_HArray1OfDocument.hxx>
+#include <StepBasic_ObjectRole.hxx>
+#include <StepBasic_ProductDefinitionWithAssociatedDocuments.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepGeom_RectangularTrimmedSurface.hxx>
 #include <StepGeom_ToroidalSurface.hxx>
@@ -141,6 +146,25 @@ void TurnNegativeTori(const Handle(StepData_StepModel) & model)
   }
 }
 
+/// Keeps OpenCASCADE from reading other files, which it would seek in the working directory: their bodies would have numbers that are none
+/// of this file, and nothing would tell whether they are complete. Reconcile() reports the products that lack them.
+void ForgetOtherFiles(const Handle(StepData_StepModel) & model)
+{
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(Standard_Transient) entity = model->Value(i);
+    const auto definition = Handle(StepBasic_ProductDefinitionWithAssociatedDocuments)::DownCast(entity);
+    if (!definition.IsNull())
+    {
+      definition->SetDocIds(nullptr);
+    }
+    else if (entity->DynamicType() == STANDARD_TYPE(StepAP214_AppliedDocumentReference))
+    {
+      model->ReplaceEntity(i, new StepBasic_ObjectRole);
+    }
+  }
+}
+
 /// Sets the status after the transfer, by the bodies that it made.
 void Conclude(const Handle(StepData_StepModel) & model, Document& document)
 {
@@ -251,11 +275,10 @@ struct DeclaredContent
 
 /// Transfers all shapes of the file; returns false if `progress` stopped it.
 bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, RepairMode repair,
-  const ProgressCallback& progress, Document& document)
+  const ProgressCallback& progress, Document& document, RepairLog& log)
 {
   const Handle(KernelProgress) indicator =
     new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
-  RepairLog log;
   {
     const auto label = [&reader](const TopoDS_Shape& shape)
     { return GetShapeLabel(reader.Reader().WS(), shape); };
@@ -269,9 +292,9 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
     document.Table[shape].AsInFile = face;
   }
   document.TrimSeconds = log.Seconds;
-  if (log.RepairedBodies > 0)
+  for (std::string& message : Describe(log))
   {
-    document.Messages.push_back(Describe(log));
+    document.Messages.push_back(std::move(message));
   }
   return progress(1.0);
 }
@@ -331,11 +354,14 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   SkipDamagedAttributes(model, reader, document);
   TurnNegativeTori(model);
+  ForgetOtherFiles(model);
+  ClearClosedFlags(model);
   ShortenAssemblies(reader.Reader().WS());
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   SetMillimetres(xde);
-  if (!Transfer(reader, xde, repair, progress, document))
+  RepairLog log;
+  if (!Transfer(reader, xde, repair, progress, document, log))
   {
     document.Status = ReadStatus::Aborted;
     return;
@@ -348,6 +374,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   {
     body.Misplaced = body.Misplaced || !found;
   }
+  ReportTurnedShells(log, document);
   Reconcile(declared.Census, document);
   CompareUnits(model, completed.Contexts, document.Defects);
   for (const STEPDoubt& doubt : completed.Doubts)

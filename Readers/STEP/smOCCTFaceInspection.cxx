@@ -1,6 +1,7 @@
 #include "smOCCTFaceInspection.h"
 
 #include "smOCCTCompleteLoops.h"
+#include "smOCCTTurnEdges.h"
 
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
@@ -212,6 +213,7 @@ NativeBox GetBox(const std::vector<Point2>& points)
 FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap)
 {
   FaceInspection result;
+  TurnEdges(face);
   result.Problem = face.Defects > 0 ? "one of its edges cannot be used"
     : face.Loops.empty()            ? "it has no loops"
                                     : CompleteLoops(face);
@@ -248,6 +250,12 @@ FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double toleran
     boxes.push_back(GetBox(points));
     largest = std::abs(areas.back()) > std::abs(areas[largest]) ? areas.size() - 1 : largest;
     result.ConeVolume += GetConeVolume(face, points, areas.back(), boxes[0].Low[0], origin);
+  }
+  if (face.TurnedEdges > 0 && areas[largest] < 0.0)
+  {
+    TurnLoop(face);
+    areas[largest] = -areas[largest];
+    result.ConeVolume = -result.ConeVolume;
   }
   if (!(areas[largest] > 0.0) && !IsSliver(face, sampled.Loops[largest], areas[largest], tolerance))
   {

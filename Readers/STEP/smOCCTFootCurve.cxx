@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sm
 {
@@ -27,11 +28,24 @@ constexpr int MostAdded = 64;
 /// A curve that ends so close to a pole, relative to its size, is taken to end at the pole.
 constexpr double PoleTolerance = 1e-5;
 
+/// Largest distance of a foot from a straight line that replaces its curve, relative to the curve's size, away from poles. It is charged to
+/// the bounds, so it has to be small.
+constexpr double StraightTolerance = 1e-10;
+
+/// Distance from a pole, relative to the curve's size, at which foot points are not smooth enough to be followed to rounding.
+constexpr double PoleReach = 0.05;
+
+/// Part of a curve between its last sample beside a pole and the one before.
+constexpr double PoleShare = 2.0 * PoleTolerance;
+
+/// What may be missed between samples.
+constexpr double BetweenSamples = 1.25;
+
 /// Returns the length below which distances are ignored: 1e-9 of the size or, if larger, 1e-7 mm (the confusion tolerance of OpenCASCADE
 /// and of many CAD systems), but at most 1e-6 of the size.
-double GetSlack(double size, double magnitude)
+double GetSlack(double size)
 {
-  return std::max(1e-9 * size, std::min(1e-7, 1e-6 * size)) + 32.0 * UnitRoundoff * magnitude;
+  return std::max(1e-9 * size, std::min(1e-7, 1e-6 * size));
 }
 }
 
@@ -90,7 +104,8 @@ bool FootCurve::Follow()
     }
   }
   this->Size = (high - low).Modulus();
-  this->Slack = GetSlack(this->Size, magnitude);
+  this->Rounding = 32.0 * UnitRoundoff * magnitude;
+  this->Slack = GetSlack(this->Size) + this->Rounding;
   const auto find = [&](std::size_t i, const Sample* neighbour)
   { return this->FindFoot(points[i], neighbour, this->Samples[i]); };
   bool found = find(middle, nullptr);
@@ -190,15 +205,18 @@ void FootCurve::ContinueAtPole(
   }
 }
 
-bool FootCurve::IsBesidePole(const Sample& sample) const
+bool FootCurve::IsNearPole(const Sample& sample, double distance) const
 {
   return std::any_of(this->Finder->GetPoles().begin(), this->Finder->GetPoles().end(),
     [&](const FootPointFinder::Pole& pole)
-    {
-      const double value = sample.UV[pole.Direction];
-      return value != pole.Value &&
-        std::abs(value - pole.Value) * sample.Speed[pole.Direction] <= PoleTolerance * this->Size;
-    });
+    { return std::abs(sample.UV[pole.Direction] - pole.Value) * sample.Speed[pole.Direction] <= distance; });
+}
+
+bool FootCurve::IsBesidePole(const Sample& sample) const
+{
+  return std::none_of(this->Finder->GetPoles().begin(), this->Finder->GetPoles().end(),
+           [&](const FootPointFinder::Pole& pole) { return sample.UV[pole.Direction] == pole.Value; }) &&
+    this->IsNearPole(sample, PoleTolerance * this->Size);
 }
 
 /// The end of a curve close to a pole may lie on the other side of it, so it is not used.
@@ -206,33 +224,103 @@ void FootCurve::Straighten()
 {
   const auto first = this->Samples.begin() + (this->IsBesidePole(this->Samples.front()) ? 1 : 0);
   const auto last = this->Samples.end() - (this->IsBesidePole(this->Samples.back()) ? 1 : 0);
+  const bool passesPole = std::any_of(this->Samples.begin(), this->Samples.end(),
+    [this](const Sample& s) { return this->IsNearPole(s, PoleReach * this->Size); });
+  const double close = std::min(this->Slack, StraightTolerance * this->Size + this->Rounding);
+  const double tolerance = 2.0 * (passesPole || this->Finder->IsInaccurate() ? this->Slack : close);
   for (int d = 0; d < 2; ++d)
   {
     const auto fastest = std::max_element(
       first, last, [d](const Sample& a, const Sample& b) { return a.Speed[d] < b.Speed[d]; });
     this->Slope[d] = std::numeric_limits<double>::quiet_NaN();
-    for (const double slope : { 0.0, 1.0, -1.0 })
+    const double border = this->Finder->SnapToBorder(d, fastest->UV[d], this->Slack / fastest->Speed[d]);
+    for (const auto& [slope, offset] :
+      { std::make_pair(0.0, border), std::make_pair(0.0, fastest->UV[d]),
+        std::make_pair(1.0, fastest->UV[d] - fastest->T), std::make_pair(-1.0, fastest->UV[d] + fastest->T) })
     {
-      double offset = fastest->UV[d] - slope * fastest->T;
-      if (slope == 0.0)
-      {
-        offset = this->Finder->SnapToBorder(d, offset, this->Slack / fastest->Speed[d]);
-      }
-      const bool fits = std::all_of(first, last,
-        [&](const Sample& s)
-        { return std::abs(s.UV[d] - slope * s.T - offset) * s.Speed[d] <= 2.0 * this->Slack; });
-      if (fits)
+      this->Slope[d] = slope;
+      this->Offset[d] = offset;
+      const bool isLine = std::all_of(first, last,
+        [this, d, tolerance](const Sample& s)
+        { return std::abs(s.UV[d] - this->GetLineValue(d, s.T)) * s.Speed[d] <= tolerance; });
+      this->Slope[d] = std::numeric_limits<double>::quiet_NaN();
+      if (isLine)
       {
         this->Slope[d] = slope;
         this->Offset[d] = offset;
-        for (Sample& s : this->Samples)
-        {
-          s.UV[d] = offset + slope * s.T;
-        }
+        const double speed = fastest->Speed[d];
+        this->SetLine(d, static_cast<std::size_t>(first - this->Samples.begin()),
+          static_cast<std::size_t>(last - this->Samples.begin()));
+        this->Disturbed = this->Disturbed || this->Residual[d] * speed > 2.0 * BetweenSamples * close;
         break;
       }
     }
+    this->Disturbed = this->Disturbed || (passesPole && this->Slope[d] != this->Slope[d]);
   }
+}
+
+double FootCurve::GetLineValue(int d, double t) const
+{
+  return this->Offset[d] + this->Slope[d] * t;
+}
+
+/// Moves the samples to the line of coordinate d. Samples beside a pole, which are not in [first, last), may be on its other side: their
+/// displacement counts as a length.
+void FootCurve::SetLine(int d, std::size_t first, std::size_t last)
+{
+  double fastest = 0.0;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    fastest = std::max(fastest, this->Samples[i].Speed[d]);
+  }
+  for (std::size_t i = 0; i < this->Samples.size(); ++i)
+  {
+    Sample& s = this->Samples[i];
+    const double value = this->GetLineValue(d, s.T);
+    const double moved =
+      std::abs(s.UV[d] - value) * (i >= first && i < last ? 1.0 : PoleShare * s.Speed[d] / fastest);
+    this->Residual[d] = std::max(this->Residual[d], BetweenSamples * moved);
+    s.UV[d] = value;
+  }
+}
+
+/// Returns the parameter between two samples at which a coordinate passes a value, to the next numbers: by the Illinois method, a secant
+/// whose end that stays is halved, as every evaluation is a search for a foot point.
+double FootCurve::FindCrossing(int direction, double value, const Sample& from, const Sample& to) const
+{
+  double a = from.T;
+  double b = to.T;
+  double before = from.UV[direction] - value;
+  double after = to.UV[direction] - value;
+  const bool rising = after > 0.0;
+  int stays = 0;
+  for (int n = 0; n < 72; ++n)
+  {
+    const double middle = 0.5 * (a + b);
+    if (!(middle > a && middle < b))
+    {
+      break;
+    }
+    // Rounding stops secants before the ends are neighbours.
+    const double secant = n < 12 ? a + (b - a) * (before / (before - after)) : middle;
+    const double t = secant > a && secant < b ? secant : middle;
+    const double miss = this->Evaluate(t)[direction] - value;
+    if ((miss > 0.0) == rising)
+    {
+      b = t;
+      after = miss;
+      before *= stays < 0 ? 0.5 : 1.0;
+      stays = -1;
+    }
+    else
+    {
+      a = t;
+      before = miss;
+      after *= stays > 0 ? 0.5 : 1.0;
+      stays = 1;
+    }
+  }
+  return 0.5 * (a + b);
 }
 
 /// The foot point is less smooth where the surface has a knot.
@@ -249,23 +337,12 @@ void FootCurve::AddKnotCrossings()
     {
       for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
       {
-        double a = this->Samples[i].T;
-        double b = this->Samples[i + 1].T;
-        const bool rising = this->Samples[i + 1].UV[d] > knot;
-        if ((this->Samples[i].UV[d] > knot) == rising)
+        const Sample& a = this->Samples[i];
+        const Sample& b = this->Samples[i + 1];
+        if ((a.UV[d] > knot) != (b.UV[d] > knot))
         {
-          continue;
+          crossings.push_back(this->FindCrossing(d, knot, a, b));
         }
-        for (int n = 0; n < 60; ++n)
-        {
-          const double middle = 0.5 * (a + b);
-          if (!(middle > a && middle < b))
-          {
-            break;
-          }
-          ((this->Evaluate(middle)[d] > knot) == rising ? b : a) = middle;
-        }
-        crossings.push_back(0.5 * (a + b));
       }
     }
   }

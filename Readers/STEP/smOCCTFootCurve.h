@@ -20,10 +20,10 @@ namespace sm
 {
 /**
  * The foot points of an edge's curve on a surface, in the curve's own parameter: closed forms on cylinders, cones, spheres and tori,
- * Newton's method to rounding elsewhere. A coordinate that is constant, or equal to the parameter plus a constant, within 1e-7 mm (1e-6 of
- * the size of small curves, 1e-9 of large ones) is made so exactly: circles and rulings become straight lines. On periodic surfaces the
- * curve is continuous and may leave the base period; at a pole the undetermined coordinate is continued from its neighbours. Const methods
- * may be called by several threads.
+ * Newton's method to rounding elsewhere. A coordinate that is constant, or the parameter plus a constant, within 1e-10 of the size (beside
+ * poles 1e-7 mm, 1e-6 of the size of small curves, 1e-9 of large ones) is made so exactly, see GetResidual(): circles and rulings become
+ * straight lines. On periodic surfaces the curve is continuous and may leave the base period; at a pole the undetermined coordinate is
+ * continued from its neighbours. Const methods may be called by several threads.
  */
 class SMREADERSSTEP_EXPORT FootCurve
 {
@@ -47,6 +47,10 @@ public:
   Handle(Geom2d_Curve) Approximate() const;
   /// Calls visit(u, v) for points that are no less extreme than the curve's, but for what two more parabolas would find.
   void VisitExtremes(const std::function<void(double, double)>& visit) const;
+  /// Largest distance of a coordinate from the foot points' that it was made constant or linear from; 0 if it was not.
+  double GetResidual(int direction) const { return this->Residual[direction]; }
+  /// Returns true if the curve passes a pole so closely that its foot points are not smooth, or not within rounding of a straight line.
+  bool IsDisturbedByPole() const { return this->Disturbed; }
   /// Largest distance of a sample from its foot, in the surface's coordinates.
   double GetDistance() const { return this->Distance; }
 
@@ -63,9 +67,13 @@ private:
   void Refine();
   bool IsFar(const Sample& a, const Sample& b) const;
   bool IsEven() const;
+  bool IsNearPole(const Sample& sample, double distance) const;
   bool IsBesidePole(const Sample& sample) const;
   void Straighten();
+  double GetLineValue(int d, double t) const;
+  void SetLine(int d, std::size_t first, std::size_t last);
   void AddKnotCrossings();
+  double FindCrossing(int direction, double value, const Sample& from, const Sample& to) const;
   /// Sets the undetermined coordinate at a pole to that of the neighbouring sample.
   void ContinueAtPole(
     const std::array<double, 2>& neighbour, const double speed[2], std::array<double, 2>& uv) const;
@@ -78,9 +86,13 @@ private:
   double Size = 0.0;
   /// Length below which distances are ignored.
   double Slack = 0.0;
+  /// Length that the rounding of coordinates may be.
+  double Rounding = 0.0;
   /// Slope of a coordinate that is Offset + Slope t; NaN if it is not linear.
   double Slope[2] = { 0.0, 0.0 };
   double Offset[2] = { 0.0, 0.0 };
+  double Residual[2] = { 0.0, 0.0 };
+  bool Disturbed = false;
 };
 }
 

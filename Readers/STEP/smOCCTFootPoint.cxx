@@ -95,6 +95,8 @@ public:
     // Only splines that are not periodic and have low degrees are cached: otherwise the cached polynomials differ from the surface beyond
     // the domain, or by rounding.
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+    this->Inaccurate =
+      !spline.IsNull() && std::max(spline->UDegree(), spline->VDegree()) > LargestCachedDegree;
     if (!spline.IsNull() && this->Period[0] == 0.0 && this->Period[1] == 0.0 &&
       std::max(spline->UDegree(), spline->VDegree()) <= LargestCachedDegree)
     {

@@ -41,6 +41,8 @@ public:
   const std::vector<Pole>& GetPoles() const { return this->Poles; }
   /// Interior knots of a spline surface.
   const std::vector<double>& GetKnots(int direction) const { return this->Knots[direction]; }
+  /// Returns true for splines of high degree, of which OpenCASCADE's points have errors of up to 1e-9 of the size.
+  bool IsInaccurate() const { return this->Inaccurate; }
   /// Returns the distance of a parameter beyond the domain; 0 inside, and in a periodic direction.
   double GetExcess(int direction, double value) const
   {
@@ -59,6 +61,7 @@ protected:
   /// Ends of the domain where it is not periodic, else infinite.
   double Low[2];
   double High[2];
+  bool Inaccurate = false;
   std::vector<double> Knots[2];
   std::vector<Pole> Poles;
 };

@@ -77,11 +77,6 @@ double GetGap(const DraftFace& face, const DraftCoedge& from, const DraftCoedge&
   return gap;
 }
 
-bool Meet(const DraftCoedge& from, const DraftCoedge& to)
-{
-  return !from.End.IsNull() && !to.Start.IsNull() && from.End.IsSame(to.Start);
-}
-
 /// Returns the squared distance without the reduction modulo periods, which distinguishes the two sides of a seam.
 double GetRawGap(const DraftCoedge& from, const DraftCoedge& to)
 {
@@ -321,6 +316,11 @@ void AddLoop(const TopoDS_Shape& wire, const TopLoc_Location& location, MissingT
     face.Loops.push_back(loop);
   }
 }
+}
+
+bool Meet(const DraftCoedge& from, const DraftCoedge& to)
+{
+  return !from.End.IsNull() && !to.Start.IsNull() && from.End.IsSame(to.Start);
 }
 
 DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edges, MissingTrim missing)

@@ -67,6 +67,8 @@ struct DraftFace
   std::vector<DraftLoop> Loops;
   /// Number of poles and seams that were added to the loops.
   int AddedEdges = 0;
+  /// Number of coedges whose direction in the file contradicts their loop, and was reversed (TurnEdges()).
+  int TurnedEdges = 0;
   std::vector<std::string> Messages;
   /// Number of defects: edges that were left out, and loops that do not bound a part of the surface.
   int Defects = 0;
@@ -87,6 +89,9 @@ enum class MissingTrim
  */
 DraftFace CollectFace(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges,
   MissingTrim missing = MissingTrim::Approximated);
+
+/// Returns true if the next coedge begins at the vertex at which this one ends.
+bool Meet(const DraftCoedge& from, const DraftCoedge& to);
 
 /// Orders coedges so that each ends where the next one starts, and separates disconnected chains into loops.
 void OrderLoops(DraftFace& face);

@@ -7,17 +7,24 @@
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_HArray1OfNamedUnit.hxx>
 #include <StepBasic_SiUnitAndLengthUnit.hxx>
+#include <StepGeom_BSplineCurveWithKnots.hxx>
+#include <StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve.hxx>
+#include <StepGeom_BezierCurveAndRationalBSplineCurve.hxx>
 #include <StepGeom_CartesianPoint.hxx>
 #include <StepGeom_CartesianTransformationOperator3d.hxx>
 #include <StepGeom_Direction.hxx>
 #include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
 #include <StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext.hxx>
+#include <StepGeom_QuasiUniformCurveAndRationalBSplineCurve.hxx>
+#include <StepGeom_UniformCurve.hxx>
+#include <StepGeom_UniformCurveAndRationalBSplineCurve.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <gp_Dir.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
@@ -96,6 +103,82 @@ bool GetDirection(const Handle(StepGeom_Direction) & entity, gp_XYZ& direction)
   }
   direction =
     gp_XYZ(entity->DirectionRatiosValue(1), entity->DirectionRatiosValue(2), entity->DirectionRatiosValue(3));
+  return true;
+}
+
+/// Returns the weights of a rational spline, or null.
+Handle(TColStd_HArray1OfReal) GetWeights(const Handle(StepGeom_BSplineCurve) & curve)
+{
+  if (const auto a = Handle(StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve)::DownCast(curve))
+  {
+    return a->WeightsData();
+  }
+  if (const auto b = Handle(StepGeom_QuasiUniformCurveAndRationalBSplineCurve)::DownCast(curve))
+  {
+    return b->WeightsData();
+  }
+  if (const auto c = Handle(StepGeom_UniformCurveAndRationalBSplineCurve)::DownCast(curve))
+  {
+    return c->WeightsData();
+  }
+  const auto bezier = Handle(StepGeom_BezierCurveAndRationalBSplineCurve)::DownCast(curve);
+  return bezier.IsNull() ? nullptr : bezier->WeightsData();
+}
+
+/// Returns the multiplicity of the knot at the start of the spline's domain, at most its degree.
+int GetStartMultiplicity(const Handle(StepGeom_BSplineCurve) & curve)
+{
+  auto knots = Handle(StepGeom_BSplineCurveWithKnots)::DownCast(curve);
+  if (const auto rational = Handle(StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve)::DownCast(curve))
+  {
+    knots = rational->BSplineCurveWithKnots();
+  }
+  if (knots.IsNull() || knots->KnotMultiplicities().IsNull())
+  {
+    const bool isUniform = curve->IsKind(STANDARD_TYPE(StepGeom_UniformCurve)) ||
+      curve->IsKind(STANDARD_TYPE(StepGeom_UniformCurveAndRationalBSplineCurve));
+    return isUniform ? 1 : curve->Degree();
+  }
+  int sum = 0;
+  for (int i = 1; i <= knots->NbKnotMultiplicities(); ++i)
+  {
+    sum += knots->KnotMultiplicitiesValue(i);
+    if (sum > curve->Degree())
+    {
+      return std::min(knots->KnotMultiplicitiesValue(i), curve->Degree());
+    }
+  }
+  return 1;
+}
+
+/// Returns true if the control points and weights at the end are those at the start: one for each degree of continuity, and one more.
+bool IsClosedByRows(const Handle(StepGeom_BSplineCurve) & curve)
+{
+  const int count = curve->ControlPointsList().IsNull() ? 0 : curve->NbControlPointsList();
+  const int rows = curve->Degree() + 1 - GetStartMultiplicity(curve);
+  const Handle(TColStd_HArray1OfReal) weights = GetWeights(curve);
+  if (rows < 1 || count <= rows || (!weights.IsNull() && weights->Length() != count))
+  {
+    return false;
+  }
+  for (int i = 1; i <= rows; ++i)
+  {
+    const Handle(StepGeom_CartesianPoint) first = curve->ControlPointsListValue(i);
+    const Handle(StepGeom_CartesianPoint) last = curve->ControlPointsListValue(count - rows + i);
+    if (first.IsNull() || last.IsNull() || first->NbCoordinates() != last->NbCoordinates())
+    {
+      return false;
+    }
+    bool isSame = weights.IsNull() || weights->Value(i) == weights->Value(count - rows + i);
+    for (int c = 1; c <= first->NbCoordinates(); ++c)
+    {
+      isSame = isSame && first->CoordinatesValue(c) == last->CoordinatesValue(c);
+    }
+    if (!isSame)
+    {
+      return false;
+    }
+  }
   return true;
 }
 }
@@ -197,6 +280,18 @@ std::vector<Handle(Standard_Transient)> CheckOperators(
       "flattened.");
   }
   return dropped;
+}
+
+void ClearClosedFlags(const Handle(StepData_StepModel) & model)
+{
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const auto curve = Handle(StepGeom_BSplineCurve)::DownCast(model->Value(i));
+    if (!curve.IsNull() && curve->ClosedCurve() != StepData_LFalse && !IsClosedByRows(curve))
+    {
+      curve->SetClosedCurve(StepData_LFalse);
+    }
+  }
 }
 
 bool HasGeometry(const Handle(StepData_StepModel) & model)

@@ -32,6 +32,13 @@ SMREADERSSTEP_EXPORT void CompareUnits(const Handle(StepData_StepModel) & model,
 std::vector<Handle(Standard_Transient)> CheckOperators(
   const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
 
+/**
+ * Clears the flag of closed splines whose last control points or weights are not their first ones. OpenCASCADE makes a curve with this flag
+ * periodic if its ends are the same point, and replaces the last control points and weights by the first ones. The flag is for information
+ * only (ISO 10303-42). Call before the transfer.
+ */
+void ClearClosedFlags(const Handle(StepData_StepModel) & model);
+
 /// Returns true if the file has faces, including faces of which the transfer makes no shape.
 bool HasGeometry(const Handle(StepData_StepModel) & model);
 }

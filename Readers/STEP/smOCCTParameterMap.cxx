@@ -119,6 +119,14 @@ double ParameterMap::EvaluateInArc(int arc, double native) const
   return arc + s;
 }
 
+double ParameterMap::GetLargestSlope() const
+{
+  // The slope is largest at the ends of an arc, and in the middle of a piece of a hyperbola.
+  return this->Type == Kind::Identity ? 1.0
+    : this->Type == Kind::Hyperbolic  ? 0.25 / std::tanh(0.25 * this->Width)
+                                      : 0.5 / std::sin(0.5 * this->Width);
+}
+
 double ParameterMap::GetRounding() const
 {
   if (this->Type == Kind::Identity)

@@ -15,15 +15,20 @@
 
 namespace sm
 {
+namespace
+{
+/// Returns true if the edge bounds the face that uses it: it is no pole, and has neither orientation INTERNAL nor EXTERNAL.
 bool IsBoundary(const TopoDS_Shape& edge)
 {
   return !BRep_Tool::Degenerated(TopoDS::Edge(edge)) &&
     (edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED);
 }
+}
 
-std::vector<std::size_t> GroupFaces(const std::vector<TopoDS_Shape>& faces)
+std::vector<std::size_t> GroupFaces(
+  const std::vector<EdgeUse>& uses, std::size_t faceCount, std::size_t edgeCount)
 {
-  std::vector<std::size_t> group(faces.size());
+  std::vector<std::size_t> group(faceCount);
   std::iota(group.begin(), group.end(), std::size_t{ 0 });
   const auto find = [&group](std::size_t i)
   {
@@ -33,20 +38,16 @@ std::vector<std::size_t> GroupFaces(const std::vector<TopoDS_Shape>& faces)
     }
     return i;
   };
-  std::unordered_map<const TopoDS_TShape*, std::size_t> firstFaces;
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  std::vector<std::size_t> firstFaces(edgeCount, faceCount);
+  for (const EdgeUse& use : uses)
   {
-    for (TopExp_Explorer it(faces[i], TopAbs_EDGE); it.More(); it.Next())
-    {
-      if (IsBoundary(it.Current()))
-      {
-        const std::size_t a = find(firstFaces.emplace(it.Current().TShape().get(), i).first->second);
-        const std::size_t b = find(i);
-        group[std::max(a, b)] = std::min(a, b);
-      }
-    }
+    std::size_t& first = firstFaces[use.Edge];
+    first = first == faceCount ? use.Face : first;
+    const std::size_t a = find(first);
+    const std::size_t b = find(use.Face);
+    group[std::max(a, b)] = std::min(a, b);
   }
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  for (std::size_t i = 0; i < faceCount; ++i)
   {
     group[i] = find(i);
   }
@@ -60,7 +61,19 @@ std::vector<TopoDS_Shape> SplitShell(const TopoDS_Shape& shell)
   {
     faces.push_back(it.Value());
   }
-  const std::vector<std::size_t> groups = GroupFaces(faces);
+  std::vector<EdgeUse> uses;
+  std::unordered_map<const TopoDS_TShape*, std::size_t> edges;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (TopExp_Explorer it(faces[i], TopAbs_EDGE); it.More(); it.Next())
+    {
+      if (IsBoundary(it.Current()))
+      {
+        uses.push_back({ i, edges.emplace(it.Current().TShape().get(), edges.size()).first->second, false });
+      }
+    }
+  }
+  const std::vector<std::size_t> groups = GroupFaces(uses, faces.size(), edges.size());
   if (std::all_of(groups.begin(), groups.end(), [](std::size_t group) { return group == 0; }))
   {
     return { shell.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD) };

@@ -12,11 +12,19 @@
 
 namespace sm
 {
-/// Returns true if the edge bounds the face that uses it: it is no pole, and has neither orientation INTERNAL nor EXTERNAL.
-bool IsBoundary(const TopoDS_Shape& edge);
+/// Use of an edge by a face; both are numbered from 0.
+struct EdgeUse
+{
+  std::size_t Face = 0;
+  std::size_t Edge = 0;
+  /// True if the edge runs against the loop of the face, seen from outside.
+  bool Reversed = false;
+};
 
-/// Finds the groups of faces that are connected by boundary edges: returns, for each face, the index of the first face of its group.
-std::vector<std::size_t> GroupFaces(const std::vector<TopoDS_Shape>& faces);
+/// Finds the groups of faces that are connected by edges: returns, for each face, the index of the first face of its group. The uses are in
+/// the order of the faces.
+std::vector<std::size_t> GroupFaces(
+  const std::vector<EdgeUse>& uses, std::size_t faceCount, std::size_t edgeCount);
 
 /// Returns the connected parts of a shell as shells, in the order of their first faces, without the placement and orientation of the shell.
 /// If it is connected, returns the shell itself, without these.

@@ -19,6 +19,7 @@
 #include <TDataStd_Name.hxx>
 #include <TDataStd_TreeNode.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -96,6 +97,11 @@ void AddEntity(const Handle(Standard_Transient) & entity, const Handle(StepData_
     {
       info.FileId = id;
       info.Name = name;
+      if (kind == TopAbs_FACE)
+      {
+        info.OwnSurface =
+          FindFileSurface(Handle(StepShape_FaceSurface)::DownCast(entity), TopoDS::Face(it.Current()));
+      }
     }
   }
 }

@@ -83,6 +83,9 @@ public:
   /// points close to a nearly singular point of the surface are not a smooth function of the parameter.
   bool IsPoor() const { return this->GivenUp || this->HasLargeResidual(); }
 
+  /// Returns true if the fit was stopped before the end of the curve.
+  bool IsIncomplete() const { return this->GivenUp; }
+
   const TrimCurve& Fit()
   {
     this->FindConstants();
@@ -111,6 +114,10 @@ public:
         native[k] = { p[0] + this->Trim.Shift[0], p[1] + this->Trim.Shift[1] };
       }
       this->CutAndFit(breaks[i], breaks[i + 1], native, Attempt());
+    }
+    if (this->HasLargeResidual())
+    {
+      this->SetPieceResiduals();
     }
     return this->Result;
   }
@@ -185,8 +192,28 @@ private:
   bool HasLargeResidual() const
   {
     constexpr double large = 1e-10;
-    return this->Result.Residual[0] > large * this->Width[0] ||
-      this->Result.Residual[1] > large * this->Width[1];
+    for (int d = 0; d < 2; ++d)
+    {
+      const double width = this->Maps[d].Type == ParameterMap::Kind::Identity ? this->Width[d] : 1.0;
+      if (this->Result.Residual[d] > large * width)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The curve is far from the original in a few short pieces, around a singular point of the surface.
+  void SetPieceResiduals()
+  {
+    for (TrimCurve::Point& residual : this->FitResiduals)
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        residual[d] = this->Constant[d] ? this->Result.Residual[d] : residual[d];
+      }
+    }
+    this->Result.PieceResiduals = std::move(this->FitResiduals);
   }
 
   /// A circle that passes a pole of its sphere needs many pieces, each of which is good.
@@ -328,6 +355,7 @@ private:
         this->Result.RaiseResidual(d, piece.Residual[d]);
       }
     }
+    this->FitResiduals.push_back(piece.Residual);
     if (this->Result.GetNumberOfPieces() >= MaximumPieces)
     {
       throw std::runtime_error(
@@ -347,6 +375,8 @@ private:
   /// Number of pieces at which the fit is stopped; MostGoodPieces times as many if all pieces are good.
   int Most = MaximumPieces;
   bool GivenUp = false;
+  /// Residuals of the fits of all pieces.
+  std::vector<TrimCurve::Point> FitResiduals;
   TrimCurve Result;
 };
 }
@@ -461,10 +491,75 @@ std::array<double, 2> GetTrimTolerance(const ParameterMap maps[2], const double 
   return tolerance;
 }
 
-TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast, const ParameterMap maps[2],
-  const double width[2])
+namespace
 {
-  const RangeMap range{ { trim.First, trim.Last }, { edgeFirst, edgeLast } };
+/// Returns a bound of the area of the parameters between a trim curve and the curve that it stands for.
+double GetSweptArea(const TrimCurve& curve)
+{
+  double area = 0.0;
+  for (int k = 0; k < curve.GetNumberOfPieces(); ++k)
+  {
+    const TrimCurve::Point& residual = curve.GetResidual(k);
+    const BernsteinPiece<2> piece = curve.GetPiece(k);
+    for (int i = 1; i <= piece.Degree; ++i)
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        area += residual[1 - d] * std::abs(piece.Coefficients[i][d] - piece.Coefficients[i - 1][d]);
+      }
+    }
+  }
+  return area;
+}
+
+/// Adds the trim curve's distance from the foot points that it stands for to its residual.
+void AddNativeResidual(const double residual[2], const ParameterMap maps[2], TrimCurve& curve)
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    curve.AddResidual(d, residual[d] * maps[d].GetLargestSlope());
+  }
+}
+
+TrimCurve ConvertTo(
+  const NativeTrim& trim, const RangeMap& range, const ParameterMap maps[2], const double width[2]);
+
+/// Converts OpenCASCADE's approximation of foot points that are not a smooth function, to its measured distance from them. Empty if it
+/// fails.
+TrimCurve ConvertApproximation(
+  const NativeTrim& trim, const RangeMap& range, const ParameterMap maps[2], const double width[2])
+{
+  NativeTrim other = trim;
+  other.Curve = trim.Feet->Approximate();
+  other.Feet = nullptr;
+  other.Samples.clear();
+  if (other.Curve.IsNull())
+  {
+    return {};
+  }
+  const std::vector<double> breaks = trim.GetBreaks();
+  double residual[2] = { 0.0, 0.0 };
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    for (const double x : GetFitNodes())
+    {
+      const double t = (1.0 - x) * breaks[k] + x * breaks[k + 1];
+      const std::array<double, 2> foot = trim.Evaluate(t);
+      const std::array<double, 2> point = other.Evaluate(t);
+      for (int d = 0; d < 2; ++d)
+      {
+        residual[d] = std::max(residual[d], std::abs(point[d] - foot[d]));
+      }
+    }
+  }
+  TrimCurve result = ConvertTo(other, range, maps, width);
+  AddNativeResidual(residual, maps, result);
+  return result;
+}
+
+TrimCurve ConvertTo(
+  const NativeTrim& trim, const RangeMap& range, const ParameterMap maps[2], const double width[2])
+{
   const Handle(Geom2d_Curve) curve = trim.Feet ? trim.Curve : GetBasis(trim.Curve);
   const bool plain = !trim.Feet && maps[0].Type == ParameterMap::Kind::Identity &&
     maps[1].Type == ParameterMap::Kind::Identity;
@@ -495,14 +590,25 @@ TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast,
   {
     return fitted;
   }
-  NativeTrim other = trim;
-  other.Curve = trim.Feet->Approximate();
-  other.Feet = nullptr;
-  other.Samples.clear();
-  if (other.Curve.IsNull())
+  TrimCurve approximation = ConvertApproximation(trim, range, maps, width);
+  const bool isUsable = approximation.GetNumberOfPieces() > 0;
+  if (!fitter.IsIncomplete() && !(isUsable && GetSweptArea(approximation) < GetSweptArea(fitted)))
+  {
+    return fitted;
+  }
+  if (!isUsable)
   {
     throw std::runtime_error("the feet of an edge on it do not move smoothly");
   }
-  return ConvertTrim(other, edgeFirst, edgeLast, maps, width);
+  return approximation;
+}
+}
+
+TrimCurve ConvertTrim(const NativeTrim& trim, double edgeFirst, double edgeLast, const ParameterMap maps[2],
+  const double width[2])
+{
+  TrimCurve result = ConvertTo(trim, { { trim.First, trim.Last }, { edgeFirst, edgeLast } }, maps, width);
+  AddNativeResidual(trim.Residual, maps, result);
+  return result;
 }
 }

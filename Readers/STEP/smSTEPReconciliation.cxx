@@ -27,9 +27,14 @@ std::string ListIds(const std::vector<std::uint64_t>& ids)
   return list + (ids.size() > MostIds ? " and " + std::to_string(ids.size() - MostIds) + " more" : "");
 }
 
+std::string Name(std::uint64_t id, const std::string& name)
+{
+  return "#" + std::to_string(id) + (name.empty() ? "" : " \"" + name + "\"");
+}
+
 std::string Name(const CensusBody& body)
 {
-  return "#" + std::to_string(body.Id) + (body.Name.empty() ? "" : " \"" + body.Name + "\"");
+  return Name(body.Id, body.Name);
 }
 
 std::string Count(CensusCount count)
@@ -81,19 +86,81 @@ public:
       }
       else if (body.Kind == CensusBodyKind::OtherSolid)
       {
-        this->Result.Defects.push_back("Solid " + Name(body) + " of the file is a " + body.Type +
+        this->Result.Defects.push_back("Solid " + Name(body) + " of the file is of the type " + body.Type +
           ", which has no faces: it is left out. Export it as a boundary representation.");
       }
+      else if (body.Kind == CensusBodyKind::Tessellated && !body.Alternative)
+      {
+        this->ReportTriangles(body);
+      }
     }
+    this->ReportQuantities();
+    this->ReportShapeless();
     // Messages about missing bodies come first.
     this->ReportProblems();
   }
 
 private:
+  void ReportTriangles(const CensusBody& body)
+  {
+    // Sets of triangles may be annotations.
+    const bool isBody = body.Type.find("TESSELLATED_SOLID") != std::string::npos ||
+      body.Type.find("TESSELLATED_SHELL") != std::string::npos;
+    (isBody ? this->Result.Defects : this->Result.Messages)
+      .push_back("Body " + Name(body) + " of the file is of the type " + body.Type +
+        ", of triangles instead of exact faces: it is left out. Export it as a boundary representation.");
+  }
+
+  void ReportQuantities()
+  {
+    for (const CensusQuantity& usage : this->Census.Quantities)
+    {
+      if (usage.Quantity != static_cast<double>(usage.Placed))
+      {
+        this->Result.Defects.push_back("Product " + Name(usage.Child, usage.ChildName) + " occurs " +
+          FormatDigits(usage.Quantity, 15) + " times in product #" + std::to_string(usage.Parent) +
+          " by the quantity #" + std::to_string(usage.Id) + " of the file, which places it " +
+          FormatCount(usage.Placed, "time", "times") + ": only these are counted.");
+      }
+    }
+  }
+
+  /// Reports parts of assemblies that the file does not have.
+  void ReportShapeless()
+  {
+    std::vector<std::uint64_t> without;
+    std::size_t elsewhere = 0;
+    for (const CensusShapelessProduct& product : this->Census.ShapelessProducts)
+    {
+      if (product.File.empty())
+      {
+        without.push_back(product.Id);
+      }
+      else if (++elsewhere <= MostIds)
+      {
+        this->Result.Defects.push_back("Product " + Name(product.Id, product.Name) +
+          " of an assembly has its shape in another file, " + product.File +
+          ", which is not read: the part is missing. Export the assembly as one file.");
+      }
+    }
+    if (elsewhere > MostIds)
+    {
+      this->Result.Defects.push_back(
+        std::to_string(elsewhere - MostIds) + " more products have their shapes in other files.");
+    }
+    if (!without.empty())
+    {
+      this->Result.Messages.push_back(FormatCount(without.size(), "product", "products") +
+        " in assemblies of the file without a shape: " + ListIds(without) + ".");
+    }
+  }
+
   /// Reports contradictions in the file itself. A missing unit is not one of them.
   void ReportProblems()
   {
-    std::size_t counted = this->Census.GetNumberOfProblems(CensusDefect::MissingUnit);
+    const std::size_t lines = this->Census.GetNumberOfProblems(CensusDefect::ReversedLine);
+    std::size_t counted = this->Census.GetNumberOfProblems(CensusDefect::MissingUnit) + lines;
+    std::vector<std::uint64_t> reversed;
     std::size_t listed = 0;
     std::size_t all = 0;
     for (const std::size_t count : this->Census.Counts)
@@ -105,6 +172,10 @@ private:
       if (problem.Defect == CensusDefect::MissingUnit)
       {
         this->ReportMissingUnit(problem);
+      }
+      else if (problem.Defect == CensusDefect::ReversedLine)
+      {
+        reversed.push_back(problem.Id);
       }
       else if (problem.Defect == CensusDefect::MissingPlacement && !this->Census.MappedItems.empty())
       {
@@ -119,10 +190,25 @@ private:
         this->Result.Defects.push_back(Describe(problem));
       }
     }
+    this->ReportReversedLines(lines, reversed);
     if (counted < all)
     {
       this->Result.Defects.push_back(
         std::to_string(all - counted) + " more entities of the file are damaged or contradict others.");
+    }
+  }
+
+  /// Reports open edges that run the wrong way, which changes no result: they have the same points in both directions.
+  void ReportReversedLines(std::size_t count, const std::vector<std::uint64_t>& first)
+  {
+    if (count > 0)
+    {
+      this->Result.Messages.push_back(
+        "Edges of the file run against their loops or their curves, with the same points, in " +
+        FormatCount(static_cast<int>(count), "entity", "entities") + ", first " +
+        ListIds({ first.begin(), first.begin() + std::min<std::size_t>(first.size(), 3) }) +
+        ". Their vertices count, in the order of the loops; correct their directions, or export the file "
+        "again.");
     }
   }
 
@@ -134,7 +220,9 @@ private:
       (place.empty() && other.empty()
           ? ""
           : " (" + place + (place.empty() || other.empty() ? "" : ", ") + other + ")") +
-      ".";
+      (problem.Defect == CensusDefect::CurveOffVertex
+          ? ". Which of the two is meant is not known; correct the curve or the vertices, or export it again."
+          : ".");
   }
 
   /// Reports densities that cannot be used, since the parts have no mass then, and those that others contradict.

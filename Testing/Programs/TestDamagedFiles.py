@@ -92,6 +92,15 @@ def check_solids():
            ["#15", "item twice in a representation"])
     damage(box, "tilted_plane", [(r"(#35 = DIRECTION\('',\()1\.0+E\+00,0\.0+E\+00,\s*0\.0+E\+00", r"\g<1>1.,0.,0.4")], FLAGGED,
            ["closing the gaps between its faces changes the volume by"])
+    # The planes are right, and so is the volume; the edge's own line leads elsewhere, or its circle does not reach its vertex.
+    damage(box, "line_elsewhere", [(r"(#30 = DIRECTION\('',\()[^)]*", r"\g<1>.6,.64,.48")],
+           FLAGGED, ["Entity #21 of the file: a curve does not pass through the vertices of its edge", "export it again"])
+    damage("cylinder-plain.step", "circle_beside_its_vertex", [(r"(CIRCLE\('',#\d+,)8\.0+E\+00", r"\g<1>8.2")], FLAGGED,
+           ["Entity #21 of the file: a curve does not pass through the vertices of its edge", "#25"])
+    # The same points in both directions.
+    damage(box, "line_reversed", [(r"(#21 = EDGE_CURVE\('',#\d+,#\d+,#\d+,)\.T\.", r"\1.F.")], {"ok"},
+           ["run against their loops or their curves, with the same points, in 1 entity, first #21", "export the file again"])
+    damage("wavy_plate-plain.step", "spline_reversed", [(r"(#62 = EDGE_CURVE\('',#\d+,#\d+,#\d+,)\.T\.", r"\1.F.")], {"ok"}, ["in 1 entity, first #62"])
     # OpenCASCADE crashes on such files, or reads them for ever.
     damage("bicylinder-plain.step", "edge_of_itself", [(r"(#\d+) = (ORIENTED_EDGE\('',\*,\*,)#\d+", r"\1 = \2\1")],
            {"unreadable"}, ["cyclic reference", "export it again"])

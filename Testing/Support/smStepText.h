@@ -68,16 +68,17 @@ public:
     return this->Add("ADVANCED_FACE(''," + List(bounds) + "," + surface + ",.T.)");
   }
 
-  /// A closed solid of these faces, as a whole file.
-  void Write(const std::string& path, const std::vector<std::string>& faces)
+  /// A closed solid of these faces, as a whole file that states this uncertainty of lengths.
+  void Write(
+    const std::string& path, const std::vector<std::string>& faces, const std::string& uncertainty = "1.E-07")
   {
     const std::string shell = this->Add("CLOSED_SHELL(''," + List(faces) + ")");
     const std::string solid = this->Add("MANIFOLD_SOLID_BREP('solid'," + shell + ")");
     const std::string length = this->Add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
     const std::string angle = this->Add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
     const std::string solidAngle = this->Add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
-    const std::string accuracy = this->Add(
-      "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07)," + length + ",'distance_accuracy_value','')");
+    const std::string accuracy = this->Add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(" + uncertainty +
+      ")," + length + ",'distance_accuracy_value','')");
     const std::string context =
       this->Add("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" + accuracy +
         "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + length + "," + angle + "," + solidAngle +

@@ -80,7 +80,7 @@ class Model:
         self.hashes, self.relations = {}, None
 
     def all(self, *keywords):
-        return [(i, e[k]) for i, e in self.entities.items() for k in keywords if k in e]
+        return [(Reference(i), e[k]) for i, e in self.entities.items() for k in keywords if k in e]
 
     def get(self, number, keyword):
         """Parameters of an entity of this type; None where it is something else."""

@@ -55,7 +55,7 @@ Polygon MakeCircle(double x, double y, double radius, int n)
 void CheckLoops(const char* name, bool crosses, const std::vector<Polygon>& polygons, double tolerance = 0.0)
 {
   CheckEqual(name, crosses ? "crosses" : "does not cross",
-    sm::HasCrossingLoops(MakePolygonFace(polygons, tolerance)) ? "crosses" : "does not cross");
+    sm::HasWrongLoops(MakePolygonFace(polygons, tolerance)) ? "crosses" : "does not cross");
 }
 
 /// A loop whose last edge leads to a point beside the first one: behind their crossing it winds the wrong way. It may where an edge that is
@@ -71,7 +71,7 @@ void CheckCorner()
       last->Degenerate = isFilled;
       face.Loops[0].Coedges.back().Use = last;
       const bool crosses = !isFilled || gap > 0.1;
-      CheckEqual("a corner that crosses itself", crosses, sm::HasCrossingLoops(face));
+      CheckEqual("a corner that crosses itself", crosses, sm::HasWrongLoops(face));
       const std::vector<bool> far = sm::AreFarFromLoops(face, { { -gap / 3, -gap / 3 }, { 0.5, 0.5 } });
       CheckTrue("  its middle counts, or not", far[0] == crosses && far[1]);
     }
@@ -93,10 +93,10 @@ void CheckCurves()
       coedge.Curve.Breaks = { 0.0 };
       coedge.Curve.AppendPiece(1.0, parabola, 2);
     }
-    CheckTrue("a lens is no crossing", !sm::HasCrossingLoops(face));
+    CheckTrue("a lens is no crossing", !sm::HasWrongLoops(face));
     const sm::Loop hole = MakePolygonFace({ MakeCircle(0.5, 0.15, -0.03, 12) }).Loops[0];
     face.Loops.push_back(hole);
-    CheckTrue("its hole crosses its border, or not", sm::HasCrossingLoops(face) == (height < 0.4));
+    CheckTrue("its hole crosses its border, or not", sm::HasWrongLoops(face) == (height < 0.4));
   }
 }
 }
@@ -119,6 +119,24 @@ int TestLoopCrossings(int, char*[])
   CheckLoops("a corner through an edge", true, { { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 2, -0.5 }, { 0, 4 } } });
   CheckLoops("a slit", false, { { { 0, 0 }, { 4, 0 }, { 4, 2 }, { 2, 2 }, { 4, 2 }, { 4, 4 }, { 0, 4 } } });
   CheckLoops("a hole", false, { MakeCircle(0, 0, 5, 64), MakeCircle(1, 1, -1, 64) });
+  // Loops that cross none, but lie where they must not.
+  const Polygon border = { { 0, 0 }, { 9, 0 }, { 9, 9 }, { 0, 9 } };
+  CheckLoops("a hole in a hole", true, { border, MakeCircle(4, 4, -3, 64), MakeCircle(4, 4, -1, 64) });
+  CheckLoops("an island in a hole", false, { border, MakeCircle(4, 4, -3, 64), MakeCircle(4, 4, 1, 64) });
+  CheckLoops("a hole beside the border", true, { border, MakeCircle(12, 4, -1, 64) });
+  CheckLoops("a small one, far away", true, { border, MakeCircle(90, 4, -0.5, 64) });
+  CheckLoops("an island beside the border", false, { border, MakeCircle(12, 4, 1, 64) });
+  CheckLoops("a hole that is turned", true, { border, MakeCircle(4, 4, 1, 64) });
+  CheckLoops("a border that is turned", true, { { border.rbegin(), border.rend() } });
+  CheckLoops("a hole around the border", true, { border, MakeCircle(4.5, 4.5, -9, 64) });
+  std::vector<Polygon> sieve = { border };
+  for (int i = 0; i < 64; ++i)
+  {
+    sieve.push_back(MakeCircle(1 + i % 8, 1 + i / 8, -0.4, 32));
+  }
+  CheckLoops("a sieve", false, sieve);
+  sieve.push_back(MakeCircle(6, 7, -0.2, 32));
+  CheckLoops("a sieve with a hole in a hole", true, sieve);
   CheckLoops("two holes that touch", false,
     { MakeCircle(0, 0, 5, 64), MakeCircle(1, 0, -1, 64), MakeCircle(-1, 0, -1, 64) });
   CheckLoops("two holes that overlap", true,

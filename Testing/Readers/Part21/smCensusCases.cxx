@@ -61,7 +61,7 @@ std::vector<CensusCase> GetBodyCases()
     "#77=VERTEX_POINT('',#83);\n#78=VERTEX_POINT('',#84);\n#79=EDGE_CURVE('',#77,#78,#80,.T.);\n"
     "#80=CIRCLE('',#23,5.);\n#81=EDGE_CURVE('',#78,#77,#82,.T.);\n#82=LINE('',#83,#85);\n"
     "#83=CARTESIAN_POINT('',(5.,0.,0.));\n#84=CARTESIAN_POINT('',(-5.,0.,0.));\n#85=VECTOR('',#86,1.);\n"
-    "#86=DIRECTION('',(-1.,0.,0.));\n";
+    "#86=DIRECTION('',(1.,0.,0.));\n";
   const std::string solid = "#31=MANIFOLD_SOLID_BREP('ball',#30);";
   return {
     { "a ball", ChangeBall("ball", "ball"), OneBall, "" },
@@ -145,7 +145,45 @@ std::vector<CensusCase> GetBodyCases()
       ExtendBall("(#29))", "(#29,#72))",
         Replace(
           Replace(half, "#77,#78,#80", "#78,#77,#80"), "#80=CIRCLE('',#23,5.)", "#80=LINE('',#83,#85)")),
+      Count(1, 1, 2),
+      "an edge runs against its loop or its curve, with the same points: 1 (#74 EDGE_LOOP edges #81)" },
+    { "a line against its edge",
+      ExtendBall("(#29))", "(#29,#72))", Replace(half, "(1.,0.,0.)", "(-2.,0.,0.)")), Count(1, 1, 2),
+      "an edge runs against its loop or its curve, with the same points: 1 (#81 EDGE_CURVE curve #82)" },
+    { "a line that leads elsewhere",
+      ExtendBall("(#29))", "(#29,#72))", Replace(half, "(1.,0.,0.)", "(1.,0.1,0.)")), Count(1, 1, 2),
+      "a curve does not pass through the vertices of its edge: 1 (#81 EDGE_CURVE curve #82)" },
+    { "a line beside its vertices, on a surface",
+      ExtendBall("(#29))", "(#29,#72))",
+        Replace(half, "#82=LINE('',#83,#85);",
+          "#82=SURFACE_CURVE('',#87,(#73),.CURVE_3D.);\n#87=LINE('',#88,#85);"
+          "\n#88=CARTESIAN_POINT('',(0.,0.,0.3));")),
+      Count(1, 1, 2),
+      "a curve does not pass through the vertices of its edge: 1 (#81 EDGE_CURVE curve #87)" },
+    { "a circle beside its vertices",
+      ExtendBall("(#29))", "(#29,#72))", Replace(half, "#80=CIRCLE('',#23,5.)", "#80=CIRCLE('',#23,5.3)")),
+      Count(1, 1, 2),
+      "a curve does not pass through the vertices of its edge: 1 (#79 EDGE_CURVE curve #80)" },
+    { "an open spline",
+      ExtendBall("(#29))", "(#29,#72))",
+        Replace(half, "#80=CIRCLE('',#23,5.)",
+          "#87=CARTESIAN_POINT('',(0.,5.,0.));\n#80=B_SPLINE_CURVE_WITH_KNOTS('',2,(#83,#87,#84),"
+          ".UNSPECIFIED.,.F.,.F.,(3,3),(0.,1.),.UNSPECIFIED.)")),
       Count(1, 1, 2), "" },
+    { "an open spline against its edge",
+      ExtendBall("(#29))", "(#29,#72))",
+        Replace(half, "#80=CIRCLE('',#23,5.)",
+          "#87=CARTESIAN_POINT('',(0.,5.,0.));\n#80=B_SPLINE_CURVE_WITH_KNOTS('',2,(#84,#87,#83),"
+          ".UNSPECIFIED.,.F.,.F.,(3,3),(0.,1.),.UNSPECIFIED.)")),
+      Count(1, 1, 2),
+      "an edge runs against its loop or its curve, with the same points: 1 (#79 EDGE_CURVE curve #80)" },
+    { "an ellipse through its vertices",
+      ExtendBall("(#29))", "(#29,#72))", Replace(half, "#80=CIRCLE('',#23,5.)", "#80=ELLIPSE('',#23,5.,2.)")),
+      Count(1, 1, 2), "" },
+    { "an ellipse beside its vertices",
+      ExtendBall("(#29))", "(#29,#72))", Replace(half, "#80=CIRCLE('',#23,5.)", "#80=ELLIPSE('',#23,2.,5.)")),
+      Count(1, 1, 2),
+      "a curve does not pass through the vertices of its edge: 1 (#79 EDGE_CURVE curve #80)" },
     { "the number of a face twice", ExtendBall("ball", "ball", "#29=ADVANCED_FACE('',(#28),#24,.F.);\n"),
       OneBall, "damaged entity: 1 (#29 ADVANCED_FACE); used by nothing: 1 (#29 ADVANCED_FACE)" },
     { "a bound without a bracket", ChangeBall("('',#27,.T.);", "('',#27,.T.;"), OneBall,
@@ -392,6 +430,11 @@ std::vector<CensusCase> GetUnitCases()
       "missing unit: 1 (#31 MANIFOLD_SOLID_BREP context)" },
     { "a context with a record of another entity",
       ChangeBall("REPRESENTATION_CONTEXT('','')", "LENGTH_UNIT('','')"), OneBall,
+      "wrong unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #6, #6 "
+      "GEOMETRIC_REPRESENTATION_CONTEXT "
+      "angle unit #6)" },
+    { "a context with a parameter too many",
+      ChangeBall("REPRESENTATION_CONTEXT('','')", "REPRESENTATION_CONTEXT('','','')"), OneBall,
       "wrong unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #6, #6 "
       "GEOMETRIC_REPRESENTATION_CONTEXT "
       "angle unit #6)" },

@@ -45,7 +45,8 @@ void DescribeBodies(const sm::STEPCensus& census, std::ostream& text)
   for (const sm::CensusBody& body : census.Bodies)
   {
     text << GetName(body.Kind) << " #" << body.Id << " " << body.Type << " '" << body.Name << "' x"
-         << GetText(body.Instances) << ", faces " << body.Faces << (body.Damaged ? ", damaged" : "") << "\n";
+         << GetText(body.Instances) << ", faces " << body.Faces << (body.Damaged ? ", damaged" : "")
+         << (body.Alternative ? ", beside exact faces" : "") << "\n";
     for (std::uint32_t k = 0; k < body.NumberOfShells; ++k)
     {
       const sm::CensusShellUse& use = census.ShellUses[body.FirstShell + k];
@@ -130,6 +131,16 @@ std::string DescribeCensus(const sm::Part21File& file, const sm::STEPCensus& cen
   {
     text << "mapped item #" << item.Id << " of representation #" << item.Child << " in #" << item.Parent
          << " x" << GetText(item.Instances) << (item.HasSolids ? "" : ", no solids") << "\n";
+  }
+  for (const sm::CensusShapelessProduct& product : census.ShapelessProducts)
+  {
+    text << "product #" << product.Id << " '" << product.Name << "' without a shape"
+         << (product.File.empty() ? "" : ", in the file " + product.File) << "\n";
+  }
+  for (const sm::CensusQuantity& usage : census.Quantities)
+  {
+    text << "quantity #" << usage.Id << ": " << usage.Quantity << " of product #" << usage.Child << " in #"
+         << usage.Parent << ", placed " << usage.Placed << "\n";
   }
   for (const sm::CensusContext& context : census.Contexts)
   {

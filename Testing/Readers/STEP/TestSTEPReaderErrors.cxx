@@ -4,6 +4,8 @@
  *
  * Usage: TestSTEPReaderErrors FOLDER [memory], a folder for the files it writes; with little memory.
  */
+#include "smCensusSamples.h"
+#include "smFileState.h"
 #include "smReaderTesting.h"
 
 #include "vtkCallbackCommand.h"
@@ -153,6 +155,80 @@ void CheckLostScale(const std::string& text)
     misplaced += GetLeaf(reader, i)->GetModel()->GetNumberOfDefects() > 0 ? 1 : 0;
   }
   CheckTrue("a lost scale is a defect", misplaced > 0);
+}
+
+/// A ball in a box, with `more` entities. Returns whether its body is defective; `said` must be in a message, nothing means no message.
+void CheckDeclared(const std::string& name, const std::string& more, bool isDefect, const std::string& said)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(
+    Make("reader_declared.step", MakeStepText(GetBallText() + GetAssemblyText() + more)).c_str());
+  reader->Update();
+  std::string messages;
+  for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+  {
+    messages += reader->GetMessage(i) + "\n";
+  }
+  CheckEqual(name + ": bodies", 1, reader->GetNumberOfBodies());
+  CheckEqual("  a defect", isDefect, !sm::GetFileState(reader->GetOutput()).Defects.empty());
+  CheckTrue("  said", said.empty() ? messages.empty() : messages.find(said) != std::string::npos, messages);
+}
+
+/// Bodies and parts that the file declares and nothing is read of.
+void CheckUnreadParts()
+{
+  const std::string product =
+    "#70=PRODUCT('other','other','',(#40));\n#71=PRODUCT_DEFINITION_FORMATION('','',#70);\n"
+    "#72=PRODUCT_DEFINITION('design','',#71,#43);\n";
+  const std::string shape = product +
+    "#73=PRODUCT_DEFINITION_SHAPE('','',#72);\n#74=SHAPE_REPRESENTATION('',(#75),#6);\n"
+    "#76=SHAPE_DEFINITION_REPRESENTATION(#73,#74);\n";
+  for (const char* type : { "TETRAHEDRON", "CONVEX_HEXAHEDRON", "RECTANGULAR_PYRAMID", "SOLID_WITH_HOLE",
+         "MODIFIED_SOLID", "THICKENED_FACE_SOLID", "TRIMMED_VOLUME", "EXTRUDED_FACE_SOLID_WITH_DRAFT_ANGLE" })
+  {
+    CheckDeclared(type, shape + "#75=" + type + "('',#23);\n", true,
+      std::string("Solid #75 of the file is of the type ") + type + ", which has no faces");
+  }
+  const std::string triangles = "of triangles instead of exact faces: it is left out";
+  CheckDeclared("triangles", shape + "#75=TESSELLATED_SOLID('t',(#77),$);\n", true, triangles);
+  CheckDeclared("triangles of the ball", shape + "#75=TESSELLATED_SOLID('t',(#77),#31);\n", false, "");
+  CheckDeclared("triangles beside the ball",
+    "#74=SHAPE_REPRESENTATION('',(#75),#6);\n#75=TESSELLATED_SOLID('t',(#77),$);\n"
+    "#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n",
+    false, "");
+  CheckDeclared("annotations", shape + "#75=TESSELLATED_GEOMETRIC_SET('t',(#77));\n", false, triangles);
+
+  const std::string part = "#80=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','second','',#52,#72,$);\n";
+  CheckDeclared("a part without a shape", product + part, false,
+    "1 product in assemblies of the file without a shape: #72.");
+  // The file is there, in the working directory.
+  Make("reader_ball.step", MakeStepText(GetBallText()));
+  CheckEqual("working directory", 0, chdir(Folder.c_str()));
+  const std::string document =
+    "#81=DOCUMENT_TYPE('');\n#82=DOCUMENT_FILE('reader_ball.step','','',#81,'',$);\n";
+  const std::string elsewhere =
+    "Product #72 \"other\" of an assembly has its shape in another file, reader_ball.step, which is not read";
+  const std::string reference = "#83=APPLIED_DOCUMENT_REFERENCE(#82,'',(#72));\n";
+  CheckDeclared("a part in a file", product + part + document + reference, true, elsewhere);
+  CheckDeclared("a part with an axis in a file",
+    shape + "#75=AXIS2_PLACEMENT_3D('',#20,#21,#22);\n" + part + document + reference, true, elsewhere);
+  CheckDeclared("a product with documents",
+    Replace(product, "PRODUCT_DEFINITION('design','',#71,#43)",
+      "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS('design','',#71,#43,(#82))") +
+      part + document,
+    true, elsewhere);
+  CheckDeclared("a document of the ball", document + Replace(reference, "#72", "#44"), false, "");
+
+  const auto quantity = [](const char* number)
+  {
+    return std::string("#90=DIMENSIONAL_EXPONENTS(0.,0.,0.,0.,0.,0.,0.);\n#91=NAMED_UNIT(#90);\n"
+                       "#92=MEASURE_WITH_UNIT(COUNT_MEASURE(") +
+      number + "),#91);\n#93=QUANTIFIED_ASSEMBLY_COMPONENT_USAGE('5','','',#52,#44,$,#92);\n";
+  };
+  CheckDeclared("a quantity", quantity("5."), true,
+    "Product #44 \"ball\" occurs 5 times in product #52 by the quantity #93 of the file, which places it 1 "
+    "time");
+  CheckDeclared("the quantity that is placed", quantity("1."), false, "");
 }
 
 /// A reader inside an observer of another one's progress fails with a sentence, and the other one goes on.
@@ -396,5 +472,6 @@ int TestSTEPReaderErrors(int argc, char* argv[])
   CheckDamage(text);
   CheckWrongVertex(text);
   CheckLostScale(text);
+  CheckUnreadParts();
   return Finish();
 }

@@ -1,5 +1,6 @@
 // TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; a torus with a negative radius, a pole on an
-// edge and shells that are not connected are none, and these are parted all the same. FOLDER takes the file.
+// edge, edges that run against both their loops and shells that are not connected are none, and these are parted all the same. One face that
+// lies beside its edges is repaired by itself. FOLDER takes the file.
 #include "smIntegralNames.h"
 #include "smOCCTRepair.h"
 #include "smReaderTesting.h"
@@ -97,21 +98,27 @@ void SetTrim(const TopoDS_Shape& bored, double pole, double bump)
   }
 }
 
-/// Trim curves that leave their edges between the ends, where the loops close all the same, and one at another speed. From a file
-/// OpenCASCADE takes none that are off: it projects edges instead.
-void CheckTrimReasons()
+TopoDS_Shape MakeBoredBox()
 {
   const TopoDS_Shape bore =
     BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20.0, 15.0, 0.0), gp_Dir(0, 0, 1)), 5.0, 10.0).Shape();
   const TopoDS_Shape bored = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40.0, 30.0, 10.0).Shape(), bore).Shape();
-  TopoDS_Shape solid = TopExp_Explorer(bored, TopAbs_SOLID).Current();
+  return TopExp_Explorer(bored, TopAbs_SOLID).Current();
+}
+
+/// Trim curves that leave their edges between the ends, where the loops close all the same, and one at another speed. From a file
+/// OpenCASCADE takes none that are off: it projects edges instead.
+void CheckTrimReasons()
+{
+  TopoDS_Shape solid = MakeBoredBox();
   const auto label = [](const TopoDS_Shape&) { return std::string("face"); };
   sm::SoundFaceTable faces;
   const auto check = [&](const char* name, double pole, double bump, bool isSound)
   {
     SetTrim(solid, pole, bump);
     faces.clear();
-    CheckEqual(name, isSound ? "" : "face: an edge lies beside it", sm::FindShapeDamage(solid, label, faces));
+    CheckEqual(
+      name, isSound ? "" : "face: an edge lies beside it", sm::FindShapeDamage(solid, label, faces).Problem);
     CheckEqual("  faces taken as they are", isSound ? 7 : 0, static_cast<int>(faces.size()));
   };
   check("trim on its edge", 0.5, 0.0, true);
@@ -209,6 +216,81 @@ void CheckTurnedTorus()
   CheckTrue("a face with the wrong sense", !repairs.empty(), repairs);
 }
 
+/// Reads a solid, and returns the messages that contain a text; a volume other than `volume`, within bound and gaps, is an error.
+std::string FindMessages(
+  const std::string& name, const std::string& content, int faces, double volume, const std::string& part)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(Make("repair_faces.step", content).c_str());
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputConnection(reader->GetOutputPort());
+  mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  mass->Update();
+  const double allowed = mass->GetVolumeBound() + 1e-12 * volume +
+    mass->GetOutput()->GetFieldData()->GetArray(sm::names::GapSquared)->GetTuple1(0);
+  CheckTrue(name + ": volume", std::abs(mass->GetVolume() - volume) <= allowed,
+    std::to_string(mass->GetVolume() - volume));
+  CheckEqual("  faces", faces, GetLeaf(reader, 0)->GetModel()->GetNumberOfFaces());
+  CheckEqual("  status", std::string("ok"), std::string(mass->GetStatus()));
+  std::string found;
+  for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+  {
+    const std::string message = reader->GetMessage(i);
+    found += message.find(part) != std::string::npos ? message : "";
+  }
+  return found;
+}
+
+/// Reverses the uses of some edges of the first loop of a box, in this loop only, or in all loops.
+std::string TurnUses(const std::string& text, int count, bool isEverywhere)
+{
+  std::smatch loop;
+  std::regex_search(
+    text, loop, std::regex("EDGE_LOOP\\('',\\((#[0-9]+),(#[0-9]+),(#[0-9]+),(#[0-9]+)\\)\\)"));
+  std::string result = text;
+  for (int i = 1; i <= count; ++i)
+  {
+    std::smatch use;
+    std::regex_search(
+      text, use, std::regex("\n" + loop[i].str() + " = ORIENTED_EDGE\\('',\\*,\\*,(#[0-9]+),"));
+    const std::string head = isEverywhere ? "#[0-9]+" : loop[i].str();
+    const std::string uses = "(\n" + head + " = ORIENTED_EDGE\\('',\\*,\\*," + use[1].str() + ",)";
+    result = std::regex_replace(result, std::regex(uses + "\\.T\\."), "$1.X.");
+    result = std::regex_replace(result, std::regex(uses + "\\.F\\."), "$1.T.");
+    result = std::regex_replace(result, std::regex(uses + "\\.X\\."), "$1.F.");
+  }
+  return result;
+}
+
+/// Edges of a box that run against both their loops are reversed in these; an edge that runs against one of them only is repaired. Of a bored
+/// box whose bore lies beside its edges only this face is repaired.
+void CheckFaceRepairs()
+{
+  const std::string text = WriteEdgesOnly(BRepPrimAPI_MakeBox(40.0, 30.0, 10.0).Solid());
+  const std::string against = "run against their loops";
+  CheckEqual("a box", "", FindMessages("a box", text, 6, 12000.0, "of the file"));
+  for (int count = 1; count <= 4; ++count)
+  {
+    const std::string name = std::to_string(count) + " edges against their loops";
+    const std::string turned = TurnUses(text, count, true);
+    CheckTrue("the files differ", turned != text && turned.size() == text.size());
+    CheckEqual(name, "", FindMessages(name, turned, 6, 12000.0, "repaired by OpenCASCADE"));
+    const std::string message = FindMessages(name, turned, 6, 12000.0, against);
+    CheckTrue(
+      name, message.find(std::to_string(2 * count) + " uses were reversed") != std::string::npos, message);
+  }
+  const std::string one =
+    FindMessages("one use", TurnUses(text, 1, false), 6, 12000.0, "repaired by OpenCASCADE");
+  CheckTrue("a use against its loop", one.find("do not agree about their sides") != std::string::npos, one);
+  // Ribbons in the planes at both ends close what is between the bore and its edges.
+  const TopoDS_Shape bored = MakeBoredBox();
+  const std::string wide = std::regex_replace(
+    WriteEdgesOnly(bored), std::regex("(CYLINDRICAL_SURFACE\\('',#[0-9]+,)5\\."), "$015.02");
+  const std::string message = FindMessages(
+    "a bore beside its edges", wide, 7, 12000.0 - 252.004 * vtkMath::Pi(), "repaired by OpenCASCADE");
+  CheckTrue("  one face", message.find("1 single face of 1 of 1 solids") == 0, message);
+}
+
 /// Half a sphere whose rim passes both poles, or where x leaves the sphere, or both; or near the poles, at a thirtieth to a thousandth of the
 /// radius, where the angle turns so fast that the trim curve needs many pieces: OpenCASCADE's approximation is beside the edge by some
 /// hundredths of the radius there.
@@ -244,6 +326,7 @@ int TestSTEPRepairReasons(int argc, char* argv[])
   CheckTrimReasons();
   CheckShells();
   CheckTurnedTorus();
+  CheckFaceRepairs();
   CheckPolesOnEdges();
   return Finish();
 }

@@ -5,6 +5,7 @@
 #include "smTesting.h"
 
 #include "smOCCTCurve.h"
+#include "smOCCTFileSurface.h"
 #include "smOCCTTrim.h"
 
 #include <Geom2d_BSplineCurve.hxx>
@@ -304,6 +305,53 @@ void CheckPoles()
   smtest::CheckRange("both nappes", 1e-6, getWidth(cone, apex - 1e-4, 3.0, false), 1.0);
 }
 
+/// A closed spline of the file covers a box that is moved by whole periods, but not one that crosses its seam.
+void CheckFileSurfaces()
+{
+  TColgp_Array2OfPnt net(1, 5, 1, 2);
+  const double corners[5][2] = { { 1.0, 0.0 }, { 1.0, 3.0 }, { -2.0, 3.0 }, { -2.0, -1.0 }, { 1.0, 0.0 } };
+  for (int i = 0; i < 5; ++i)
+  {
+    net(i + 1, 1) = gp_Pnt(corners[i][0], corners[i][1], 0.0);
+    net(i + 1, 2) = gp_Pnt(corners[i][0], corners[i][1], 2.0);
+  }
+  net(5, 2).SetX(1.0 + 1e-8);
+  TColStd_Array1OfReal u(1, 4);
+  TColStd_Array1OfInteger multiplicities(1, 4);
+  for (int i = 1; i <= 4; ++i)
+  {
+    u(i) = i - 1.0;
+    multiplicities(i) = i == 1 || i == 4 ? 3 : 1;
+  }
+  TColStd_Array1OfReal v(1, 2);
+  v(1) = 0.0;
+  v(2) = 1.0;
+  TColStd_Array1OfInteger twice(1, 2);
+  twice.Init(2);
+  sm::FileSurface file;
+  file.Surface = new Geom_BSplineSurface(net, u, v, multiplicities, twice, 2, 1);
+  const auto periodic = Handle(Geom_BSplineSurface)::DownCast(file.Surface->Copy());
+  periodic->SetUPeriodic();
+  for (const int turns : { -2, 0, 5 })
+  {
+    const double start = 3.0 * turns;
+    const Handle(Geom_Surface) moved =
+      sm::CoverBox(file, periodic, { { start - 1e-12, 0.0 }, { start + 3.0, 1.0 } });
+    const std::string name = "closed spline, " + std::to_string(turns) + " turns";
+    if (!smtest::CheckTrue(name + ", is covered", !moved.IsNull()))
+    {
+      continue;
+    }
+    for (const double x : { 0.0, 0.3, 1.7, 3.0 })
+    {
+      smtest::Check(name + ", distance from the file's", 0.0,
+        moved->Value(start + x, 1.0).Distance(file.Surface->Value(x, 1.0)), 1e-13, "rounding");
+    }
+    smtest::CheckTrue(name + ", across its seam",
+      sm::CoverBox(file, periodic, { { start + 1.0, 0.0 }, { start + 3.5, 1.0 } }).IsNull());
+  }
+}
+
 /// Trim curves under two angle maps, one, or none; the residual limit is 1e-13 of an arc and the floor of double precision.
 void CheckTrim(const char* name, const Handle(Geom2d_Curve) & curve, double first, double last,
   const sm::ParameterMap& mapU, const sm::ParameterMap& mapV, bool exact)
@@ -422,6 +470,7 @@ int TestSTEPSurfaces(int, char*[])
 {
   CheckSurfaces();
   CheckFarSurfaces();
+  CheckFileSurfaces();
   CheckPoles();
   CheckTrims();
   CheckEdges();

@@ -1,0 +1,238 @@
+// What the products of a census declare besides their bodies: triangles in place of faces, shapes in other files, quantities.
+#include "smSTEPCensusTaker.h"
+
+#include <algorithm>
+
+namespace sm
+{
+namespace
+{
+constexpr STEPAttribute FormationOfPart = { "PRODUCT_DEFINITION", 2, 2, "formation" };
+constexpr STEPAttribute PartOfFormation = { "PRODUCT_DEFINITION_FORMATION", 2, 2, "product" };
+constexpr STEPAttribute IdOfPart = { "PRODUCT", 0, 0, "id" };
+constexpr STEPAttribute NameOfPart = { "PRODUCT", 1, 1, "name" };
+constexpr STEPAttribute IdOfDocument = { "DOCUMENT", 0, 0, "id" };
+constexpr STEPAttribute AssignedId = { "IDENTIFICATION_ASSIGNMENT", 0, 0, "assigned id" };
+constexpr STEPAttribute LinkOfTessellation = { "TESSELLATED_SOLID", 1, 2, "geometric link" };
+constexpr STEPAttribute UsingProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 3, 3, "relating product" };
+constexpr STEPAttribute UsedProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 4, 4, "related product" };
+constexpr STEPAttribute QuantityOfUsage = { "QUANTIFIED_ASSEMBLY_COMPONENT_USAGE", 0, 6, "quantity" };
+}
+
+bool STEPCensusTaker::IsOfAssembly(const Arc& arc) const
+{
+  return this->Entities.Has(arc.By, STEPRole::Occurrence);
+}
+
+void STEPCensusTaker::FindAlternatives()
+{
+  const auto isTessellated = [](const CensusBody& body) { return body.Kind == CensusBodyKind::Tessellated; };
+  if (std::none_of(this->Census.Bodies.begin(), this->Census.Bodies.end(), isTessellated))
+  {
+    return;
+  }
+  const std::vector<bool> exact =
+    this->FindAbove({ CensusBodyKind::Solid, CensusBodyKind::SurfaceModel }, false);
+  // From products, and shapes of none, without exact faces down to their groups.
+  std::vector<bool> lacks(exact.size(), false);
+  std::vector<bool> isPart(exact.size(), false);
+  for (const Arc& arc : this->Arcs)
+  {
+    isPart[arc.To] = isPart[arc.To] || !this->IsOfAssembly(arc);
+  }
+  std::vector<Index> open;
+  for (Index i = 0; i < exact.size(); ++i)
+  {
+    if (this->Counts[i] > 0 && !isPart[i] && !exact[i])
+    {
+      lacks[i] = true;
+      open.push_back(i);
+    }
+  }
+  while (!open.empty())
+  {
+    const Index from = open.back();
+    open.pop_back();
+    for (auto arc = std::lower_bound(this->Arcs.begin(), this->Arcs.end(), Arc{ from, 0, 0 });
+         arc != this->Arcs.end() && arc->From == from; ++arc)
+    {
+      if (!this->IsOfAssembly(*arc) && !lacks[arc->To])
+      {
+        lacks[arc->To] = true;
+        open.push_back(arc->To);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
+  {
+    this->Census.Bodies[k].Alternative = isTessellated(this->Census.Bodies[k]);
+  }
+  for (const auto& [group, index] : this->BodiesOfGroups)
+  {
+    CensusBody& body = this->Census.Bodies[index];
+    const Index link =
+      this->Entities.Follow(this->Entities.Get(this->BodyEntities[index], LinkOfTessellation));
+    const auto linked = link == None ? this->BodyIndices.end() : this->BodyIndices.find(link);
+    const bool isLinked = linked != this->BodyIndices.end() &&
+      this->Census.Bodies[linked->second].Kind == CensusBodyKind::Solid &&
+      this->Census.Bodies[linked->second].Instances > 0;
+    body.Alternative = body.Alternative && (isLinked || !lacks[group]);
+  }
+}
+
+std::string STEPCensusTaker::GetProductName(Index product) const
+{
+  const Index formation = this->Entities.Follow(this->Entities.Get(product, FormationOfPart));
+  const Index base = this->Entities.Follow(this->Entities.Get(formation, PartOfFormation));
+  const std::string_view name = this->Entities.Get(base, NameOfPart).Text;
+  return std::string(name.empty() ? this->Entities.Get(base, IdOfPart).Text : name);
+}
+
+/// Returns the files that documents name for products, their formations, shapes and representations.
+std::unordered_map<Part21File::Index, std::string> STEPCensusTaker::FindFilesOfProducts() const
+{
+  std::unordered_map<Index, std::string> documents;
+  const Index count = this->File.GetNumberOfInstances();
+  const auto addDocument = [this, &documents](Index i)
+  { documents.emplace(i, this->Entities.Get(i, IdOfDocument).Text); };
+  for (Index i = 0; i < count; ++i)
+  {
+    if (this->Entities.Has(i, STEPRole::FileIdentification))
+    {
+      const std::string_view path = this->Entities.Get(i, AssignedId).Text;
+      for (const Index document : this->File.GetReferences(i))
+      {
+        if (this->Entities.Has(document, STEPRole::Document) && !path.empty())
+        {
+          documents[document] = path;
+        }
+      }
+    }
+    // A document that has a product of its own, whose versions are files.
+    if (this->Entities.Has(i, STEPRole::DocumentEquivalence) && this->File.GetReferences(i).size() > 0 &&
+      this->File.GetReferences(i)[0] != None)
+    {
+      addDocument(this->File.GetReferences(i)[0]);
+    }
+  }
+  std::unordered_map<Index, std::string> files;
+  for (Index i = 0; i < count; ++i)
+  {
+    const bool isReference = this->Entities.Has(i, STEPRole::DocumentReference);
+    if (!isReference && !this->Entities.Has(i, STEPRole::ProductDefinition))
+    {
+      continue;
+    }
+    for (const Index document : this->File.GetReferences(i))
+    {
+      if (this->Entities.Has(document, STEPRole::Document))
+      {
+        addDocument(document);
+      }
+      const auto file = documents.find(document);
+      if (file == documents.end())
+      {
+        continue;
+      }
+      if (!isReference)
+      {
+        files.emplace(i, file->second);
+      }
+      for (const Index item : this->File.GetReferences(i))
+      {
+        if (isReference && item != None && item != document)
+        {
+          files.emplace(item, file->second);
+        }
+      }
+      break;
+    }
+  }
+  return files;
+}
+
+void STEPCensusTaker::FindShapelessProducts()
+{
+  const std::vector<bool> hasBody =
+    this->FindAbove({ CensusBodyKind::Solid, CensusBodyKind::OtherSolid, CensusBodyKind::SurfaceModel,
+                      CensusBodyKind::GeometricSet, CensusBodyKind::Tessellated },
+      true);
+  std::vector<bool> isWhole(hasBody.size(), false);
+  std::vector<Index> products;
+  for (const Arc& arc : this->Arcs)
+  {
+    if (this->IsOfAssembly(arc))
+    {
+      isWhole[arc.From] = true;
+      if (!hasBody[arc.To] && this->Counts[arc.To] > 0)
+      {
+        products.push_back(arc.To);
+      }
+    }
+  }
+  std::sort(products.begin(), products.end());
+  products.erase(std::unique(products.begin(), products.end()), products.end());
+  const std::unordered_map<Index, std::string> files =
+    products.empty() ? std::unordered_map<Index, std::string>() : this->FindFilesOfProducts();
+  for (const Index product : products)
+  {
+    if (isWhole[product])
+    {
+      continue;
+    }
+    CensusShapelessProduct shapeless{ this->File.GetId(product), this->GetProductName(product), {} };
+    std::vector<Index> places = { product,
+      this->Entities.Follow(this->Entities.Get(product, FormationOfPart)) };
+    for (auto arc = std::lower_bound(this->Arcs.begin(), this->Arcs.end(), Arc{ product, 0, 0 });
+         arc != this->Arcs.end() && arc->From == product; ++arc)
+    {
+      places.push_back(arc->To);
+    }
+    for (const Index place : places)
+    {
+      const auto file = files.find(place);
+      shapeless.File = shapeless.File.empty() && file != files.end()
+        ? (file->second.empty() ? "without a name" : file->second)
+        : shapeless.File;
+    }
+    this->Census.ShapelessProducts.push_back(std::move(shapeless));
+  }
+}
+
+void STEPCensusTaker::ReadQuantities()
+{
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> placed;
+  for (Index i = 0; i < this->File.GetNumberOfInstances(); ++i)
+  {
+    std::string_view parameters;
+    if (!this->Entities.Has(i, STEPRole::OtherUsage) ||
+      !this->Entities.FindRecord(i, QuantityOfUsage.Record, parameters))
+    {
+      continue;
+    }
+    const Index parent = this->Entities.Follow(this->Entities.Get(i, UsingProduct));
+    const Index child = this->Entities.Follow(this->Entities.Get(i, UsedProduct));
+    const Index measure = this->Entities.Follow(this->Entities.Get(i, QuantityOfUsage));
+    double number = 0.0;
+    if (parent == None || child == None || this->Counts[parent] == 0 || !this->SolidsBelow[child] ||
+      !this->Entities.FindRecord(measure, "MEASURE_WITH_UNIT", parameters) ||
+      !GetPart21Value(GetPart21Value(parameters, 0).Text, 0).GetNumber(number))
+    {
+      continue;
+    }
+    if (placed.empty())
+    {
+      for (const CensusOccurrence& occurrence : this->Census.Occurrences)
+      {
+        placed.emplace_back(occurrence.Parent, occurrence.Child);
+      }
+      std::sort(placed.begin(), placed.end());
+    }
+    const auto range = std::equal_range(
+      placed.begin(), placed.end(), std::make_pair(this->File.GetId(parent), this->File.GetId(child)));
+    this->Census.Quantities.push_back(
+      { this->File.GetId(i), this->File.GetId(parent), this->File.GetId(child), this->GetProductName(child),
+        number, static_cast<std::size_t>(range.second - range.first) });
+  }
+}
+}

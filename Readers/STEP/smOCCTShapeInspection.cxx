@@ -1,0 +1,419 @@
+#include "smOCCTShapeInspection.h"
+
+#include "smOCCTClosing.h"
+#include "smOCCTFaceInspection.h"
+#include "smOCCTFailure.h"
+#include "smOCCTShells.h"
+#include "smParallelFor.h"
+
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+/// Gaps between edges and surfaces up to this, relative to the size, need no repair. It is a quarter of the limit of the integrals, because
+/// their bound of the distance of an edge beyond its surface may be several times too large.
+constexpr double LargestGap = 2.5e-4;
+
+/// Number of faces of the first group that is inspected in parallel; each further group has as many as all groups before it, and this many
+/// more.
+constexpr std::size_t FirstFaces = 32;
+
+/// The sign of an estimated volume is certain if it exceeds this fraction of the sum of the absolute volumes of its faces' cones.
+constexpr double LeastShare = 0.2;
+
+/// One of so many faces of a shell at most is repaired by itself, but one face always; if more need it, the body is repaired.
+constexpr std::size_t FacesPerRepair = 32;
+
+/// Number and signed sum of the uses of an edge by faces.
+struct EdgeSum
+{
+  int Count = 0;
+  int Sum = 0;
+};
+
+/// The box around some points of edges.
+class EdgeBox
+{
+public:
+  void Add(const TopoDS_Shape& edge)
+  {
+    double first = 0.0;
+    double last = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(edge), first, last);
+    for (const double x : { 0.0, 0.25, 0.5, 0.75, 1.0 })
+    {
+      if (!curve.IsNull() && last > first)
+      {
+        const gp_XYZ p = curve->Value((1.0 - x) * first + x * last).XYZ();
+        this->Add(p, p);
+      }
+    }
+  }
+  void Add(const EdgeBox& other) { this->Add(other.Low, other.High); }
+
+  double GetSize() const
+  {
+    return this->Low.X() <= this->High.X() ? (this->High - this->Low).Modulus() : 0.0;
+  }
+  bool Contains(const EdgeBox& other, double tolerance) const
+  {
+    return Contains(other.Low, tolerance) && Contains(other.High, tolerance);
+  }
+  gp_Pnt GetCenter() const { return gp_Pnt(0.5 * (this->Low + this->High)); }
+
+private:
+  bool Contains(const gp_XYZ& p, double tolerance) const
+  {
+    bool isInside = true;
+    for (int c = 1; c <= 3; ++c)
+    {
+      isInside = isInside && p.Coord(c) >= this->Low.Coord(c) - tolerance &&
+        p.Coord(c) <= this->High.Coord(c) + tolerance;
+    }
+    return isInside;
+  }
+
+  void Add(const gp_XYZ& low, const gp_XYZ& high)
+  {
+    for (int c = 1; c <= 3; ++c)
+    {
+      this->Low.SetCoord(c, std::min(this->Low.Coord(c), low.Coord(c)));
+      this->High.SetCoord(c, std::max(this->High.Coord(c), high.Coord(c)));
+    }
+  }
+
+  gp_XYZ Low{ 1e300, 1e300, 1e300 };
+  gp_XYZ High{ -1e300, -1e300, -1e300 };
+};
+
+/// The faces of a shell and its edges, which are numbered once: OpenCASCADE's entities lie scattered in memory, and in a large model each
+/// look-up by their address waits for it.
+struct ShellDraft
+{
+  std::vector<TopoDS_Shape> Faces;
+  std::vector<DraftFace> Drafts;
+  TopTools_IndexedMapOfShape Edges;
+  EdgeBox Box;
+  /// Largest tolerance of a vertex.
+  double Tolerance = 0.0;
+};
+
+using ShapeSet = std::unordered_set<const TopoDS_TShape*>;
+
+ShellDraft CollectShell(const TopoDS_Shape& shell, const ShapeSet& repaired)
+{
+  ShellDraft result;
+  for (TopExp_Explorer it(shell, TopAbs_FACE); it.More(); it.Next())
+  {
+    const bool isRepaired = repaired.count(it.Current().TShape().get()) > 0;
+    result.Faces.push_back(it.Current());
+    result.Drafts.push_back(CollectFace(
+      TopoDS::Face(it.Current()), result.Edges, isRepaired ? MissingTrim::Approximated : MissingTrim::Feet));
+    for (const DraftLoop& loop : result.Drafts.back().Loops)
+    {
+      for (const DraftCoedge& coedge : loop)
+      {
+        for (const TopoDS_Vertex* vertex : { &coedge.Start, &coedge.End })
+        {
+          result.Tolerance =
+            std::max(result.Tolerance, vertex->IsNull() ? 0.0 : BRep_Tool::Tolerance(*vertex));
+        }
+      }
+    }
+  }
+  for (int i = 1; i <= result.Edges.Extent(); ++i)
+  {
+    result.Box.Add(result.Edges(i));
+  }
+  return result;
+}
+
+/// Adds the uses of edges by a face. `numbers` numbers the edges; null if the coedges have these numbers.
+void AddUses(const DraftFace& face, std::size_t index, const TopTools_IndexedMapOfShape* numbers,
+  std::vector<EdgeUse>& uses)
+{
+  for (const DraftLoop& loop : face.Loops)
+  {
+    for (const DraftCoedge& coedge : loop)
+    {
+      if (!coedge.Degenerate && coedge.EdgeIndex >= 0)
+      {
+        const int edge = numbers ? numbers->FindIndex(coedge.Edge) - 1 : coedge.EdgeIndex;
+        uses.push_back({ index, static_cast<std::size_t>(edge), coedge.Reversed != face.Reversed });
+      }
+    }
+  }
+}
+
+/// Checks that every edge of a solid has two uses, one in each direction, and that the faces of a shell are connected.
+std::string InspectStructure(
+  const std::vector<EdgeUse>& uses, std::size_t faceCount, std::size_t edgeCount, bool isSolid)
+{
+  std::vector<EdgeSum> sums(edgeCount);
+  for (const EdgeUse& use : uses)
+  {
+    ++sums[use.Edge].Count;
+    sums[use.Edge].Sum += use.Reversed ? -1 : 1;
+  }
+  bool isContrary = false;
+  for (const EdgeSum& edge : sums)
+  {
+    if (isSolid && edge.Sum != 0 && edge.Count == 1)
+    {
+      return "a shell is open";
+    }
+    // An edge along which parts of a solid touch has two uses in either direction.
+    isContrary = isContrary || (edge.Count > 2 && !isSolid) || (edge.Count > 1 && edge.Sum != 0);
+  }
+  if (isContrary)
+  {
+    return "its faces do not agree about their sides";
+  }
+  const std::vector<std::size_t> groups = GroupFaces(uses, faceCount, edgeCount);
+  const bool isOne = std::all_of(groups.begin(), groups.end(), [](std::size_t group) { return group == 0; });
+  return isSolid && !isOne ? "a shell is in several parts" : std::string();
+}
+
+class ShapeInspector
+{
+public:
+  ShapeInspector(const TopoDS_Shape& shape, const ShapeLabel& label)
+    : Shape(shape)
+    , IsSolid(shape.ShapeType() == TopAbs_SOLID)
+    , Label(label)
+  {
+  }
+
+  ShapeDamage Run(const FaceRepair& repair)
+  {
+    ShapeDamage damage;
+    damage.Problem = this->Inspect();
+    if (!this->Damaged.empty())
+    {
+      damage.Problem = this->Label(this->Damaged[0]) + ": " + this->FirstProblem;
+    }
+    if (!this->Damaged.empty() && repair)
+    {
+      const std::vector<TopoDS_Shape> damaged = std::move(this->Damaged);
+      std::vector<TopoDS_Shape> repaired;
+      this->Shape = repair(this->Shape, damaged, repaired);
+      for (const TopoDS_Shape& face : repaired)
+      {
+        this->Repaired.insert(face.TShape().get());
+      }
+      if (this->Inspect().empty() && this->Damaged.empty())
+      {
+        damage.RepairedFaces = static_cast<int>(damaged.size());
+      }
+    }
+    damage.TurnedEdges = this->TurnedEdges;
+    return damage;
+  }
+
+  /// Returns the shape after Run(), with a solid that is inside out reversed.
+  TopoDS_Shape GetShape() const { return this->IsInsideOut() ? this->Shape.Reversed() : this->Shape; }
+  bool IsInsideOut() const { return this->Sign < 0.0; }
+
+  SoundFaceTable& GetFaces() { return this->Inspected; }
+
+private:
+  /// Returns a problem of the whole shape; empty if there is none, or only that of the faces in Damaged.
+  std::string Inspect()
+  {
+    this->Damaged.clear();
+    this->TurnedEdges = 0;
+    this->Sign = 0.0;
+    std::vector<ShellDraft> shells;
+    EdgeBox box;
+    double tolerance = 0.0;
+    for (TopExp_Explorer it(this->Shape, TopAbs_SHELL); it.More(); it.Next())
+    {
+      shells.push_back(CollectShell(it.Current(), this->Repaired));
+      box.Add(shells.back().Box);
+      tolerance = std::max(tolerance, shells.back().Tolerance);
+    }
+    if (shells.empty())
+    {
+      return "it has no shell";
+    }
+    this->Size = box.GetSize();
+    this->Tolerance = LoopTolerance * this->Size + std::min(4.0 * tolerance, VertexTolerance * this->Size);
+    std::string problem;
+    for (ShellDraft& shell : shells)
+    {
+      double outwards = 0.0;
+      problem = problem.empty() ? this->InspectShell(shell, outwards) : problem;
+      // A void with the wrong orientation is detected later by exact volumes, but the shell may also be no void: one outside the outer
+      // shell needs a repair.
+      if (problem.empty() && this->Sign * outwards > 0.0 &&
+        !shells[0].Box.Contains(shell.Box, this->Tolerance))
+      {
+        problem = "a void may lie outside its shell";
+      }
+      this->Sign = this->Sign != 0.0 ? this->Sign : this->IsSolid && outwards < -LeastShare ? -1.0 : 1.0;
+    }
+    if (!problem.empty())
+    {
+      this->Damaged.clear();
+    }
+    return problem;
+  }
+
+  FaceInspection InspectDraft(const ShellDraft& shell, std::size_t index, DraftFace& draft) const
+  {
+    FaceInspection result;
+    const auto known = this->ConeVolumes.find(shell.Faces[index].TShape().get());
+    if (known != this->ConeVolumes.end())
+    {
+      result.ConeVolume = known->second;
+      return result;
+    }
+    const std::string failure = CatchFailure(
+      [&] { result = InspectFace(draft, shell.Box.GetCenter(), this->Tolerance, LargestGap * this->Size); });
+    result.Problem = failure.empty() ? result.Problem : failure;
+    return result;
+  }
+
+  /// Inspects a shell and adds faces with problems to Damaged. `outwards` is set to its signed volume, relative to the sum of the absolute
+  /// volumes of its faces' cones.
+  std::string InspectShell(ShellDraft& shell, double& outwards)
+  {
+    const bool isWhole = std::all_of(
+      shell.Drafts.begin(), shell.Drafts.end(), [](const DraftFace& face) { return face.Defects == 0; });
+    const std::string structure =
+      isWhole || !this->Repaired.empty() ? this->InspectUses(shell, false) : std::string();
+    if (!structure.empty())
+    {
+      return structure;
+    }
+    std::vector<FaceInspection> results(shell.Drafts.size());
+    const std::size_t most = std::max<std::size_t>(1, shell.Drafts.size() / FacesPerRepair);
+    std::size_t damaged = 0;
+    // A body with many problems is repaired as a whole, so the inspection stops behind the group that has too many.
+    for (std::size_t start = 0; start < shell.Drafts.size() && damaged <= most;)
+    {
+      const std::size_t stop = std::min(2 * start + FirstFaces, shell.Drafts.size());
+      ParallelFor(stop - start, 16,
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = start + begin; i < start + end; ++i)
+          {
+            results[i] = this->InspectDraft(shell, i, shell.Drafts[i]);
+          }
+        });
+      for (; start < stop; ++start)
+      {
+        if (!results[start].Problem.empty() && !this->IsRepaired(shell.Faces[start]))
+        {
+          ++damaged;
+          this->FirstProblem = this->Damaged.empty() ? results[start].Problem : this->FirstProblem;
+          this->Damaged.push_back(shell.Faces[start]);
+        }
+      }
+    }
+    if (damaged > most)
+    {
+      return this->Label(this->Damaged[0]) + ": " + this->FirstProblem;
+    }
+    return this->Conclude(shell, results, damaged > 0, outwards);
+  }
+
+  bool IsRepaired(const TopoDS_Shape& face) const
+  {
+    return !this->Repaired.empty() && this->Repaired.count(face.TShape().get()) > 0;
+  }
+
+  /// Takes over the faces of a shell that have no problems.
+  std::string Conclude(
+    ShellDraft& shell, const std::vector<FaceInspection>& results, bool isDamaged, double& outwards)
+  {
+    double volume = 0.0;
+    double sum = 0.0;
+    int turned = 0;
+    bool isKnown = true;
+    this->Inspected.reserve(this->Inspected.size() + shell.Faces.size());
+    for (std::size_t i = 0; i < results.size(); ++i)
+    {
+      const TopoDS_TShape* key = shell.Faces[i].TShape().get();
+      const double own = results[i].ConeVolume;
+      volume += shell.Drafts[i].Reversed ? -own : own;
+      sum += std::abs(own);
+      isKnown = isKnown && results[i].Problem.empty();
+      if (results[i].Problem.empty() && !this->IsRepaired(shell.Faces[i]))
+      {
+        const auto face =
+          this->Inspected.emplace(key, std::make_shared<const DraftFace>(std::move(shell.Drafts[i]))).first;
+        turned += face->second->TurnedEdges;
+        if (isDamaged)
+        {
+          this->ConeVolumes.emplace(key, own);
+        }
+      }
+    }
+    outwards = sum > 0.0 ? volume / sum : 0.0;
+    this->TurnedEdges += turned;
+    const std::string structure = turned > 0 && !isDamaged ? this->InspectUses(shell, true) : std::string();
+    // What a repaired face adds to the volume may not be known.
+    return structure.empty() && !isDamaged && !isKnown && this->IsSolid && std::abs(outwards) < LeastShare
+      ? "on which side its material lies is not certain"
+      : structure;
+  }
+
+  std::string InspectUses(const ShellDraft& shell, bool isInspected) const
+  {
+    std::vector<EdgeUse> uses;
+    for (std::size_t i = 0; i < shell.Faces.size(); ++i)
+    {
+      const auto sound =
+        isInspected ? this->Inspected.find(shell.Faces[i].TShape().get()) : this->Inspected.end();
+      const bool isSound = sound != this->Inspected.end();
+      AddUses(isSound ? *sound->second : shell.Drafts[i], i, isSound ? &shell.Edges : nullptr, uses);
+    }
+    return InspectStructure(
+      uses, shell.Faces.size(), static_cast<std::size_t>(shell.Edges.Extent()), this->IsSolid);
+  }
+
+  TopoDS_Shape Shape;
+  bool IsSolid;
+  const ShapeLabel& Label;
+  /// Faces that passed, and, if others did not, the volumes of their cones.
+  SoundFaceTable Inspected;
+  std::unordered_map<const TopoDS_TShape*, double> ConeVolumes;
+  /// Faces that did not pass, and the problem of the first.
+  std::vector<TopoDS_Shape> Damaged;
+  std::string FirstProblem;
+  /// What a repair made of these.
+  ShapeSet Repaired;
+  int TurnedEdges = 0;
+  double Size = 0.0;
+  double Tolerance = 0.0;
+  /// -1: a solid that is inside out.
+  double Sign = 0.0;
+};
+
+}
+
+ShapeDamage FindShapeDamage(
+  TopoDS_Shape& shape, const ShapeLabel& label, SoundFaceTable& faces, const FaceRepair& repair)
+{
+  ShapeInspector inspector(shape, label);
+  ShapeDamage damage = inspector.Run(repair);
+  if (damage.Problem.empty() || damage.RepairedFaces > 0)
+  {
+    shape = inspector.GetShape();
+    damage.IsReversed = inspector.IsInsideOut();
+    faces.merge(inspector.GetFaces());
+  }
+  return damage;
+}
+}

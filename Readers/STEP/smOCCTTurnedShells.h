@@ -1,0 +1,21 @@
+/**
+ * @file smOCCTTurnedShells.h
+ * @brief Solids and shells that are inside out in a STEP file and that OpenCASCADE turned
+ */
+#ifndef smOCCTTurnedShells_h
+#define smOCCTTurnedShells_h
+
+#include "smOCCTDocument.h"
+#include "smOCCTRepair.h"
+
+namespace sm
+{
+/**
+ * Adds a message about solids that were inside out as a whole: they are the same solids with all normals outwards. If a repair turned some
+ * shells of a solid and left others, for example a box within a box whose normals both point outwards, the file contradicts itself: that is
+ * a defect of the document. Faces of one shell that disagree are a reason for the repair, which its message names.
+ */
+void ReportTurnedShells(const RepairLog& log, Document& document);
+}
+
+#endif
