@@ -1,5 +1,6 @@
 // Finds edges whose curve contradicts their vertices.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPFrames.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
 
@@ -16,15 +17,11 @@ constexpr STEPAttribute SenseOfEdge = { "EDGE_CURVE", 1, 4, "same sense" };
 constexpr STEPAttribute PointOfLine = { "LINE", 0, 1, "point" };
 constexpr STEPAttribute VectorOfLine = { "LINE", 1, 2, "vector" };
 constexpr STEPAttribute DirectionOfVector = { "VECTOR", 0, 1, "direction" };
-constexpr STEPAttribute RatiosOfDirection = { "DIRECTION", 0, 1, "ratios" };
 constexpr STEPAttribute PolesOfSpline = { "B_SPLINE_CURVE", 1, 2, "control points" };
 constexpr STEPAttribute PositionOfConic = { "CONIC", 0, 1, "position" };
 constexpr STEPAttribute RadiusOfCircle = { "CIRCLE", 0, 2, "radius" };
 constexpr STEPAttribute RadiiOfEllipse[] = { { "ELLIPSE", 0, 2, "first radius" },
   { "ELLIPSE", 1, 3, "second radius" } };
-constexpr STEPAttribute LocationOfPlacement = { "PLACEMENT", 0, 1, "location" };
-constexpr STEPAttribute AxisOfPlacement = { "AXIS2_PLACEMENT_3D", 0, 2, "axis" };
-constexpr STEPAttribute ReferenceOfPlacement = { "AXIS2_PLACEMENT_3D", 1, 3, "reference direction" };
 
 /// Distance of a vertex from its edge's curve, relative to the extent of the body's vertices, above which the two contradict each other. It
 /// is twice the default limit of gaps; real files have up to 1.3e-3.
@@ -49,16 +46,6 @@ double GetLength(const Point& a)
   return std::hypot(a[0], a[1], a[2]);
 }
 
-/// Makes `a` a unit vector; returns false for one without length.
-bool Normalize(Point& a)
-{
-  const double length = GetLength(a);
-  for (double& c : a)
-  {
-    c /= length;
-  }
-  return length > 0.0 && std::isfinite(length);
-}
 }
 
 /// Reads the three numbers of a point or a direction; returns false if there are no such.
@@ -83,9 +70,8 @@ bool STEPCensusTaker::ReadLine(Index line, Point3& point, Point3& direction) con
   const Index vector = this->Entities.Follow(this->Entities.Get(line, VectorOfLine));
   return this->ReadNumbers(
            this->Entities.Follow(this->Entities.Get(line, PointOfLine)), CoordinatesOfPoint, point) &&
-    this->ReadNumbers(
-      this->Entities.Follow(this->Entities.Get(vector, DirectionOfVector)), RatiosOfDirection, direction) &&
-    Normalize(direction);
+    ReadSTEPDirection(
+      this->Entities, this->Entities.Follow(this->Entities.Get(vector, DirectionOfVector)), direction);
 }
 
 /**
@@ -106,37 +92,21 @@ double STEPCensusTaker::GetConicDistance(Index conic, const Point3& point) const
     this->Entities.Get(conic, RadiiOfEllipse[0]).GetNumber(radii[0]);
     this->Entities.Get(conic, RadiiOfEllipse[1]).GetNumber(radii[1]);
   }
-  const Index placement = this->Entities.Follow(this->Entities.Get(conic, PositionOfConic));
-  Point center;
-  Point axis{ 0.0, 0.0, 1.0 };
-  Point x{ 1.0, 0.0, 0.0 };
+  STEPFrame frame;
   if (!(radii[0] > 0.0) || !(radii[1] > 0.0) ||
-    !this->Entities.FindRecord(placement, AxisOfPlacement.Record, record) ||
-    !this->ReadNumbers(
-      this->Entities.Follow(this->Entities.Get(placement, LocationOfPlacement)), CoordinatesOfPoint, center))
+    !ReadSTEPFrame(this->Entities, this->Entities.Follow(this->Entities.Get(conic, PositionOfConic)), frame))
   {
     return -1.0;
   }
-  const Index axisEntity = this->Entities.Follow(this->Entities.Get(placement, AxisOfPlacement));
-  const Index reference = this->Entities.Follow(this->Entities.Get(placement, ReferenceOfPlacement));
-  const bool isKnown = (axisEntity == None || this->ReadNumbers(axisEntity, RatiosOfDirection, axis)) &&
-    (reference == None || this->ReadNumbers(reference, RatiosOfDirection, x)) && Normalize(axis);
-  const Point away = Subtract(point, center);
-  const double height = Dot(away, axis);
+  const Point away = Subtract(point, frame.Origin);
+  const double height = Dot(away, frame.Axes[2]);
   const double size = GetLength(away);
   const double radial = std::sqrt(std::max(0.0, (size - height) * (size + height)));
-  if (!isKnown || radii[0] == radii[1])
+  if (radii[0] == radii[1])
   {
-    return isKnown ? std::hypot(radial - radii[0], height) : -1.0;
+    return std::hypot(radial - radii[0], height);
   }
-  const double along = Dot(x, axis);
-  const Point across = { x[0] - along * axis[0], x[1] - along * axis[1], x[2] - along * axis[2] };
-  Point first = across;
-  if (!Normalize(first))
-  {
-    return -1.0;
-  }
-  const double u = Dot(away, first);
+  const double u = Dot(away, frame.Axes[0]);
   const double v = std::sqrt(std::max(0.0, (radial - u) * (radial + u)));
   const double inPlane = (std::hypot(u / radii[0], v / radii[1]) - 1.0) * std::min(radii[0], radii[1]);
   return std::hypot(inPlane, height);

@@ -11,8 +11,6 @@ namespace sm
 {
 namespace
 {
-constexpr STEPAttribute RatiosOfDirection = { "DIRECTION", 0, 1, "direction ratios" };
-
 /// Sine of an angle below which OpenCASCADE takes directions for parallel.
 constexpr double ParallelSine = 1e-12;
 /// The same for the default of a direction, for which a file's rounding errors must not decide.

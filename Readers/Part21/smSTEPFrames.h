@@ -21,6 +21,7 @@ struct STEPFrame
   STEPVector Origin = { 0.0, 0.0, 0.0 };
 };
 
+constexpr STEPAttribute RatiosOfDirection = { "DIRECTION", 0, 1, "direction ratios" };
 constexpr STEPAttribute LocationOfPlacement = { "PLACEMENT", 0, 1, "location" };
 constexpr STEPAttribute AxisOfPlacement = { "AXIS2_PLACEMENT_3D", 0, 2, "axis" };
 constexpr STEPAttribute ReferenceOfPlacement = { "AXIS2_PLACEMENT_3D", 1, 3, "reference direction" };
