@@ -262,13 +262,6 @@ private:
       }
       this->Sign = this->Sign != 0.0 ? this->Sign : this->IsSolid && outwards < -LeastShare ? -1.0 : 1.0;
     }
-    // The sides of a body that is inside out are taken to be wrong, and so may be the directions of its loops.
-    if (problem.empty() && this->Sign < 0.0 &&
-      std::any_of(this->Inspected.begin(), this->Inspected.end(),
-        [](const auto& face) { return face.second->HasNaturalBoundary; }))
-    {
-      problem = "it is inside out, and a face lies outside its loops";
-    }
     if (!problem.empty())
     {
       this->Damaged.clear();

@@ -26,15 +26,15 @@ namespace
 {
 using namespace smtest;
 
-const double Pi = vtkMath::Pi();
+const double HalfTurn = vtkMath::Pi();
 
-struct Vector
+struct Position
 {
   double X, Y, Z;
 };
 
 /// Entities of a STEP file; every function returns the number of the entity that it adds.
-class StepText
+class EntityText
 {
 public:
   int Add(const std::string& entity)
@@ -49,19 +49,19 @@ public:
     return text;
   }
   static std::string Id(int id) { return "#" + std::to_string(id); }
-  int Add(const char* type, const Vector& v)
+  int Add(const char* type, const Position& v)
   {
     return this->Add(
       std::string(type) + "('',(" + Number(v.X) + "," + Number(v.Y) + "," + Number(v.Z) + "))");
   }
-  int Point(const Vector& p) { return this->Add("CARTESIAN_POINT", p); }
-  int Direction(const Vector& d) { return this->Add("DIRECTION", d); }
-  int Frame(const Vector& origin, const Vector& z, const Vector& x)
+  int Point(const Position& p) { return this->Add("CARTESIAN_POINT", p); }
+  int Direction(const Position& d) { return this->Add("DIRECTION", d); }
+  int Frame(const Position& origin, const Position& z, const Position& x)
   {
     const int ids[3] = { this->Point(origin), this->Direction(z), this->Direction(x) };
     return this->Add("AXIS2_PLACEMENT_3D(''," + Id(ids[0]) + "," + Id(ids[1]) + "," + Id(ids[2]) + ")");
   }
-  int Vertex(const Vector& p) { return this->Add("VERTEX_POINT(''," + Id(this->Point(p)) + ")"); }
+  int Vertex(const Position& p) { return this->Add("VERTEX_POINT(''," + Id(this->Point(p)) + ")"); }
   /// A curve or surface on a placement, with radii.
   int On(const char* type, int frame, std::initializer_list<double> radii = {})
   {
@@ -76,7 +76,7 @@ public:
   {
     return this->Add("EDGE_CURVE(''," + Id(from) + "," + Id(to) + "," + Id(curve) + ",.T.)");
   }
-  int Line(const Vector& from, const Vector& along)
+  int Line(const Position& from, const Position& along)
   {
     const int point = this->Point(from);
     const int vector = this->Add("VECTOR(''," + Id(this->Direction(along)) + ",1.)");
@@ -134,7 +134,7 @@ private:
 };
 
 /// What a reader says of a file.
-struct Reading
+struct Verdict
 {
   std::string Status;
   std::string Messages;
@@ -142,7 +142,7 @@ struct Reading
   double Bound = 0.0;
 };
 
-Reading Read(const std::string& content, int repair = vtkSTEPReader::ON_NEED)
+Verdict JudgeText(const std::string& content, int repair = vtkSTEPReader::ON_NEED)
 {
   vtkNew<vtkSTEPReader> reader;
   ErrorLog log;
@@ -152,7 +152,7 @@ Reading Read(const std::string& content, int repair = vtkSTEPReader::ON_NEED)
   reader->SetFileName(Make("contradiction.step", content).c_str());
   reader->SetRepair(repair);
   reader->Update();
-  Reading result;
+  Verdict result;
   result.Status = reader->GetStatusAsString();
   for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
   {
@@ -170,27 +170,27 @@ Reading Read(const std::string& content, int repair = vtkSTEPReader::ON_NEED)
   return result;
 }
 
-bool Says(const Reading& reading, const char* words)
+bool Mentions(const Verdict& reading, const char* words)
 {
   return reading.Messages.find(words) != std::string::npos;
 }
 
 void CheckExact(const std::string& name, const std::string& content, double volume)
 {
-  const Reading reading = Read(content);
+  const Verdict reading = JudgeText(content);
   CheckEqual(name + ": no messages", "", reading.Messages);
   CheckTrue("  volume", std::abs(reading.Volume - volume) <= reading.Bound + 4e-15 * volume,
     std::to_string(reading.Volume) + " instead of " + std::to_string(volume));
   CheckRange("  its bound", 0.0, reading.Bound / volume, 1e-9);
   // OpenCASCADE's repair takes the part inside the loop.
   CheckTrue("  a repair is in doubt",
-    Says(Read(content, vtkSTEPReader::ALWAYS), "the part outside its loops is meant"));
+    Mentions(JudgeText(content, vtkSTEPReader::ALWAYS), "the part outside its loops is meant"));
 }
 
 /// A ball of radius 1 without the part beyond the plane x = -0.95 or 0.7, whose circle has no pole of the sphere inside.
 std::string MakeFlattenedBall(double x, bool isRevolved)
 {
-  StepText step;
+  EntityText step;
   const double radius = std::sqrt(1.0 - x * x);
   const double side = x > 0.0 ? 1.0 : -1.0;
   const int vertex = step.Vertex({ x, radius, 0.0 });
@@ -201,13 +201,14 @@ std::string MakeFlattenedBall(double x, bool isRevolved)
   if (isRevolved)
   {
     const int arc = step.On("CIRCLE", step.Frame({ 0, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 }), { 1.0 });
-    const int trimmed = step.Add("TRIMMED_CURVE(''," + StepText::Id(arc) +
-      ",(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(" + StepText::Number(Pi) + ")),.T.,.PARAMETER.)");
+    const int trimmed = step.Add("TRIMMED_CURVE(''," + EntityText::Id(arc) +
+      ",(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(" + EntityText::Number(HalfTurn) + ")),.T.,.PARAMETER.)");
     const int point = step.Point({ 0, 0, 0 });
     const int direction = step.Direction({ 0, 0, 1 });
     const int axis =
-      step.Add("AXIS1_PLACEMENT(''," + StepText::Id(point) + "," + StepText::Id(direction) + ")");
-    sphere = step.Add("SURFACE_OF_REVOLUTION(''," + StepText::Id(trimmed) + "," + StepText::Id(axis) + ")");
+      step.Add("AXIS1_PLACEMENT(''," + EntityText::Id(point) + "," + EntityText::Id(direction) + ")");
+    sphere =
+      step.Add("SURFACE_OF_REVOLUTION(''," + EntityText::Id(trimmed) + "," + EntityText::Id(axis) + ")");
   }
   else
   {
@@ -221,11 +222,11 @@ std::string MakeFlattenedBall(double x, bool isRevolved)
 /// A torus of radii 3 and 1 with a pocket, of which the bottom is the cylinder of radius 3.5 between the angles -0.5 and 0.5.
 std::string MakePocketedTorus(double& volume)
 {
-  StepText step;
+  EntityText step;
   constexpr double half = 0.5;
   const double angle = std::acos(0.5);
   const double height = std::sin(angle);
-  const auto at = [](double u, double z) { return Vector{ 3.5 * std::cos(u), 3.5 * std::sin(u), z }; };
+  const auto at = [](double u, double z) { return Position{ 3.5 * std::cos(u), 3.5 * std::sin(u), z }; };
   const int lowLeft = step.Vertex(at(-half, -height));
   const int lowRight = step.Vertex(at(half, -height));
   const int highLeft = step.Vertex(at(-half, height));
@@ -242,8 +243,8 @@ std::string MakePocketedTorus(double& volume)
   for (int i = 0; i < 2; ++i)
   {
     const double u = i == 0 ? -half : half;
-    const Vector radial{ std::cos(u), std::sin(u), 0.0 };
-    const Vector center{ 3.0 * radial.X, 3.0 * radial.Y, 0.0 };
+    const Position radial{ std::cos(u), std::sin(u), 0.0 };
+    const Position center{ 3.0 * radial.X, 3.0 * radial.Y, 0.0 };
     const int from = i == 0 ? lowLeft : lowRight;
     const int to = i == 0 ? highLeft : highRight;
     meridians[i] = step.Edge(
@@ -261,13 +262,13 @@ std::string MakePocketedTorus(double& volume)
     step.Face(cylinder, { low, chords[1], -high, -chords[0] }),
     step.Face(planes[0], { chords[0], -meridians[0] }), step.Face(planes[1], { meridians[1], -chords[1] }) };
   const double area = angle - std::sin(angle) * std::cos(angle);
-  volume = 6.0 * Pi * Pi - 2.0 * half * (3.0 * area + 2.0 / 3.0 * height * height * height);
+  volume = 6.0 * HalfTurn * HalfTurn - 2.0 * half * (3.0 * area + 2.0 / 3.0 * height * height * height);
   return step.Finish(faces);
 }
 
 void CheckOutsideFaces()
 {
-  const auto segment = [](double h) { return 4.0 / 3.0 * Pi - Pi * h * h * (3.0 - h) / 3.0; };
+  const auto segment = [](double h) { return 4.0 / 3.0 * HalfTurn - HalfTurn * h * h * (3.0 - h) / 3.0; };
   CheckExact("ball, flat at x = -0.95", MakeFlattenedBall(-0.95, false), segment(0.05));
   CheckExact("ball, flat at x = 0.7", MakeFlattenedBall(0.7, false), segment(0.3));
   CheckExact("revolved ball", MakeFlattenedBall(0.7, true), segment(0.3));
@@ -301,12 +302,12 @@ void CheckFoldedFace()
   const std::string wrong = std::regex_replace(
     text, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
   CheckTrue("  the files differ", wrong != text);
-  const Reading good = Read(text);
+  const Verdict good = JudgeText(text);
   CheckEqual("a rounded sector: no messages", "", good.Messages);
-  const Reading folded = Read(wrong);
-  CheckTrue(
-    "its torus with the wrong sense", Says(folded, "the sense contradicts its neighbours"), folded.Messages);
-  CheckTrue("  is repaired", Says(folded, "its outer loop runs the wrong way"));
+  const Verdict folded = JudgeText(wrong);
+  CheckTrue("its torus with the wrong sense", Mentions(folded, "the sense contradicts its neighbours"),
+    folded.Messages);
+  CheckTrue("  is repaired", Mentions(folded, "its outer loop runs the wrong way"));
   CheckRange("  volume", 0.0, std::abs(folded.Volume - good.Volume) / good.Volume, 1e-6);
 }
 
@@ -315,28 +316,28 @@ void CheckSpindleTorus()
 {
   for (const bool isDegenerate : { true, false })
   {
-    StepText step;
+    EntityText step;
     const int frame = step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
     const int torus = isDegenerate
-      ? step.Add("DEGENERATE_TOROIDAL_SURFACE(''," + StepText::Id(frame) + ",1.,2.,.F.)")
+      ? step.Add("DEGENERATE_TOROIDAL_SURFACE(''," + EntityText::Id(frame) + ",1.,2.,.F.)")
       : step.On("TOROIDAL_SURFACE", frame, { 1.0, 2.0 });
     const int face = step.Face(torus, {}, step.Vertex({ 0, 0, std::sqrt(3.0) }));
-    const Reading reading = Read(step.Finish({ face }));
-    CheckTrue(
-      "a torus that crosses itself", Says(reading, "a whole torus that crosses itself"), reading.Messages);
+    const Verdict reading = JudgeText(step.Finish({ face }));
+    CheckTrue("a torus that crosses itself", Mentions(reading, "a whole torus that crosses itself"),
+      reading.Messages);
   }
-  StepText step;
+  EntityText step;
   const int torus =
     step.On("TOROIDAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 3.0, 1.0 });
-  const Reading reading = Read(step.Finish({ step.Face(torus, {}, step.Vertex({ 4, 0, 0 })) }));
-  CheckTrue("a whole torus", !Says(reading, "crosses itself"), reading.Messages);
-  CheckRange("  volume", -reading.Bound, reading.Volume - 6.0 * Pi * Pi, reading.Bound);
+  const Verdict reading = JudgeText(step.Finish({ step.Face(torus, {}, step.Vertex({ 4, 0, 0 })) }));
+  CheckTrue("a whole torus", !Mentions(reading, "crosses itself"), reading.Messages);
+  CheckRange("  volume", -reading.Bound, reading.Volume - 6.0 * HalfTurn * HalfTurn, reading.Bound);
 }
 
 /// A cylinder of radius 2 and height 1. Its vertices are `gap` apart, and its side is on a trimmed surface up to the angle `width`.
 std::string MakeCylinder(double gap, double width)
 {
-  StepText step;
+  EntityText step;
   int circles[2];
   int vertices[2];
   int planes[2];
@@ -353,8 +354,8 @@ std::string MakeCylinder(double gap, double width)
   int side = step.On("CYLINDRICAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 2.0 });
   if (width > 0.0)
   {
-    side = step.Add("RECTANGULAR_TRIMMED_SURFACE(''," + StepText::Id(side) + ",0.," +
-      StepText::Number(width) + ",-1.,2.,.T.,.T.)");
+    side = step.Add("RECTANGULAR_TRIMMED_SURFACE(''," + EntityText::Id(side) + ",0.," +
+      EntityText::Number(width) + ",-1.,2.,.T.,.T.)");
   }
   const std::vector<int> faces = { step.Face(side, { circles[0], seam, -circles[1], -seam }),
     step.Face(planes[0], { -circles[0] }), step.Face(planes[1], { circles[1] }) };
@@ -364,25 +365,25 @@ std::string MakeCylinder(double gap, double width)
 void CheckOverruled()
 {
   const char* overstep = "lead beyond its RECTANGULAR_TRIMMED_SURFACE in u";
-  Reading reading = Read(MakeCylinder(0.0, Pi));
-  CheckTrue("half of the surface that is needed", Says(reading, overstep), reading.Messages);
-  CheckTrue("the surface that is needed", !Says(Read(MakeCylinder(0.0, 2.0 * Pi)), overstep));
+  Verdict reading = JudgeText(MakeCylinder(0.0, HalfTurn));
+  CheckTrue("half of the surface that is needed", Mentions(reading, overstep), reading.Messages);
+  CheckTrue("the surface that is needed", !Mentions(JudgeText(MakeCylinder(0.0, 2.0 * HalfTurn)), overstep));
   const char* whole = "between two vertices that are 1e-08 mm apart";
-  reading = Read(MakeCylinder(1e-8, 0.0));
-  CheckTrue("a circle between two vertices", Says(reading, whole), reading.Messages);
-  CheckEqual("a circle from a vertex to it", "", Read(MakeCylinder(0.0, 0.0)).Messages);
+  reading = JudgeText(MakeCylinder(1e-8, 0.0));
+  CheckTrue("a circle between two vertices", Mentions(reading, whole), reading.Messages);
+  CheckEqual("a circle from a vertex to it", "", JudgeText(MakeCylinder(0.0, 0.0)).Messages);
 }
 
 /// A sphere as so many trimmed surfaces of one another.
 std::string MakeNested(int levels)
 {
-  StepText step;
+  EntityText step;
   int surface = step.On("SPHERICAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 1.0 });
   for (int i = 0; i < levels; ++i)
   {
-    surface = step.Add("RECTANGULAR_TRIMMED_SURFACE(''," + StepText::Id(surface) + ",0.," +
-      StepText::Number(2.0 * Pi) + "," + StepText::Number(-0.5 * Pi) + "," + StepText::Number(0.5 * Pi) +
-      ",.T.,.T.)");
+    surface = step.Add("RECTANGULAR_TRIMMED_SURFACE(''," + EntityText::Id(surface) + ",0.," +
+      EntityText::Number(2.0 * HalfTurn) + "," + EntityText::Number(-0.5 * HalfTurn) + "," +
+      EntityText::Number(0.5 * HalfTurn) + ",.T.,.T.)");
   }
   return step.Finish({ step.Face(surface, {}, step.Vertex({ 0, 0, 1 })) });
 }
@@ -390,10 +391,10 @@ std::string MakeNested(int levels)
 /// OpenCASCADE recurses over nested entities and would use up its stack.
 void CheckNesting()
 {
-  const Reading deep = Read(MakeNested(20000));
+  const Verdict deep = JudgeText(MakeNested(20000));
   CheckEqual("20000 trimmed surfaces", "unreadable", deep.Status);
-  CheckTrue("  message", Says(deep, "levels, and at most 1000 are read"), deep.Messages);
-  CheckEqual("900 trimmed surfaces", "ok", Read(MakeNested(900)).Status);
+  CheckTrue("  message", Mentions(deep, "levels, and at most 1000 are read"), deep.Messages);
+  CheckEqual("900 trimmed surfaces", "ok", JudgeText(MakeNested(900)).Status);
 }
 }
 
