@@ -73,6 +73,8 @@ def compare(integrator, declared, entry):
     for name, excuse in (("volume", "gap_squared"), ("area", "gap_area")):
         own = getattr(value, name)
         doubt = getattr(value, name + "_error") + (total["bounds"][name] or 0) + (total[excuse] or 0)
+        if not math.isfinite(own + doubt):
+            return Unknown("numbers beyond the range of doubles")
         if not abs(abs(total[name] or 0) - own) <= doubt:
             return f"{name} {total[name]:.12g}, integrated {own:.12g} +- {doubt:.2g}"
     return None
