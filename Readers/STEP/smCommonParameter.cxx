@@ -455,12 +455,16 @@ Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeC
   return MeasureStep(cells, trim, edge);
 }
 
-TrimCurve::Point MeasureResidual(const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge)
+namespace
 {
-  // What may be missed between the points, and the least speed along a parameter, relative to the largest one of the curve.
+/// Returns by how much u and v of the pieces of a trim curve from `first` to before `last` differ from those of the edge's points, at most, if
+/// either of the two differs alone; from the distance between both curves across the edge, at some points of each piece.
+TrimCurve::Point MeasureResidual(
+  CellSurface& cells, const TrimCurve& trim, const EdgeCurve& edge, int first, int last)
+{
+  // What may be missed between the points, and the least speed along a parameter, relative to the largest one.
   constexpr double between = 1.25;
   constexpr double leastSpeed = 0.01;
-  CellSurface cells(surface);
   struct Sample
   {
     double Distance;
@@ -468,7 +472,7 @@ TrimCurve::Point MeasureResidual(const NURBSSurface& surface, const TrimCurve& t
   };
   std::vector<Sample> samples;
   Point2 fastest{};
-  for (int k = 0; k < trim.GetNumberOfPieces(); ++k)
+  for (int k = first; k < last; ++k)
   {
     for (const double x : GetFitNodes())
     {
@@ -503,6 +507,64 @@ TrimCurve::Point MeasureResidual(const NURBSSurface& surface, const TrimCurve& t
     }
   }
   return residual;
+}
+
+double GetPieceArea(const TrimCurve& curve, int piece, const TrimCurve::Point& residual)
+{
+  double area = 0.0;
+  const BernsteinPiece<2> part = curve.GetPiece(piece);
+  for (int i = 1; i <= part.Degree; ++i)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      area += residual[1 - d] * std::abs(part.Coefficients[i][d] - part.Coefficients[i - 1][d]);
+    }
+  }
+  return area;
+}
+}
+
+double GetSweptArea(const TrimCurve& curve)
+{
+  double area = 0.0;
+  for (int k = 0; k < curve.GetNumberOfPieces(); ++k)
+  {
+    area += GetPieceArea(curve, k, curve.GetResidual(k));
+  }
+  return area;
+}
+
+void LowerResidual(const NURBSSurface& surface, const EdgeCurve& edge, TrimCurve& trim)
+{
+  CellSurface cells(surface);
+  // u and v must be of the same comparison: a pair of the lesser u of one and the lesser v of the other bounds neither displacement.
+  const auto lower = [&](TrimCurve::Point& residual, int first, int last)
+  {
+    const TrimCurve::Point measured = MeasureResidual(cells, trim, edge, first, last);
+    double area = 0.0;
+    double measuredArea = 0.0;
+    for (int k = first; k < last; ++k)
+    {
+      area += GetPieceArea(trim, k, residual);
+      measuredArea += GetPieceArea(trim, k, measured);
+    }
+    residual = measuredArea < area ? measured : residual;
+  };
+  if (trim.PieceResiduals.empty())
+  {
+    lower(trim.Residual, 0, trim.GetNumberOfPieces());
+    return;
+  }
+  trim.Residual = {};
+  for (int k = 0; k < trim.GetNumberOfPieces(); ++k)
+  {
+    TrimCurve::Point& residual = trim.PieceResiduals[k];
+    lower(residual, k, k + 1);
+    for (int d = 0; d < 2; ++d)
+    {
+      trim.Residual[d] = std::max(trim.Residual[d], residual[d]);
+    }
+  }
 }
 
 StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& edge, double size,

@@ -23,9 +23,12 @@ struct Step
 SMREADERSSTEP_EXPORT Step MeasureStep(
   const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge);
 
-/// Returns by how much u and v of a trim curve differ from those of the edge's points, at most; from the distance between both, at some points
-/// of each piece.
-TrimCurve::Point MeasureResidual(const NURBSSurface& surface, const TrimCurve& trim, const EdgeCurve& edge);
+/// Returns a bound of the area of the parameters between a trim curve and the curve from which it differs by its residual.
+SMREADERSSTEP_EXPORT double GetSweptArea(const TrimCurve& curve);
+
+/// Replaces the residual of a trim curve, from the foot points, by the measured distance from its edge, where the area between the two is less:
+/// a line may be nearer to the edge than the foot points, which OpenCASCADE evaluates.
+SMREADERSSTEP_EXPORT void LowerResidual(const NURBSSurface& surface, const EdgeCurve& edge, TrimCurve& trim);
 
 enum class StepResult
 {

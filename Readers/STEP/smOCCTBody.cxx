@@ -353,16 +353,7 @@ private:
       if (from.Trim.Residual[0] + from.Trim.Residual[1] > 0.0 ||
         (from.Trim.Feet && coedge.Curve.GetLargestResidual() > 1e-12))
       {
-        // A line may be nearer to the edge than the foot points, which OpenCASCADE evaluates.
-        const TrimCurve::Point measured = MeasureResidual(surface.Surface, coedge.Curve, coedge.Use->Curve);
-        for (int d = 0; d < 2; ++d)
-        {
-          coedge.Curve.Residual[d] = std::min(coedge.Curve.Residual[d], measured[d]);
-          for (TrimCurve::Point& residual : coedge.Curve.PieceResiduals)
-          {
-            residual[d] = std::min(residual[d], measured[d]);
-          }
-        }
+        LowerResidual(surface.Surface, coedge.Use->Curve, coedge.Curve);
       }
       SnapToKnots(knots, coedge.Curve);
       if (!coedge.Use->Degenerate && !from.Projected)

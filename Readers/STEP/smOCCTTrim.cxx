@@ -1,5 +1,6 @@
 #include "smOCCTTrim.h"
 
+#include "smCommonParameter.h"
 #include "smOCCTSpline.h"
 
 #include <Geom2d_BSplineCurve.hxx>
@@ -493,25 +494,6 @@ std::array<double, 2> GetTrimTolerance(const ParameterMap maps[2], const double 
 
 namespace
 {
-/// Returns a bound of the area of the parameters between a trim curve and the curve that it stands for.
-double GetSweptArea(const TrimCurve& curve)
-{
-  double area = 0.0;
-  for (int k = 0; k < curve.GetNumberOfPieces(); ++k)
-  {
-    const TrimCurve::Point& residual = curve.GetResidual(k);
-    const BernsteinPiece<2> piece = curve.GetPiece(k);
-    for (int i = 1; i <= piece.Degree; ++i)
-    {
-      for (int d = 0; d < 2; ++d)
-      {
-        area += residual[1 - d] * std::abs(piece.Coefficients[i][d] - piece.Coefficients[i - 1][d]);
-      }
-    }
-  }
-  return area;
-}
-
 /// Adds the trim curve's distance from the foot points that it stands for to its residual.
 void AddNativeResidual(const double residual[2], const ParameterMap maps[2], TrimCurve& curve)
 {

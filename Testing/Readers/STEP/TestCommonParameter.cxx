@@ -1,5 +1,5 @@
 // Trim curves out of step with their edge: the parameter in common comes back, the points of the face stay what they were, and
-// where there is no such parameter the curve is left alone.
+// where there is no such parameter the curve is left alone. Residuals cover what is between trim curves and edges.
 #include "smChebyshevFit.h"
 #include "smCommonParameter.h"
 #include "smTesting.h"
@@ -125,6 +125,27 @@ void CheckCase(const Case& c)
   }
   CheckTrue("pieces join to the bit", joined);
 }
+
+/// The residual of a slanted line in u alone covers what is between it and an edge that is displaced in u: the distance across the edge is
+/// a twentieth of that, and counts for u and v together only.
+void CheckResidual(const char* name, double moved, bool isPerPiece)
+{
+  std::printf("--- %s\n", name);
+  constexpr double stated = 1e-3;
+  const auto point = [](double t) { return Point2{ 0.5 + 3.0 * t, 0.5 + 0.15 * t }; };
+  sm::TrimCurve trim = Fit<2>({ 0.0, 0.4, 1.0 }, point);
+  const sm::EdgeCurve edge = Fit<3>({ 0.0, 0.25, 0.7, 1.0 },
+    [&](double t)
+    {
+      const Point2 p = point(t);
+      return Point3{ p[0] - moved, p[1], 0.1 * (p[0] - moved) * p[1] };
+    });
+  trim.Residual = { stated, 0.0 };
+  trim.PieceResiduals.assign(isPerPiece ? trim.GetNumberOfPieces() : 0, trim.Residual);
+  sm::LowerResidual(MakeSurface(), edge, trim);
+  CheckRange("the area of the parameters between them", (1.0 - 1e-9) * moved * 0.15, sm::GetSweptArea(trim),
+    (1.0 + 1e-9) * moved * 0.15 + 1e-14);
+}
 }
 
 int TestCommonParameter(int, char*[])
@@ -149,5 +170,10 @@ int TestCommonParameter(int, char*[])
   CheckCase({ "an edge that runs back", bent, turning, none, sm::StepResult::Failed });
   CheckCase({ "an edge that starts elsewhere", line, [](double t) { return 0.1 + 0.9 * t; }, none,
     sm::StepResult::Failed });
+  for (const bool isPerPiece : { false, true })
+  {
+    CheckResidual("a slanted line beside its edge", 1e-3, isPerPiece);
+    CheckResidual("a slanted line on its edge", 0.0, isPerPiece);
+  }
   return smtest::Finish();
 }
