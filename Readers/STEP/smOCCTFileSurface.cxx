@@ -96,9 +96,9 @@ double GetDistance(const NURBSSurface& a, const NURBSSurface& b, double scale, d
 FileSurface Compare(const Handle(StepGeom_BSplineSurface) & entity, const Handle(Geom_BSplineSurface) & read)
 {
   const auto own = Handle(Geom_BSplineSurface)::DownCast(StepToGeom::MakeSurface(entity));
-  const bool isPeriodic =
+  const bool isAsRead =
     !own.IsNull() && own->IsUPeriodic() == read->IsUPeriodic() && own->IsVPeriodic() == read->IsVPeriodic();
-  if (own.IsNull() || isPeriodic)
+  if (own.IsNull() || isAsRead)
   {
     return {};
   }
