@@ -1,5 +1,10 @@
 #include "smOCCTCompatibility.h"
 
+#include <StepToGeom.hxx>
+#if __has_include(<StepData_Factors.hxx>)
+#include <StepData_Factors.hxx>
+#endif
+
 #include <cstring>
 #include <utility>
 
@@ -20,6 +25,32 @@ namespace sm
 const bool KernelReadsTessellations = true;
 #else
 const bool KernelReadsTessellations = false;
+#endif
+
+#if __has_include(<StepData_Factors.hxx>)
+Handle(Geom_Surface) MakeEntitySurface(const Handle(StepGeom_Surface) & entity)
+{
+  return StepToGeom::MakeSurface(entity, StepData_Factors());
+}
+
+STEPConstruct_UnitContext GetUnitFactors(const Handle(StepRepr_GlobalUnitAssignedContext) & context)
+{
+  STEPConstruct_UnitContext factors;
+  factors.ComputeFactors(context, StepData_Factors());
+  return factors;
+}
+#else
+Handle(Geom_Surface) MakeEntitySurface(const Handle(StepGeom_Surface) & entity)
+{
+  return StepToGeom::MakeSurface(entity);
+}
+
+STEPConstruct_UnitContext GetUnitFactors(const Handle(StepRepr_GlobalUnitAssignedContext) & context)
+{
+  STEPConstruct_UnitContext factors;
+  factors.ComputeFactors(context);
+  return factors;
+}
 #endif
 
 #if __has_include(<XSAlgo_ShapeProcessor.hxx>)

@@ -5,7 +5,11 @@
 #ifndef smOCCTCompatibility_h
 #define smOCCTCompatibility_h
 
+#include <Geom_Surface.hxx>
+#include <STEPConstruct_UnitContext.hxx>
 #include <Standard_Transient.hxx>
+#include <StepGeom_Surface.hxx>
+#include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <functional>
@@ -17,6 +21,12 @@ namespace sm
 /// quadratic in their number.
 extern const bool KernelReadsTessellations;
 
+/// Returns the surface of an entity; its lengths are converted as in the running transfer before 7.8, and not at all from then on.
+Handle(Geom_Surface) MakeEntitySurface(const Handle(StepGeom_Surface) & entity);
+
+/// Returns the units, in millimetres and radians, that OpenCASCADE takes for a context.
+STEPConstruct_UnitContext GetUnitFactors(const Handle(StepRepr_GlobalUnitAssignedContext) & context);
+
 /// Repairs some faces of a shape as OpenCASCADE's repair of the whole shape would, and returns the shape with them; `repaired` gets what
 /// became of these faces. The shape given is not changed, apart from what OpenCASCADE adds to edges and vertices of these faces.
 using FaceRepair = std::function<TopoDS_Shape(
@@ -24,8 +34,8 @@ using FaceRepair = std::function<TopoDS_Shape(
 
 /**
  * During the lifetime of this object `isSound` is called for each shape of a STEP transfer before OpenCASCADE repairs it. If it returns
- * true, the shape, which it may exchange or repair in part, is not repaired. The hook is global: hold a KernelSession. From OpenCASCADE 7.9 on it is never
- * called and all shapes are repaired, because the repair is no virtual function any more.
+ * true, the shape, which it may exchange or repair in part, is not repaired. The hook is global: hold a KernelSession. From OpenCASCADE 7.9
+ * on it is never called and all shapes are repaired, because the repair is no virtual function any more.
  */
 class TransferFilter
 {

@@ -1,12 +1,12 @@
 #include "smOCCTFileSurface.h"
 
 #include "smOCCTBuildGeometry.h"
+#include "smOCCTCompatibility.h"
 #include "smOCCTFailure.h"
 #include "smVector.h"
 
 #include <BRep_Tool.hxx>
 #include <StepGeom_BSplineSurface.hxx>
-#include <StepToGeom.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopLoc_Location.hxx>
 
@@ -95,7 +95,7 @@ double GetDistance(const NURBSSurface& a, const NURBSSurface& b, double scale, d
 
 FileSurface Compare(const Handle(StepGeom_BSplineSurface) & entity, const Handle(Geom_BSplineSurface) & read)
 {
-  const auto own = Handle(Geom_BSplineSurface)::DownCast(StepToGeom::MakeSurface(entity));
+  const auto own = Handle(Geom_BSplineSurface)::DownCast(MakeEntitySurface(entity));
   const bool isAsRead =
     !own.IsNull() && own->IsUPeriodic() == read->IsUPeriodic() && own->IsVPeriodic() == read->IsVPeriodic();
   if (own.IsNull() || isAsRead)

@@ -2,8 +2,8 @@
 
 #include "smFormat.h"
 #include "smLengthUnits.h"
+#include "smOCCTCompatibility.h"
 
-#include <STEPConstruct_UnitContext.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_HArray1OfNamedUnit.hxx>
 #include <StepBasic_SiUnitAndLengthUnit.hxx>
@@ -224,8 +224,7 @@ void CompareUnits(const Handle(StepData_StepModel) & model, const std::vector<Ce
       continue;
     }
     const CensusContext* stated = found->second;
-    STEPConstruct_UnitContext taken;
-    taken.ComputeFactors(units);
+    const STEPConstruct_UnitContext taken = GetUnitFactors(units);
     const std::pair<const CensusUnit*, double> kinds[] = { { &stated->Length, taken.LengthFactor() },
       { &stated->Angle, taken.PlaneAngleFactor() } };
     for (const auto& [unit, factor] : kinds)
