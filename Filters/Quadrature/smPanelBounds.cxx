@@ -16,11 +16,7 @@ const EllipseRadius PanelRadii[] = { EllipseRadius(1.3), EllipseRadius(1.5), Ell
   EllipseRadius(2.05), EllipseRadius(2.4), EllipseRadius(2.8), EllipseRadius(3.3), EllipseRadius(4.0),
   EllipseRadius(5.0), EllipseRadius(6.5), EllipseRadius(9.0), EllipseRadius(13.0), EllipseRadius(20.0),
   EllipseRadius(40.0), EllipseRadius(100.0) };
-// The box of a patch's series is larger than the patch by this, so that it contains trim curves that leave the patch by rounding.
-constexpr double Margin = 1e-6;
-// An edge whose control points are this close together, relative to the patch, is taken for a point: below the first value where the
-// tolerance allows the change, below the second one always.
-constexpr double NearlyCollapsed = 1e-9;
+// An edge that moved by no more than this, relative to the patch, may be taken for a point always, else where the tolerance allows it.
 constexpr double CertainlyCollapsed = 1e-15;
 // The fraction of a panel's tolerance that may be spent on the change by making edges points.
 constexpr double LargestChange = 0.25;
@@ -30,49 +26,14 @@ bool IsInside(const ParameterBox& box, const ParameterBox& outer)
   return std::abs(box.Middle[0] - outer.Middle[0]) + box.Half[0] <= outer.Half[0] &&
     std::abs(box.Middle[1] - outer.Middle[1]) + box.Half[1] <= outer.Half[1];
 }
-
-/// Beyond a collapsed edge |n| is not what it is on the patch.
-ParameterBox GetPatchBox(const PatchTraits& traits)
-{
-  const auto& c = traits.Collapsed;
-  const double half = c[0] || c[1] || c[2] || c[3] ? 0.5 : 0.5 + Margin;
-  return { { 0.5, 0.5 }, { half, half } };
-}
 }
 
-PanelBounds::PanelBounds(const FacePanels& panels, const PlanRequest& request, int degree)
+PanelBounds::PanelBounds(const FacePanels& panels, const PlanRequest& request, FaceSeries& series, int degree)
   : Panels(panels)
   , Request(request)
   , Degree(degree)
-  , Series(panels.Patches.size())
+  , Series(series)
 {
-}
-
-double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach)
-{
-  const int k = c.Degree;
-  const auto moment = [&](int degree)
-  {
-    return turned * IntegerPower(reach, degree) +
-      (degree > 0 ? degree * moved * normal * IntegerPower(reach, degree - 1) : 0.0);
-  };
-  return c.Kind == BoundClass::VectorArea ? turned
-    : c.Kind == BoundClass::AreaMoment    ? moment(k)
-    : c.Kind == BoundClass::HeightMoment  ? moment(k + 1)
-                                          : moment(k + 1) / (3 + k);
-}
-
-void PanelBounds::FillChange(const Patch& patch, double moved, const double slope[2], double radius,
-  const double stretch[2], std::vector<double>& change) const
-{
-  const double turned = slope[0] * stretch[1] + stretch[0] * slope[1] + slope[0] * slope[1];
-  const double normal = (stretch[0] + slope[0]) * (stretch[1] + slope[1]);
-  const double reach = Norm(this->GetOrigin(patch).data()) + radius + moved;
-  change.clear();
-  for (const BoundClass& c : this->Request.Classes)
-  {
-    change.push_back(GetIntegrandChange(c, moved, turned, normal, reach));
-  }
 }
 
 void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector<double>& change) const
@@ -96,7 +57,7 @@ void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector
   const double slope[2] = { factor * patch.Degree[0] * moved, factor * patch.Degree[1] * moved };
   const double stretch[2] = { factor * patch.Degree[0] * patch.Radius,
     factor * patch.Degree[1] * patch.Radius };
-  this->FillChange(patch, growth * moved, slope, growth * patch.Radius, stretch, change);
+  FillIntegrandChange(patch, this->Request, growth * moved, slope, growth * patch.Radius, stretch, change);
 }
 
 const std::vector<double>& PanelBounds::GetChange()
@@ -108,37 +69,6 @@ const std::vector<double>& PanelBounds::GetChange()
   }
   this->FillChangeBeyond(*this->PartPatch, series.Moved, this->Change);
   return this->Change;
-}
-
-void PanelBounds::MakeSeries(const Patch& patch, double size, PatchSeries& series) const
-{
-  const std::array<double, 4>* points = this->Panels.Points.data() + patch.FirstPoint;
-  const int p = patch.Degree[0];
-  const int q = patch.Degree[1];
-  series.Points.assign(points, points + (p + 1) * (q + 1));
-  CollapseEdges(series.Points, p, q, size);
-  series.Traits = FindPatchTraits(series.Points.data(), p, q);
-  series.Whole.ExpandPatch(
-    series.Points.data(), p, q, series.Traits, GetPatchBox(series.Traits), this->GetOrigin(patch));
-  // The difference is a rational patch with the same weights.
-  std::vector<std::array<double, 4>> moved = series.Points;
-  for (std::size_t i = 0; i < moved.size(); ++i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      moved[i][c] = points[i][c] - moved[i][c];
-    }
-  }
-  Patch difference = patch;
-  MeasurePatch(moved.data(), difference);
-  series.Moved = difference.Radius;
-  if (series.Moved > 0.0)
-  {
-    const auto grown = [](double x) { return TrimSeries::OnPatchGrowth * x; };
-    const double slope[2] = { grown(difference.Stretch[0]), grown(difference.Stretch[1]) };
-    const double stretch[2] = { grown(patch.Stretch[0]), grown(patch.Stretch[1]) };
-    this->FillChange(patch, grown(series.Moved), slope, grown(patch.Radius), stretch, series.Change);
-  }
 }
 
 bool PanelBounds::Fits(const PatchSeries& series, const PanelPart& part) const
@@ -155,32 +85,15 @@ bool PanelBounds::Fits(const PatchSeries& series, const PanelPart& part) const
   return true;
 }
 
-PanelBounds::PatchSeries& PanelBounds::GetSeries(const Panel& panel, const PanelPart& part)
+const PatchSeries& PanelBounds::GetSeries(const Panel& panel, const PanelPart& part, bool withForm)
 {
   const Patch& patch = this->Panels.Patches[panel.Patch];
-  std::array<std::unique_ptr<PatchSeries>, 2>& series = this->Series[panel.Patch];
-  const auto get = [&](std::size_t i, double size) -> PatchSeries&
-  {
-    if (!series[i])
-    {
-      series[i] = std::make_unique<PatchSeries>();
-      this->MakeSeries(patch, size, *series[i]);
-    }
-    return *series[i];
-  };
-  PatchSeries& nearly = get(0, NearlyCollapsed);
+  const PatchSeries& nearly = this->Series.Get(panel.Patch, FaceSeries::Poles::Nearly, withForm);
   const bool certain = nearly.Moved <= CertainlyCollapsed * patch.Radius;
   const bool chosen = certain || (this->Trim.IsOnPatch(patch) && this->Fits(nearly, part));
   this->PartPatch = &patch;
-  PatchSeries& found = chosen ? nearly : get(1, CertainlyCollapsed);
-  this->PartSeries = &found;
-  return found;
-}
-
-std::array<double, 3> PanelBounds::GetOrigin(const Patch& patch) const
-{
-  return { patch.Center[0] + this->Request.Shift[0], patch.Center[1] + this->Request.Shift[1],
-    patch.Center[2] + this->Request.Shift[2] };
+  this->PartSeries = chosen ? &nearly : &this->Series.Get(panel.Patch, FaceSeries::Poles::Certain, withForm);
+  return *this->PartSeries;
 }
 
 void PanelBounds::ExpandTrim(const Panel& panel, const PanelPart& part)
@@ -194,17 +107,16 @@ void PanelBounds::ExpandTrim(const Panel& panel, const PanelPart& part)
     this->Trim.GetLargestS(real) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(real);
 }
 
-bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
+bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part, bool withForm)
 {
   this->ExpandTrim(panel, part);
-  const PatchSeries& series = this->GetSeries(panel, part);
-  const ParameterBox box = GetPatchBox(series.Traits);
-  if (!IsInside(this->Box, box) || !series.Whole.HasLength())
+  const PatchSeries& series = this->GetSeries(panel, part, withForm);
+  if (!IsInside(this->Box, series.Box) || !series.Whole.HasLength())
   {
     return false;
   }
   this->Majorants = &series.Whole;
-  this->MajorantsBox = box;
+  this->MajorantsBox = series.Box;
   this->IsPolynomial = series.Traits.Polynomial;
   this->Bound(panel, part);
   return true;
@@ -213,13 +125,13 @@ bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part)
 void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm)
 {
   this->ExpandTrim(panel, part);
-  const PatchSeries& series = this->GetSeries(panel, part);
+  const PatchSeries& series = this->GetSeries(panel, part, true);
   PatchTraits traits = series.Traits;
   traits.PolynomialLength = traits.PolynomialLength && withForm;
   traits.ConstantDirection = traits.ConstantDirection && withForm;
   const Patch& patch = this->Panels.Patches[panel.Patch];
-  this->OfPart.Expand(
-    series.Points.data(), patch.Degree[0], patch.Degree[1], traits, this->Box, this->GetOrigin(patch));
+  this->OfPart.Expand(series.Points.data(), patch.Degree[0], patch.Degree[1], traits, this->Box,
+    GetOrigin(patch, this->Request));
   this->Majorants = &this->OfPart;
   this->MajorantsBox = this->Box;
   this->IsPolynomial = traits.Polynomial;

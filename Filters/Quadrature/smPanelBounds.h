@@ -8,13 +8,11 @@
 #ifndef smPanelBounds_h
 #define smPanelBounds_h
 
-#include "smPatchMajorants.h"
+#include "smPatchSeries.h"
 #include "smQuadratureBound.h"
 #include "smQuadraturePlan.h"
 #include "smTrimSeries.h"
 
-#include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace sm
@@ -26,18 +24,15 @@ struct PanelPart
   int Depth = 0;
 };
 
-/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at most `normal` long, and points
-/// no farther than `reach`.
-double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach);
-
 class PanelBounds
 {
 public:
   /// `degree`: highest degree of the factors g.
-  PanelBounds(const FacePanels& panels, const PlanRequest& request, int degree);
+  PanelBounds(const FacePanels& panels, const PlanRequest& request, FaceSeries& series, int degree);
 
-  /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a zero there.
-  bool ExpandByPatch(const Panel& panel, const PanelPart& part);
+  /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a zero there. `withForm`: |n| may be
+  /// taken for a polynomial.
+  bool ExpandByPatch(const Panel& panel, const PanelPart& part, bool withForm);
   /// Bounds a part by series of its own. `withForm`: |n| may be taken for a polynomial.
   void ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm = true);
   /// True if the part covers its whole patch, so that series of its own would be those of the patch.
@@ -60,26 +55,11 @@ public:
   const std::vector<double>& GetChange();
 
 private:
-  struct PatchSeries
-  {
-    /// Control points of the patch with poles made points; bounds of the change of points and derivatives; and bounds of the change of the
-    /// integrands on the patch.
-    std::vector<std::array<double, 4>> Points;
-    double Moved = 0.0;
-    std::vector<double> Change;
-    PatchTraits Traits;
-    PatchMajorants Whole;
-  };
-  PatchSeries& GetSeries(const Panel& panel, const PanelPart& part);
-  void MakeSeries(const Patch& patch, double size, PatchSeries& series) const;
+  const PatchSeries& GetSeries(const Panel& panel, const PanelPart& part, bool withForm);
   /// True if the change of the integrands is within the part's share of the tolerances.
   bool Fits(const PatchSeries& series, const PanelPart& part) const;
-  /// The changes of the integrands where points move by `moved` and derivatives by `slope`, if the patch has the radius and derivatives of
-  /// at most `stretch`; and where the part leaves the patch.
-  void FillChange(const Patch& patch, double moved, const double slope[2], double radius,
-    const double stretch[2], std::vector<double>& change) const;
+  /// The changes of the integrands where the part leaves the patch and points of it move by `moved`.
   void FillChangeBeyond(const Patch& patch, double moved, std::vector<double>& change) const;
-  std::array<double, 3> GetOrigin(const Patch& patch) const;
   void ExpandTrim(const Panel& panel, const PanelPart& part);
   void Bound(const Panel& panel, const PanelPart& part);
   void BoundAcross(const Panel& panel);
@@ -95,8 +75,7 @@ private:
   const PlanRequest& Request;
   int Degree;
   double Reach = 0.0;
-  /// Series of each patch: with poles that are nearly points made points, and, where that is not the same, with certain ones only.
-  std::vector<std::array<std::unique_ptr<PatchSeries>, 2>> Series;
+  FaceSeries& Series;
   PatchMajorants OfPart;
 
   // Values of the current part.

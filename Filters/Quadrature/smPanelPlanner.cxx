@@ -51,12 +51,14 @@ int GetDegree(const PlanRequest& request)
 }
 }
 
-PanelPlanner::PanelPlanner(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
+PanelPlanner::PanelPlanner(
+  const FacePanels& panels, const PlanRequest& request, FaceSeries& series, FacePlan& plan)
   : Panels(panels)
   , Request(request)
   , Result(plan)
   , Degree(GetDegree(request))
-  , Bounds(panels, request, Degree)
+  , Bounds(panels, request, series, Degree)
+  , Series(series)
 {
 }
 
@@ -277,13 +279,13 @@ void PanelPlanner::Keep(
   this->Result.Items.push_back(item);
 }
 
-bool PanelPlanner::PlanByPatch(std::uint32_t index, const PanelPart& part)
+bool PanelPlanner::PlanByPatch(std::uint32_t index, const PanelPart& part, bool withForm)
 {
   const Panel& panel = this->Panels.Panels[index];
   int along = 1;
   int across = 1;
-  if (!this->Bounds.ExpandByPatch(panel, part) || !this->FindOrders(1.0, true, along, across) ||
-    (along * across > EvaluationsOfSeries && !this->Bounds.IsPatch()))
+  if (!this->Bounds.ExpandByPatch(panel, part, withForm) || !this->FindOrders(1.0, true, along, across) ||
+    (along * across > EvaluationsOfSeries && !(withForm && this->Bounds.IsPatch())))
   {
     return false;
   }
@@ -366,11 +368,10 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
 
 void PanelPlanner::Plan(std::uint32_t index)
 {
-  if (this->PlanExactly(index))
-  {
-    return;
-  }
-  if (this->PlanByPatch(index, {}))
+  // The form of |n| costs more than the points that it saves where few are needed without it.
+  const bool withForm = this->Series.HasCheapForm(this->Panels.Panels[index].Patch);
+  if (this->PlanExactly(index) || (!withForm && this->PlanByPatch(index, {}, false)) ||
+    this->PlanByPatch(index, {}, true))
   {
     return;
   }

@@ -16,7 +16,7 @@ namespace sm
 class PanelPlanner
 {
 public:
-  PanelPlanner(const FacePanels& panels, const PlanRequest& request, FacePlan& plan);
+  PanelPlanner(const FacePanels& panels, const PlanRequest& request, FaceSeries& series, FacePlan& plan);
 
   /// Appends the parts of a panel to the plan and adds their bounds.
   void Plan(std::uint32_t index);
@@ -29,8 +29,8 @@ private:
   /// Adds the error of exact orders for what a flat patch deviates from a parallelogram.
   void AddFlatError(const Patch& patch, double reach);
   /// Plans a panel by the series of its patch. Returns false if their bounds do not suffice, or if series of the panel's own may need far
-  /// fewer points.
-  bool PlanByPatch(std::uint32_t index, const PanelPart& part);
+  /// fewer points. `withForm`: |n| may be taken for a polynomial, and the panel covers its patch or needs few points.
+  bool PlanByPatch(std::uint32_t index, const PanelPart& part, bool withForm);
   void PlanPart(std::uint32_t index, const PanelPart& part);
   /// Bound of the errors of the area that the series do not contain: rounding, the kinks of collapsed edges, and the deviation of a nearly
   /// constant normal.
@@ -47,6 +47,7 @@ private:
   int Degree;
   double FlatReach = 0.0;
   PanelBounds Bounds;
+  const FaceSeries& Series;
   std::vector<PanelPart> Pending;
   std::size_t Parts = 0;
   /// Number of the parts at the depth that is planned now.

@@ -62,9 +62,10 @@ public:
   /// x = origin + P / w.
   void Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
     const ParameterBox& box, const std::array<double, 3>& origin);
-  /// The same of a whole patch; also finds the traits of its normals. `traits` has those of FindPatchTraits().
+  /// The same of a whole patch; also finds the traits of its normals, `withForm`: PolynomialLength, too. `traits` has those of
+  /// FindPatchTraits().
   void ExpandPatch(const std::array<double, 4>* points, int p, int q, PatchTraits& traits,
-    const ParameterBox& box, const std::array<double, 3>& origin);
+    const ParameterBox& box, const std::array<double, 3>& origin, bool withForm = true);
   /// Computes only the series that EvaluatePosition() needs.
   void ExpandWithoutNormal(
     const std::array<double, 4>* points, int p, int q, const PatchTraits& traits, const ParameterBox& box);

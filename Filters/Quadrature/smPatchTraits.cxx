@@ -287,7 +287,7 @@ PatchTraits FindPatchTraits(const std::array<double, 4>* points, int p, int q)
 }
 
 void PatchMajorants::ExpandPatch(const std::array<double, 4>* points, int p, int q, PatchTraits& traits,
-  const ParameterBox& box, const Vector3& origin)
+  const ParameterBox& box, const Vector3& origin, bool withForm)
 {
   this->ExpandSamples(points, p, q, traits, box, origin);
   const int countS = 3 * p - 1;
@@ -304,7 +304,7 @@ void PatchMajorants::ExpandPatch(const std::array<double, 4>* points, int p, int
     // longest sample's.
     traits.SquareDeviation = 9.0 * acrossBound * acrossBound;
   }
-  const bool mayBePolynomial = !traits.ConstantDirection &&
+  const bool mayBePolynomial = withForm && !traits.ConstantDirection &&
     MayBePolynomialLength(this->Samples.data(), countS, countR,
       [&](double x, double y) { return tolerance * largest * this->EvaluateCube(x, y); });
   if (mayBePolynomial)

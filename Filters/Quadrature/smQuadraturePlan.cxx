@@ -1,6 +1,7 @@
 #include "smQuadraturePlan.h"
 
 #include "smPanelPlanner.h"
+#include "smPatchSeries.h"
 #include "smRibbonPlanner.h"
 #include "smVector.h"
 
@@ -20,12 +21,12 @@ constexpr std::size_t MostPortions = 32;
 constexpr double BoundGrowth = 1.0 + 1e-12;
 
 /// Divides `count` items into portions of consecutive items.
-struct Portions
+struct Division
 {
   std::size_t Size;
   std::size_t Count;
 
-  explicit Portions(std::size_t count)
+  explicit Division(std::size_t count)
     : Size(std::max(LeastOfPortion, (count + MostPortions - 1) / MostPortions))
     , Count((count + Size - 1) / Size)
   {
@@ -222,73 +223,83 @@ void Add(const std::vector<double>& values, std::vector<double>& sums)
 }
 }
 
-std::size_t GetNumberOfPortions(const FacePanels& panels)
+FacePlanner::FacePlanner(const Face& face, const FacePanels& panels, const PlanRequest& request)
+  : Source(face)
+  , Panels(panels)
+  , Request(request)
+  , Shares(MakeShares(panels, request))
+  , Series(std::make_unique<FaceSeries>(panels, this->Shares))
+  , PanelPortionsLeft(Division(panels.Panels.size()).Count)
+  , Portions(this->PanelPortionsLeft + Division(panels.Ribbons.size()).Count)
 {
-  return Portions(panels.Panels.size()).Count + Portions(panels.Ribbons.size()).Count;
 }
 
-PlanPortion PlanFacePortion(
-  const Face& face, const FacePanels& panels, const PlanRequest& request, std::size_t portion)
+FacePlanner::~FacePlanner() = default;
+
+void FacePlanner::PlanPortion(std::size_t portion)
 {
-  const PlanRequest all = MakeShares(panels, request);
-  PlanPortion result{ MakePlan(all.Classes.size()) };
-  const Portions ofPanels(panels.Panels.size());
-  const Portions ofRibbons(panels.Ribbons.size());
+  Portion& result = this->Portions[portion];
+  result.Plan = MakePlan(this->Shares.Classes.size());
+  const Division ofPanels(this->Panels.Panels.size());
+  const Division ofRibbons(this->Panels.Ribbons.size());
   if (portion < ofPanels.Count)
   {
-    PanelPlanner planner(panels, all, result.Plan);
-    const std::size_t end = std::min((portion + 1) * ofPanels.Size, panels.Panels.size());
+    PanelPlanner planner(this->Panels, this->Shares, *this->Series, result.Plan);
+    const std::size_t end = std::min((portion + 1) * ofPanels.Size, this->Panels.Panels.size());
     for (std::size_t i = portion * ofPanels.Size; i < end; ++i)
     {
       planner.Plan(static_cast<std::uint32_t>(i));
     }
     result.Reach = planner.GetReach();
-    return result;
+    if (--this->PanelPortionsLeft == 0)
+    {
+      this->Series.reset();
+    }
+    return;
   }
   portion -= ofPanels.Count;
-  RibbonPlanner planner(face, panels, all, result.Plan);
-  const std::size_t end = std::min((portion + 1) * ofRibbons.Size, panels.Ribbons.size());
+  RibbonPlanner planner(this->Source, this->Panels, this->Shares, result.Plan);
+  const std::size_t end = std::min((portion + 1) * ofRibbons.Size, this->Panels.Ribbons.size());
   for (std::size_t i = portion * ofRibbons.Size; i < end; ++i)
   {
     planner.Plan(static_cast<std::uint32_t>(i));
   }
-  return result;
 }
 
-FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequest& request,
-  const std::vector<PlanPortion>& portions)
+FacePlan FacePlanner::Join() const
 {
-  const PlanRequest all = MakeShares(panels, request);
+  const PlanRequest& all = this->Shares;
+  const FacePanels& panels = this->Panels;
   const std::size_t areaClass =
     std::find(all.Classes.begin(), all.Classes.end(), PlainArea) - all.Classes.begin();
   FacePlan plan = MakePlan(all.Classes.size());
   double reach = 0.0;
   double area = 0.0;
-  const std::size_t panelPortions = Portions(panels.Panels.size()).Count;
-  for (std::size_t i = 0; i < portions.size(); ++i)
+  const std::size_t panelPortions = Division(panels.Panels.size()).Count;
+  for (std::size_t i = 0; i < this->Portions.size(); ++i)
   {
-    const FacePlan& part = portions[i].Plan;
+    const FacePlan& part = this->Portions[i].Plan;
     plan.Items.insert(plan.Items.end(), part.Items.begin(), part.Items.end());
     plan.Evaluations += part.Evaluations;
     plan.Estimated = plan.Estimated || part.Estimated;
     Add(part.QuadratureBound, plan.QuadratureBound);
     Add(part.ConversionBound, plan.ConversionBound);
     Add(part.Magnitude, plan.Magnitude);
-    reach = std::max(reach, portions[i].Reach);
+    reach = std::max(reach, this->Portions[i].Reach);
     area = i < panelPortions ? plan.Magnitude[areaClass] : area;
   }
-  ShareOut(panels, request, plan);
+  ShareOut(panels, this->Request, plan);
   for (std::uint32_t i = 0; i < panels.Caps.size(); ++i)
   {
     AddCap(panels, all, i, plan);
   }
-  AddFitError(face, panels, all.Classes, reach, area, plan);
+  AddFitError(this->Source, panels, all.Classes, reach, area, plan);
   AddDisplacementError(panels, all, area, plan);
   plan.Area = area;
-  plan.Reading = ReadingError::Make(face, panels, std::min(reach, GetReach(panels, request)));
+  plan.Reading = ReadingError::Make(this->Source, panels, std::min(reach, GetReach(panels, this->Request)));
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
-    values->resize(request.Classes.size());
+    values->resize(this->Request.Classes.size());
     // Bounds are computed with rounding to nearest.
     std::transform(
       values->begin(), values->end(), values->begin(), [](double bound) { return BoundGrowth * bound; });
@@ -298,11 +309,11 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
 
 FacePlan PlanFace(const Face& face, const FacePanels& panels, const PlanRequest& request)
 {
-  std::vector<PlanPortion> portions;
-  for (std::size_t i = 0; i < GetNumberOfPortions(panels); ++i)
+  FacePlanner planner(face, panels, request);
+  for (std::size_t i = 0; i < planner.GetNumberOfPortions(); ++i)
   {
-    portions.push_back(PlanFacePortion(face, panels, request, i));
+    planner.PlanPortion(i);
   }
-  return JoinPortions(face, panels, request, portions);
+  return planner.Join();
 }
 }

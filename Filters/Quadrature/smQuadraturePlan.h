@@ -16,7 +16,9 @@
 #include "smReadingError.h"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace sm
@@ -91,20 +93,40 @@ struct PlanRequest
 SMFILTERSQUADRATURE_EXPORT FacePlan PlanFace(
   const Face& face, const FacePanels& panels, const PlanRequest& request);
 
-///@{
+class FaceSeries;
+
 /// PlanFace() in portions, for threads: they are planned in any order, then joined. The division into portions depends on the panels alone,
-/// so the plan has the same bits with any number of threads. Thread safe.
-struct PlanPortion
+/// so the plan has the same bits with any number of threads.
+class SMFILTERSQUADRATURE_EXPORT FacePlanner
 {
-  FacePlan Plan;
-  double Reach = 0.0;
+public:
+  /// Nothing is copied.
+  FacePlanner(const Face& face, const FacePanels& panels, const PlanRequest& request);
+  ~FacePlanner();
+
+  std::size_t GetNumberOfPortions() const { return this->Portions.size(); }
+  /// To be called once for every portion. Thread safe.
+  void PlanPortion(std::size_t portion);
+  /// To be called when all portions are planned.
+  FacePlan Join() const;
+
+private:
+  struct Portion
+  {
+    FacePlan Plan;
+    double Reach = 0.0;
+  };
+
+  const Face& Source;
+  const FacePanels& Panels;
+  const PlanRequest& Request;
+  /// The request for one item.
+  PlanRequest Shares;
+  /// Released when all panels are planned.
+  std::unique_ptr<FaceSeries> Series;
+  std::atomic<std::size_t> PanelPortionsLeft;
+  std::vector<Portion> Portions;
 };
-SMFILTERSQUADRATURE_EXPORT std::size_t GetNumberOfPortions(const FacePanels& panels);
-SMFILTERSQUADRATURE_EXPORT PlanPortion PlanFacePortion(
-  const Face& face, const FacePanels& panels, const PlanRequest& request, std::size_t portion);
-SMFILTERSQUADRATURE_EXPORT FacePlan JoinPortions(const Face& face, const FacePanels& panels,
-  const PlanRequest& request, const std::vector<PlanPortion>& portions);
-///@}
 }
 
 #endif

@@ -104,7 +104,7 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
     const std::size_t end = std::min(begin + PlansPerReport, faces.size());
     // All threads share the portions of all faces, so that a single changed face is planned by all threads too.
     std::vector<std::size_t> missing;
-    std::vector<std::vector<PlanPortion>> portions;
+    std::vector<std::unique_ptr<FacePlanner>> planners;
     std::vector<std::pair<std::size_t, std::size_t>> work;
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -113,8 +113,8 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
         this->Plans[i] = *known;
         continue;
       }
-      portions.emplace_back(GetNumberOfPortions(faces[i]->Panels));
-      for (std::size_t k = 0; k < portions.back().size(); ++k)
+      planners.push_back(std::make_unique<FacePlanner>(*faces[i]->Source, faces[i]->Panels, requests[i]));
+      for (std::size_t k = 0; k < planners.back()->GetNumberOfPortions(); ++k)
       {
         work.emplace_back(missing.size(), k);
       }
@@ -125,16 +125,12 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
       {
         for (std::size_t w = from; w < to; ++w)
         {
-          const auto [m, k] = work[w];
-          const std::size_t i = missing[m];
-          portions[m][k] = PlanFacePortion(*faces[i]->Source, faces[i]->Panels, requests[i], k);
+          planners[work[w].first]->PlanPortion(work[w].second);
         }
       });
     for (std::size_t m = 0; m < missing.size(); ++m)
     {
-      const std::size_t i = missing[m];
-      this->Plans[i] = std::make_shared<const FacePlan>(
-        JoinPortions(*faces[i]->Source, faces[i]->Panels, requests[i], portions[m]));
+      this->Plans[missing[m]] = std::make_shared<const FacePlan>(planners[m]->Join());
     }
   }
   return true;
