@@ -32,7 +32,7 @@ constexpr std::size_t FirstFaces = 32;
 constexpr double LeastShare = 0.2;
 
 /// One of so many faces of a shell at most is repaired by itself, but one face always; if more need it, the body is repaired.
-constexpr std::size_t FacesPerRepair = 32;
+constexpr std::size_t FacesPerRepair = 48;
 
 /// Number and signed sum of the uses of an edge by faces.
 struct EdgeSum
