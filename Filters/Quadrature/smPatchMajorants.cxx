@@ -8,6 +8,22 @@
 
 namespace sm
 {
+namespace
+{
+/// Scratch of the calling thread: several may evaluate the series of a patch at once.
+struct MajorantScratch
+{
+  std::vector<double> S;
+  std::vector<double> R;
+
+  static MajorantScratch& Get()
+  {
+    static thread_local MajorantScratch scratch;
+    return scratch;
+  }
+};
+}
+
 void PatchMajorants::Table::Resize(int countS, int countR)
 {
   this->CountS = countS;
@@ -120,9 +136,10 @@ double PatchMajorants::GetKink(int direction) const
 bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vector<BoundClass>& classes,
   std::vector<double>& bounds) const
 {
-  s.GetMajorants(std::max(this->P + 1, 3 * this->P - 1), this->MajorantS);
-  r.GetMajorants(std::max(this->Q + 1, 3 * this->Q - 1), this->MajorantR);
-  const auto sum = [this](const Table& table) { return table.Sum(this->MajorantS, this->MajorantR); };
+  auto& [inS, inR] = MajorantScratch::Get();
+  s.GetMajorants(std::max(this->P + 1, 3 * this->P - 1), inS);
+  r.GetMajorants(std::max(this->Q + 1, 3 * this->Q - 1), inR);
+  const auto sum = [&inS = inS, &inR = inR](const Table& table) { return table.Sum(inS, inR); };
   // A bound so close to a pole of the integrand is useless, and above 1e-9 rounding cannot change the sign.
   const double weight = this->FirstWeight - (this->Traits.Polynomial ? 0.0 : sum(this->Weight));
   if (!(weight > 1e-9 * this->FirstWeight))
@@ -132,7 +149,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   const double cube = weight * weight * weight;
   const double reach = this->CenterDistance + sum(this->Position) / weight;
   const double factor = this->GetFactorMajorant(s, r);
-  const ProductEntry products = this->SumProducts(this->MajorantS, this->MajorantR);
+  const ProductEntry products = this->SumProducts(inS, inR);
   const double numerator = products[Numerator];
   const double normal = factor * products[Normal];
   double length = std::numeric_limits<double>::infinity();
@@ -215,10 +232,11 @@ double PatchMajorants::GetLengthDeviation() const
 void PatchMajorants::EvaluatePosition(
   const Ellipse& s, const Ellipse& r, double& position, double& weight) const
 {
-  s.GetMajorants(this->P + 1, this->MajorantS);
-  r.GetMajorants(this->Q + 1, this->MajorantR);
-  weight = this->FirstWeight + this->Weight.Sum(this->MajorantS, this->MajorantR);
-  position = this->CenterOffset * weight + this->Position.Sum(this->MajorantS, this->MajorantR);
+  auto& [inS, inR] = MajorantScratch::Get();
+  s.GetMajorants(this->P + 1, inS);
+  r.GetMajorants(this->Q + 1, inR);
+  weight = this->FirstWeight + this->Weight.Sum(inS, inR);
+  position = this->CenterOffset * weight + this->Position.Sum(inS, inR);
 }
 
 int PatchMajorants::GetVaryingDirection() const

@@ -55,6 +55,7 @@ struct ParameterBox
   double Half[2];
 };
 
+/// Const methods are thread safe.
 class SMFILTERSQUADRATURE_EXPORT PatchMajorants
 {
 public:
@@ -187,8 +188,6 @@ private:
   int CountS = 0;
   int CountR = 0;
   std::vector<ProductEntry> Products;
-  mutable std::vector<double> MajorantS;
-  mutable std::vector<double> MajorantR;
 };
 }
 
