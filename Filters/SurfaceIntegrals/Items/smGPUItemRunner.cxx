@@ -23,8 +23,37 @@ constexpr unsigned int LocalSize = 32;
 // Estimated cost (evaluations times a factor for the degree) of one dispatch: some 50 ms on two CPU cores, so that the run can be
 // aborted between dispatches and the driver's watchdog does not interrupt it.
 constexpr std::int64_t CostPerDispatch = 4000000;
-// Largest number of rows at a time, which limits the memory of rows and lists.
+// Largest number of rows at a time, and of lines of panels in a dispatch, which limit the memory of rows, lists and sums.
 constexpr std::size_t RowsOfBlock = 262144;
+constexpr std::size_t LinesOfDispatch = 65536;
+// Largest number of lines of a panel: a record has eight bits for it.
+constexpr std::size_t LinesOfPanel = 255;
+
+/// A line of a panel in the layout of smLines in glsl/smPanelCS.glsl.
+struct LineRecord
+{
+  std::uint32_t Work;
+  std::uint32_t Node;
+};
+static_assert(sizeof(LineRecord) == 8, "layout of a uvec2");
+
+/// Returns true if the invocations of a program integrate lines of panels instead of whole items.
+bool IsOfLines(const ProgramKey& key)
+{
+  return std::get<0>(key) == ProgramKind::Panels;
+}
+
+/// The uniform that says how many invocations of a program have work.
+const char* GetCounter(const ProgramKey& key)
+{
+  return IsOfLines(key) ? "smLineCount" : "smWorkCount";
+}
+
+/// Returns the number of lines of a panel.
+std::uint32_t GetLines(const WorkRecord& panel)
+{
+  return (panel.Detail[0] >> 8) & 255u;
+}
 
 ProgramKey ChooseProgram(const WorkItem& item)
 {
@@ -43,6 +72,8 @@ struct GPUItemRunner::Internals
     , Parameters(context)
     , Rows(context)
     , StatusFlags(context)
+    , Lines(context)
+    , LineSums(context)
   {
   }
 
@@ -54,6 +85,9 @@ struct GPUItemRunner::Internals
   ComputeBuffer Parameters;
   ComputeBuffer Rows;
   ComputeBuffer StatusFlags;
+  /// The lines of all panels of a Run(), and the sums of those of a dispatch.
+  ComputeBuffer Lines;
+  ComputeBuffer LineSums;
 
   /// Places of the faces of the last Acquire().
   std::vector<ResidentFace> Places;
@@ -63,15 +97,25 @@ struct GPUItemRunner::Internals
 
   bool Bind(const ProgramKey& key, int page)
   {
-    const bool isCap = std::get<0>(key) == ItemKind::Cap;
-    return (isCap ? this->Resident.BindCaps(page) : this->Resident.Bind(page)) && this->Work.Bind(3) &&
-      this->Parameters.Bind(4) && this->Rows.Bind(5) && this->StatusFlags.Bind(6);
+    const ProgramKind kind = std::get<0>(key);
+    if (!this->Work.Bind(3) || !this->Parameters.Bind(4))
+    {
+      return false;
+    }
+    if (IsOfLines(key))
+    {
+      return this->Resident.Bind(page) && this->Lines.Bind(6) && this->LineSums.Bind(7);
+    }
+    return (kind == ProgramKind::Caps         ? this->Resident.BindCaps(page)
+               : kind == ProgramKind::Ribbons ? this->Resident.Bind(page)
+                                              : this->LineSums.Bind(7)) &&
+      this->Rows.Bind(5) && this->StatusFlags.Bind(6);
   }
 
   std::string GetBufferErrors() const
   {
     return this->Work.GetError() + this->Parameters.GetError() + this->Rows.GetError() +
-      this->StatusFlags.GetError();
+      this->StatusFlags.GetError() + this->Lines.GetError() + this->LineSums.GetError();
   }
 
   /// Returns the record with indices into the page's data of its face.
@@ -95,8 +139,15 @@ struct GPUItemRunner::Internals
 
   /// Builds the programs that the faces need and runs each once, as drivers finish compilation at the first dispatch.
   bool WarmUp(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress, std::string& error);
-  bool Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key, std::size_t begin,
-    std::size_t count, std::string& error);
+  /// The work [begin, end) of a dispatch, and the lines of its panels.
+  struct Portion
+  {
+    std::size_t Begin, End;
+    std::uint32_t FirstLine, LineCount;
+  };
+  /// Runs a program for a portion: for its lines, or for its items.
+  bool Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key, const Portion& portion,
+    std::string& error);
 };
 
 GPUItemRunner::GPUItemRunner(vtkComputeContext* context)
@@ -150,11 +201,16 @@ bool GPUItemRunner::Internals::WarmUp(
       {
         needed[IntegrationPrograms::ChooseProgram(kind, face.Degree[0], face.Degree[1])] =
           this->Places[i].Page;
+        if (kind == ItemKind::Panel)
+        {
+          needed[IntegrationPrograms::GetPanelSums()] = this->Places[i].Page;
+        }
       }
     }
   }
   if (!this->Work.Allocate(sizeof(WorkRecord)) || !this->Parameters.Allocate(sizeof(double)) ||
-    !this->Rows.Allocate(sizeof(double)) || !this->StatusFlags.Allocate(sizeof(std::uint32_t)))
+    !this->Rows.Allocate(sizeof(double)) || !this->StatusFlags.Allocate(sizeof(std::uint32_t)) ||
+    !this->Lines.Allocate(sizeof(LineRecord)) || !this->LineSums.Allocate(sizeof(double)))
   {
     error = this->GetBufferErrors();
     return false;
@@ -185,7 +241,8 @@ bool GPUItemRunner::Internals::WarmUp(
       return false;
     }
     // Drivers finish compilation at the first dispatch; this one is empty.
-    if (!this->Bind(key, page) || !program->SetUniform("smWorkCount", 0u) || !program->Dispatch(1, LocalSize))
+    if (!this->Bind(key, page) || !program->SetUniform(GetCounter(key), 0u) ||
+      !program->Dispatch(1, LocalSize))
     {
       error = "a shader could not be run: " + program->GetError();
       return false;
@@ -206,7 +263,8 @@ int GPUItemRunner::GetGroup(std::size_t face) const
 
 std::size_t GPUItemRunner::GetRowLimit() const
 {
-  const std::size_t bytes = std::max(this->Layout.GetStride() * sizeof(double), sizeof(WorkRecord));
+  const std::size_t bytes = std::max(
+    { this->Layout.GetStride() * sizeof(double), sizeof(WorkRecord), LinesOfPanel * sizeof(LineRecord) });
   const auto block = static_cast<std::size_t>(this->Implementation->Context->GetMaximumStorageBlockSize());
   return std::clamp<std::size_t>(block / bytes, 1, RowsOfBlock);
 }
@@ -231,7 +289,7 @@ bool GPUItemRunner::BeginRows(std::size_t rows)
 }
 
 bool GPUItemRunner::Internals::Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key,
-  std::size_t begin, std::size_t count, std::string& error)
+  const Portion& portion, std::string& error)
 {
   const ContextScope scope(this->Context);
   if (!scope)
@@ -245,15 +303,19 @@ bool GPUItemRunner::Internals::Dispatch(const Setup& setup, const RowLayout& lay
     error = this->Programs.GetError();
     return false;
   }
-  program->SetUniform("smFirstWork", static_cast<unsigned int>(begin));
+  const auto count =
+    IsOfLines(key) ? portion.LineCount : static_cast<std::uint32_t>(portion.End - portion.Begin);
+  // Programs have those of the uniforms that they use.
+  program->SetUniform("smFirstWork", static_cast<unsigned int>(portion.Begin));
+  program->SetUniform("smFirstLine", portion.FirstLine);
+  program->SetUniform("smLineCount", portion.LineCount);
   program->SetUniform("smToleranceOffset", this->Batch.ToleranceOffset);
   program->SetUniform("smPlacementOffset", this->Batch.PlacementOffset);
   program->SetUniform("smIntegrandCount", static_cast<unsigned int>(setup.Integrands.size()));
   program->SetUniform("smGapSteps", FootPointSteps);
   program->SetUniform("smRoundingCount", static_cast<unsigned int>(layout.GetNumberOfRoundings()));
-  if (!this->Bind(key, this->Slots.front()->Page) ||
-    !program->SetUniform("smWorkCount", static_cast<unsigned int>(count)) ||
-    !program->Dispatch(static_cast<unsigned int>(count), LocalSize))
+  if (!this->Bind(key, this->Slots.front()->Page) || !program->SetUniform(GetCounter(key), count) ||
+    !program->Dispatch(count, LocalSize))
   {
     error = "a dispatch failed: " + program->GetError() + this->GetBufferErrors();
     return false;
@@ -279,33 +341,55 @@ bool GPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<st
         std::tie(b.first, items[active[b.second]].Work.Detail[0]);
     });
   std::vector<WorkRecord> work;
+  std::vector<LineRecord> lines;
   work.reserve(active.size());
   for (const auto& [key, i] : order)
   {
     work.push_back(self.MakeRecord(items[active[i]]));
+    if (IsOfLines(key))
+    {
+      work.back().Detail[1] = static_cast<std::uint32_t>(lines.size());
+      for (std::uint32_t node = 0; node < GetLines(work.back()); ++node)
+      {
+        lines.push_back({ static_cast<std::uint32_t>(work.size() - 1), node });
+      }
+    }
   }
   const std::uint32_t zero = 0;
+  const std::size_t bytes =
+    (this->Layout.GetNumberOfIntegrands() + this->Layout.GetNumberOfRoundings()) * sizeof(double);
+  const std::size_t mostLines =
+    std::clamp(static_cast<std::size_t>(self.Context->GetMaximumStorageBlockSize()) / bytes, LinesOfPanel,
+      LinesOfDispatch);
   if (!self.Work.Upload(work) || !self.StatusFlags.Allocate((active.size() + 1) * sizeof(std::uint32_t)) ||
-    !self.StatusFlags.Upload(&zero, sizeof(zero)))
+    !self.StatusFlags.Upload(&zero, sizeof(zero)) || !self.Lines.Upload(lines) ||
+    !self.LineSums.Allocate(std::min(lines.size(), mostLines) * bytes))
   {
-    return this->Fail("the work list does not fit on the GPU: " + self.Work.GetError());
+    return this->Fail("the work list does not fit on the GPU: " + self.GetBufferErrors());
   }
   for (std::size_t begin = 0; begin < order.size();)
   {
     const ProgramKey key = order[begin].first;
-    std::size_t end = begin;
+    Internals::Portion portion = { begin, begin, work[begin].Detail[1], 0 };
     std::int64_t cost = 0;
-    while (end < order.size() && order[end].first == key && cost < CostPerDispatch)
+    for (std::size_t& end = portion.End; end < order.size() && order[end].first == key; ++end)
     {
+      const std::uint32_t more = IsOfLines(key) ? GetLines(work[end]) : 0;
+      if (cost >= CostPerDispatch || portion.LineCount + more > mostLines)
+      {
+        break;
+      }
+      portion.LineCount += more;
       cost += items[active[order[end].second]].GetCost();
-      ++end;
     }
     std::string error;
-    if (!self.Dispatch(this->Configured, this->Layout, key, begin, end - begin, error))
+    if (!self.Dispatch(this->Configured, this->Layout, key, portion, error) ||
+      (IsOfLines(key) &&
+        !self.Dispatch(this->Configured, this->Layout, IntegrationPrograms::GetPanelSums(), portion, error)))
     {
       return this->Fail(error);
     }
-    begin = end;
+    begin = portion.End;
     if (shouldContinue && !shouldContinue())
     {
       return this->Fail("aborted");

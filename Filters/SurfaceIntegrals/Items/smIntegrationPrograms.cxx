@@ -11,8 +11,11 @@
 #include "smElementary.h"
 #include "smExpressionCS.h"
 #include "smFinish.h"
+#include "smLineStorage.h"
 #include "smPanel.h"
 #include "smPanelCS.h"
+#include "smPanelSumCS.h"
+#include "smResultStorage.h"
 #include "smRibbon.h"
 #include "smRibbonCS.h"
 #include "smSample.h"
@@ -56,9 +59,12 @@ ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int de
   if (kind == ItemKind::Panel &&
     std::find(std::begin(common), std::end(common), std::make_pair(degreeS, degreeR)) != std::end(common))
   {
-    return { kind, degreeS, degreeR };
+    return { ProgramKind::Panels, degreeS, degreeR };
   }
-  return { kind, 0, 0 };
+  return { kind == ItemKind::Panel ? ProgramKind::Panels
+      : kind == ItemKind::Ribbon   ? ProgramKind::Ribbons
+                                   : ProgramKind::Caps,
+    0, 0 };
 }
 
 namespace
@@ -81,9 +87,10 @@ void AddChunks(ShaderSource& source)
     source.AddChunk(chunk, GetNURBSShaderChunk(chunk));
   }
   const std::pair<const char*, const char*> chunks[] = { { "smAccumulate", smAccumulate }, { "smCap", smCap },
-    { "smElementary", smElementary }, { "smFinish", smFinish }, { "smPanel", smPanel },
-    { "smRibbon", smRibbon }, { "smSample", smSample }, { "smUserFunctions", smUserFunctions },
-    { "smWork", smWork }, { "smWorkRecord", smWorkRecord }, { "smWorkStorage", smWorkStorage } };
+    { "smElementary", smElementary }, { "smFinish", smFinish }, { "smLineStorage", smLineStorage },
+    { "smPanel", smPanel }, { "smResultStorage", smResultStorage }, { "smRibbon", smRibbon },
+    { "smSample", smSample }, { "smUserFunctions", smUserFunctions }, { "smWork", smWork },
+    { "smWorkRecord", smWorkRecord }, { "smWorkStorage", smWorkStorage } };
   for (const auto& [name, text] : chunks)
   {
     source.AddChunk(name, text);
@@ -210,11 +217,11 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
     return &this->Programs[key];
   }
   const auto [kind, degreeS, degreeR] = key;
-  const char* const texts[] = { smPanelCS, smRibbonCS, smCapCS };
-  const char* const names[] = { "smPanelCS", "smRibbonCS", "smCapCS" };
+  const char* const texts[] = { smPanelCS, smRibbonCS, smCapCS, smPanelSumCS };
+  const char* const names[] = { "smPanelCS", "smRibbonCS", "smCapCS", "smPanelSumCS" };
   ShaderSource source(names[static_cast<int>(kind)], texts[static_cast<int>(kind)]);
   AddChunks(source);
-  const bool isPanel = kind == ItemKind::Panel;
+  const bool isPanel = kind == ProgramKind::Panels;
   source.Define("SM_SAMPLE_DETAIL", this->GetDetail(isPanel));
   source.Define("SM_INTEGRANDS", this->Layout.GetNumberOfIntegrands());
   source.Define("SM_ROUNDINGS", this->Layout.GetNumberOfRoundings());
@@ -230,12 +237,15 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
   source.Define("SM_ROW_SIZE", degreeS > 0 ? degreeS + 1 : MaximumDegree + 1);
   source.Define("SM_BASIS_SIZE", degreeR > 0 ? std::max(degreeS, degreeR) : MaximumDegree);
 
-  source.Replace("//SM::UserFunctions", this->MakeFunctions(isPanel));
-  // Ribbons and caps have no samples of faces.
-  source.Replace("//SM::AccumulateFaces", this->MakeValues(!isPanel));
-  source.Replace("//SM::AccumulateChain", this->MakeValues(true));
-  source.Replace("//SM::AccumulateFaceRoundings", this->MakeRoundings(!isPanel));
-  source.Replace("//SM::AccumulateChainRoundings", this->MakeRoundings(true));
+  if (kind != ProgramKind::PanelSums)
+  {
+    source.Replace("//SM::UserFunctions", this->MakeFunctions(isPanel));
+    // Ribbons and caps have no samples of faces.
+    source.Replace("//SM::AccumulateFaces", this->MakeValues(!isPanel));
+    source.Replace("//SM::AccumulateChain", this->MakeValues(true));
+    source.Replace("//SM::AccumulateFaceRoundings", this->MakeRoundings(!isPanel));
+    source.Replace("//SM::AccumulateChainRoundings", this->MakeRoundings(true));
+  }
   if (!source.Assemble())
   {
     this->Error = source.GetError();

@@ -18,8 +18,17 @@ namespace sm
 {
 class ShaderSource;
 
-/// Key of a program: the kind of its items, and the degrees it is compiled for (0: any).
-using ProgramKey = std::tuple<ItemKind, int, int>;
+enum class ProgramKind
+{
+  /// Lines of panels; PanelSums adds up those of each panel.
+  Panels,
+  Ribbons,
+  Caps,
+  PanelSums
+};
+
+/// Key of a program: its kind, and the degrees it is compiled for (0: any).
+using ProgramKey = std::tuple<ProgramKind, int, int>;
 
 /// Builds and keeps the compute programs of one context.
 class IntegrationPrograms
@@ -33,6 +42,9 @@ public:
   /// Returns the key of the program for an item on a patch of these degrees. The choice depends on nothing else, so that the
   /// results of a face are bitwise the same in any batch.
   static ProgramKey ChooseProgram(ItemKind kind, int degreeS, int degreeR);
+
+  /// The key of the program that adds up the lines of panels.
+  static ProgramKey GetPanelSums() { return { ProgramKind::PanelSums, 0, 0 }; }
 
   bool IsBuilt(const ProgramKey& key) const;
   /// Returns the program, which is built on first use; null, with GetError(), if it cannot be built.

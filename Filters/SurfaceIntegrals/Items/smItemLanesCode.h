@@ -50,7 +50,8 @@ public:
   __attribute__((flatten)) unsigned int IntegratePanel()
   {
     smClear();
-    return smIntegratePanel(this->MakeWork());
+    const smWorkRecord work = this->MakeWork();
+    return smIntegratePanel(work, 0, smGetLines(work));
   }
   __attribute__((flatten)) unsigned int IntegrateRibbon()
   {

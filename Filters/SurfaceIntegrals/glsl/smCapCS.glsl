@@ -16,6 +16,7 @@ double smCap(uint index)
 }
 
 //SM::Include smWorkStorage
+//SM::Include smResultStorage
 //SM::Include smWork
 //SM::Include smFinish
 //SM::Include smAccumulate

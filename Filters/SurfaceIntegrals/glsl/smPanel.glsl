@@ -1,5 +1,5 @@
-// Integrates one panel {(xi s(t), r(t))} into smValues and smRoundings, with Gauss points in t along the trim piece and in xi
-// across. For each t the patch is reduced once to a curve in s.
+// Integrates one panel {(xi s(t), r(t))}, or some lines of it, into smValues and smRoundings, with Gauss points in t along the trim piece
+// and in xi across. A line is the points across at one node in t, for which the patch is reduced once to a curve in s.
 //
 // Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (degrees of patchRecord, constants for the common
 // degrees), SM_PERTURBATION (a factor of every sample), SM_SAMPLE_DETAIL (data that smSample provides for every sample, which
@@ -13,8 +13,14 @@ double smSampleRoundings(int p, int q)
   return min(8.0LF, 2.0LF * double(p + q));
 }
 
-// Integrates a panel and returns the number of evaluations.
-uint smIntegratePanel(smWorkRecord work)
+// Returns the number of lines of a panel.
+int smGetLines(smWorkRecord work)
+{
+  return int((work.detail.x >> 8) & 255u);
+}
+
+// Integrates the lines [first, end) of a panel and returns the number of evaluations.
+uint smIntegratePanel(smWorkRecord work, int first, int end)
 {
   smPatchRecord patchRecord = smGetPatch(work.item.x);
   int p = SM_DEGREE_S;
@@ -25,7 +31,7 @@ uint smIntegratePanel(smWorkRecord work)
   dvec2 width = dvec2(patchRecord.domain.z, patchRecord.domain.w);
 
   int trimDegree = int(work.detail.x & 255u);
-  int countT = int((work.detail.x >> 8) & 255u);
+  int countT = smGetLines(work);
   int countX = int((work.detail.x >> 16) & 255u);
   uint flags = work.detail.x >> 24;
   double coverage = (flags & smFlagNegative) != 0u ? -1.0LF : 1.0LF;
@@ -33,7 +39,7 @@ uint smIntegratePanel(smWorkRecord work)
 
   double tWidth = work.range.y - work.range.x;
   double xiWidth = work.range.w - work.range.z;
-  for (int it = 0; it < countT; ++it)
+  for (int it = first; it < end; ++it)
   {
     dvec2 ruleT = smRule(countT, it);
     double t = work.range.x + tWidth * ruleT.x;
@@ -93,5 +99,5 @@ uint smIntegratePanel(smWorkRecord work)
       smAccumulateFace(weight, noise, position, normal);
     }
   }
-  return uint(countT * countX);
+  return uint((end - first) * countX);
 }

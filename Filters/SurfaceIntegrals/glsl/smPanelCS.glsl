@@ -1,4 +1,5 @@
-// Each invocation integrates one panel.
+// Each invocation integrates one line of a panel: a processor with thousands of lanes has work for them in few panels. smPanelSumCS
+// adds up the lines.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable
@@ -7,21 +8,33 @@ layout(local_size_x = 32) in;
 //SM::Include smBernstein
 //SM::Include smPatch
 //SM::Include smWorkStorage
+//SM::Include smLineStorage
 //SM::Include smWork
-//SM::Include smFinish
 //SM::Include smAccumulate
 //SM::Include smPanel
+
+// The panel, an index into smWork, and the node of each line.
+layout(std430, binding = 6) readonly buffer smLineBuffer
+{
+  uvec2 smLines[];
+};
 
 void main()
 {
   uint index = smInvocationIndex();
-  if (index >= smWorkCount)
+  if (index >= smLineCount)
   {
     return;
   }
-  index += smFirstWork;
-  smWorkRecord work = smWork[index];
+  uvec2 line = smLines[smFirstLine + index];
   smClear();
-  smCountEvaluations(smIntegratePanel(work));
-  smFinish(index, work);
+  smIntegratePanel(smWork[line.x], int(line.y), int(line.y) + 1);
+  for (int k = 0; k < SM_INTEGRANDS; ++k)
+  {
+    smLineSums[uint(k) * smLineCount + index] = smValues[k];
+  }
+  for (int k = 0; k < SM_ROUNDINGS; ++k)
+  {
+    smLineSums[uint(SM_INTEGRANDS + k) * smLineCount + index] = smRoundings[k];
+  }
 }

@@ -7,6 +7,7 @@ layout(local_size_x = 32) in;
 //SM::Include smBernstein
 //SM::Include smPatch
 //SM::Include smWorkStorage
+//SM::Include smResultStorage
 //SM::Include smWork
 //SM::Include smFinish
 //SM::Include smAccumulate
