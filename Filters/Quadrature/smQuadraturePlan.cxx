@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace sm
 {
@@ -300,9 +301,10 @@ FacePlan FacePlanner::Join() const
   for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
   {
     values->resize(this->Request.Classes.size());
-    // Bounds are computed with rounding to nearest.
-    std::transform(
-      values->begin(), values->end(), values->begin(), [](double bound) { return BoundGrowth * bound; });
+    // Bounds are computed with rounding to nearest. One that is no number, which a difference of infinite values is, is none.
+    std::transform(values->begin(), values->end(), values->begin(),
+      [](double bound)
+      { return bound >= 0.0 ? BoundGrowth * bound : std::numeric_limits<double>::infinity(); });
   }
   return plan;
 }
