@@ -128,6 +128,7 @@ void STEPCensusTaker::AddShapes(Index i)
   if (representation != None)
   {
     this->ShapesOfProducts.emplace_back(product, this->FindGroup(representation));
+    this->Owners.emplace(representation, product);
   }
 }
 
@@ -196,6 +197,13 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
   }
   const bool forward = this->IsShapeOf(first, child) && this->IsShapeOf(second, parent);
   const bool backward = this->IsShapeOf(first, parent) && this->IsShapeOf(second, child);
+  const auto owner = this->Owners.find(first);
+  const auto other = this->Owners.find(second);
+  const bool isReversed = other != this->Owners.end() && other->second == child;
+  if (!isReversed && owner != this->Owners.end() && owner->second != child)
+  {
+    this->KernelArcs.push_back({ parent, owner->second, i, true });
+  }
   if (!forward && !backward)
   {
     this->Add(CensusDefect::PlacementMismatch, i, occurrence.Placement, "representations of other products");

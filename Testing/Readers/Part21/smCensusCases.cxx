@@ -290,8 +290,9 @@ std::vector<CensusCase> GetAssemblyCases()
       OneInBox, "missing placement: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE no transformation #64)" },
     { "representations the other way round", ChangeBox("#32,#54)R", "#54,#32)R"), OneInBox, "" },
     { "a placement of other products", ChangeBox("#32,#54)R", "#54,#54)R"), OneInBox,
-      "placement of other products: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE representations of other products "
-      "#64)" },
+      "assembly contains itself: 1 (#64 CONTEXT_DEPENDENT_SHAPE_REPRESENTATION the placed product contains "
+      "this one #52); placement of other products: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE representations of "
+      "other products #64)" },
     { "an undefined parent", ChangeBox("#52,#44,$", "#99,#44,$"), OneInBox,
       "undefined reference: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE relating product #99)" },
     { "a child that is a shape", ChangeBox("#52,#44,$", "#52,#32,$"), OneInBox,
