@@ -65,6 +65,38 @@ std::vector<CensusCase> GetBodyCases()
   const std::string solid = "#31=MANIFOLD_SOLID_BREP('ball',#30);";
   return {
     { "a ball", ChangeBall("ball", "ball"), OneBall, "" },
+    { "the ball in two shapes of its product",
+      ExtendBall("ball", "ball",
+        "#70=SHAPE_REPRESENTATION('',(#31),#6);\n#71=SHAPE_DEFINITION_REPRESENTATION(#45,#70);\n"),
+      OneBall, "item twice in a representation: 1 (#44 PRODUCT_DEFINITION two shapes of one product #31)" },
+    { "the ball and facets of it",
+      ExtendBall("ball", "ball",
+        "#74=FACETED_BREP_SHAPE_REPRESENTATION('',(#75),#6);\n#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n"
+        "#75=FACETED_BREP('',#73);\n" +
+          second),
+      Count(2, 2, 2),
+      "exact and faceted shapes of one product, which are both counted: 1 (#44 PRODUCT_DEFINITION)" },
+    { "a ball beside it",
+      ExtendBall("ball", "ball",
+        "#74=SHAPE_REPRESENTATION('',(#75),#6);\n#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n"
+        "#75=MANIFOLD_SOLID_BREP('',#73);\n" +
+          second),
+      Count(2, 2, 2), "" },
+    { "a vertex off its sphere", ChangeBall("(0.,0.,5.)", "(0.,0.,5.05)"), OneBall,
+      "a vertex is off the surface of its face: 1 (#27 VERTEX_LOOP vertex #24)" },
+    { "a vertex near its sphere", ChangeBall("(0.,0.,5.)", "(0.,5.01,0.)"), OneBall, "" },
+    { "a vertex on a torus", ChangeBall("SPHERICAL_SURFACE('',#23,5.)", "TOROIDAL_SURFACE('',#23,3.,2.)"),
+      OneBall, "a vertex is off the surface of its face: 1 (#27 VERTEX_LOOP vertex #24)" },
+    { "a vertex on its torus",
+      MakeStepText(
+        Replace(Replace(GetBallText(), "SPHERICAL_SURFACE('',#23,5.)", "TOROIDAL_SURFACE('',#23,3.,2.)"),
+          "(0.,0.,5.)", "(0.,3.,-2.)")),
+      OneBall, "" },
+    { "a vertex on the inner part of a torus",
+      MakeStepText(Replace(Replace(GetBallText(), "SPHERICAL_SURFACE('',#23,5.)",
+                             "DEGENERATE_TOROIDAL_SURFACE('',#23,3.,5.,.F.)"),
+        "(0.,0.,5.)", "(0.,0.,4.)")),
+      OneBall, "" },
     { "a solid of a complex instance",
       ChangeBall(solid,
         "#31=(BREP_WITH_VOIDS((#73))FACETED_BREP()GEOMETRIC_REPRESENTATION_ITEM()MANIFOLD_SOLID_BREP(#30)"
