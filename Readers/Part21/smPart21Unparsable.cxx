@@ -21,6 +21,9 @@ constexpr std::string_view TypesWithLists[] = { "CAMERA_MODEL_D3_MULTI_CLIPPING"
 constexpr std::string_view PrefixesWithLists[] = { "APPLIED_", "AUTO_DESIGN_", "CC_DESIGN_" };
 constexpr std::string_view WordsWithLists[] = { "B_SPLINE_CURVE", "B_SPLINE_SURFACE", "TOLERANCE" };
 
+/// Lists in one another beyond this level are refused; the schemas have three levels.
+constexpr std::size_t MostNestedLists = 100;
+
 bool NeedsMembers(std::string_view type)
 {
   return std::find(std::begin(TypesWithLists), std::end(TypesWithLists), type) != std::end(TypesWithLists) ||
@@ -60,6 +63,49 @@ bool HasEmptyList(std::string_view parameters, int levels)
   }
   return false;
 }
+
+/// Returns true for lists in more than MostNestedLists levels. Brackets in strings and comments are counted only if there are so many.
+bool IsDeeplyNested(std::string_view parameters)
+{
+  std::size_t level = 0;
+  std::size_t deepest = 0;
+  const auto count = [&level, &deepest](char c)
+  {
+    level += c == '(' ? 1 : 0;
+    level -= c == ')' && level > 0 ? 1 : 0;
+    deepest = std::max(deepest, level);
+  };
+  if (parameters.size() < 2 * MostNestedLists)
+  {
+    return false;
+  }
+  std::for_each(parameters.begin(), parameters.end(), count);
+  if (deepest <= MostNestedLists)
+  {
+    return false;
+  }
+  // The same without strings and comments.
+  level = 0;
+  deepest = 0;
+  for (std::size_t at = 0; at < parameters.size(); ++at)
+  {
+    const bool isComment = parameters.substr(at, 2) == "/*";
+    if (isComment || parameters[at] == '\'')
+    {
+      const std::size_t end = parameters.find(isComment ? "*/" : "'", at + (isComment ? 2 : 1));
+      if (end == std::string_view::npos)
+      {
+        break;
+      }
+      at = end + (isComment ? 1 : 0);
+    }
+    else
+    {
+      count(parameters[at]);
+    }
+  }
+  return deepest > MostNestedLists;
+}
 }
 
 std::vector<bool> FindUnparsable(const Part21File& file)
@@ -77,8 +123,9 @@ std::vector<bool> FindUnparsable(const Part21File& file)
     {
       constexpr int levels = 2;
       const std::string_view parameters = file.GetParameters(i, k);
-      isUnparsable =
-        needsMembers[file.GetType(i, k)] && MayHaveEmptyList(parameters) && HasEmptyList(parameters, levels);
+      isUnparsable = IsDeeplyNested(parameters) ||
+        (needsMembers[file.GetType(i, k)] && MayHaveEmptyList(parameters) &&
+          HasEmptyList(parameters, levels));
     }
     if (isUnparsable)
     {

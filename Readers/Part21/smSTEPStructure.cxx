@@ -4,6 +4,7 @@
 #include "smSTEPStructureAttributes.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace sm
 {
@@ -213,11 +214,18 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
 void STEPCensusTaker::AddItems(Index representation)
 {
   Part21Values items(this->Entities.Get(representation, ItemsOfRepresentation).Text);
+  std::unordered_set<Index> mappedItems;
   for (Part21Value value; items.Next(value);)
   {
     const Index item = this->Entities.Follow(value);
     if (!this->Entities.Has(item, STEPRole::MappedItem))
     {
+      continue;
+    }
+    if (!mappedItems.insert(item).second)
+    {
+      this->Add(
+        CensusDefect::RepeatedItem, representation, this->File.GetId(item), ItemsOfRepresentation.Name);
       continue;
     }
     const Index map = this->Entities.Follow(this->Entities.Get(item, MappingSource));

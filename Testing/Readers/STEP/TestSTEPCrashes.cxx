@@ -86,6 +86,20 @@ void CheckEmptyLists()
     "the ball's direction", Replace(ball, "DIRECTION('',(0.,0.,1.))", "DIRECTION('',())"), "first #23");
 }
 
+void CheckNestedLists()
+{
+  constexpr std::size_t deep = 300000;
+  const std::string lists = std::string(deep, '(') + std::string(deep, ')');
+  CheckUnused("#90=X(" + lists + ");");
+  CheckUnused("#90=DIRECTION(''," + lists + ");");
+  CheckUnused("#90=DIRECTION('" + lists + "',(1.,0.,0.));");
+  const std::string ball = GetBallText() + GetAssemblyText();
+  const Reading named =
+    ReadText(Replace(ball, "DIRECTION('',(0.", "DIRECTION('" + lists.substr(0, deep) + "',(0."));
+  CheckEqual("brackets in a string are no lists", "ok", named.Status);
+  CheckEqual("  said", "", named.Said);
+}
+
 void CheckLongNumbers()
 {
   const std::string ball = GetBallText() + GetAssemblyText();
@@ -142,6 +156,7 @@ int TestSTEPCrashes(int argc, char* argv[])
   }
   Folder = argv[1];
   CheckEmptyLists();
+  CheckNestedLists();
   CheckLongNumbers();
   CheckCycles();
   CheckOthers();
