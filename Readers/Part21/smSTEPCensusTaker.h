@@ -72,6 +72,7 @@ private:
   void AddItems(Index representation);
   void AddPlacedShapes();
   void MarkStructure();
+  void CheckFrame(Index user, Index placement);
   void ReportDamagedStructure();
 
   // smSTEPInstances.cxx: numbers of instances of products and shapes
