@@ -9,10 +9,10 @@ namespace sm
 {
 namespace
 {
-bool IsBroken(const Part21File& file)
+bool IsBroken(const Part21File& file, bool isUnparsable)
 {
   const auto has = [&file](Part21Defect defect) { return file.GetNumberOfProblems(defect) > 0; };
-  return (has(Part21Defect::Syntax) || has(Part21Defect::NotAnInstance) ||
+  return (isUnparsable || has(Part21Defect::Syntax) || has(Part21Defect::NotAnInstance) ||
            has(Part21Defect::UnterminatedText) || has(Part21Defect::NumberTooLarge) ||
            has(Part21Defect::ControlCharacters)) &&
     !has(Part21Defect::Truncated) && !has(Part21Defect::NoData) && !has(Part21Defect::BehindEnd) &&
@@ -39,9 +39,9 @@ std::string ListSchemas(const Part21File& file)
 }
 }
 
-std::string GetRemains(const Part21File& file)
+std::string GetRemains(const Part21File& file, const std::vector<bool>& unparsable)
 {
-  if (!IsBroken(file))
+  if (!IsBroken(file, !unparsable.empty()))
   {
     return {};
   }
@@ -51,7 +51,7 @@ std::string GetRemains(const Part21File& file)
   text.reserve(text.size() + file.GetText().size());
   for (Part21File::Index i = 0; i < file.GetNumberOfInstances(); ++i)
   {
-    if (!file.IsMalformed(i))
+    if (!file.IsMalformed(i) && (unparsable.empty() || !unparsable[i]))
     {
       const std::size_t start = text.size();
       text += file.GetText(i);

@@ -8,6 +8,7 @@
 #include "smPart21File.h"
 
 #include <string>
+#include <vector>
 
 namespace sm
 {
@@ -16,10 +17,13 @@ namespace sm
  * that loses more than the damaged instance, or reads something else out of the damage, sees with it what Part21File sees. Numbers of lost
  * instances that others refer to are undefined references in it.
  *
- * Empty when nothing breaks the syntax, and when a part of the text may be missing (truncated, without data, beyond the end): what is lost
+ * Instances that are marked in `unparsable` (smPart21Unparsable.h) are left out, too.
+ *
+ * Empty when there is nothing to leave out, and when a part of the text may be missing (truncated, without data, beyond the end): what is lost
  * then is not known.
  */
-SMREADERSPART21_EXPORT std::string GetRemains(const Part21File& file);
+SMREADERSPART21_EXPORT std::string GetRemains(
+  const Part21File& file, const std::vector<bool>& unparsable = {});
 }
 
 #endif

@@ -60,6 +60,8 @@ void STEPCensusTaker::AddBodies()
     }
     std::sort(items.begin(), items.end());
     const int context = items.empty() ? -1 : this->AddContext(i);
+    bool isExact = false;
+    bool isFaceted = false;
     for (std::size_t k = 0; k < items.size(); ++k)
     {
       if (k > 0 && items[k] == items[k - 1])
@@ -71,7 +73,14 @@ void STEPCensusTaker::AddBodies()
       CensusBody& body = this->Census.Bodies[index];
       ++body.Representations;
       body.Context = body.Context < 0 ? context : body.Context;
+      const bool hasFacets = body.Type.find("FACETED_BREP") != std::string::npos;
+      isFaceted = isFaceted || (body.Kind == CensusBodyKind::Solid && hasFacets);
+      isExact = isExact || (body.Kind == CensusBodyKind::Solid && !hasFacets);
       this->BodiesOfGroups.emplace_back(this->FindGroup(i), index);
+    }
+    if (isExact || isFaceted)
+    {
+      (isExact ? this->ExactGroups : this->FacetedGroups).insert(this->FindGroup(i));
     }
   }
   // Two representations of one shape may both list a body.

@@ -17,6 +17,7 @@ STEPCensus STEPCensusTaker::Take()
   this->CountAll();
   this->SolidsBelow = this->FindAbove({ CensusBodyKind::Solid }, true);
   this->SetInstances();
+  this->CheckAlternatives();
   this->FindAlternatives();
   this->FindShapelessProducts();
   this->ReadQuantities();
@@ -116,11 +117,12 @@ const char* GetName(CensusDefect defect)
 {
   static const char* const names[] = { "damaged entity", "undefined reference", "wrong type",
     "wrong parameter", "value out of range", "inconsistent spline", "cyclic reference", "bound of two faces",
-    "a curved edge runs against its neighbours", "a curve does not pass through the vertices of its edge",
+    "a curved edge runs against its neighbours", "a vertex is off the surface of its face",
+    "a curve does not pass through the vertices of its edge",
     "an edge runs against its loop or its curve, with the same points", "face twice in a shell",
-    "item twice in a representation", "used by nothing", "shell without faces", "assembly contains itself",
-    "missing placement", "placement of other products", "in no product", "missing unit", "wrong unit",
-    "absurd unit" };
+    "item twice in a representation", "exact and faceted shapes of one product, which are both counted",
+    "used by nothing", "shell without faces", "assembly contains itself", "missing placement",
+    "placement of other products", "in no product", "missing unit", "wrong unit", "absurd unit" };
   static_assert(
     sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(CensusDefect::Count), "a name each");
   return names[static_cast<std::size_t>(defect)];

@@ -25,14 +25,16 @@ enum class CensusDefect : unsigned char
   InconsistentSpline, ///< multiplicities, knots, poles and degree do not fit together
   CyclicReference,    ///< an oriented shell, face or edge, a boundary or a curve that is part of itself
   SharedBound,        ///< a bound of two faces, or twice of one
-  ReversedEdge,   ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
-  CurveOffVertex, ///< a line, circle or ellipse that does not pass through the vertices of its edge
+  ReversedEdge,     ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
+  VertexOffSurface, ///< the vertex of a loop without edges is not on the sphere or torus
+  CurveOffVertex,   ///< a line, circle or ellipse that does not pass through the vertices of its edge
   ReversedLine, ///< a straight edge against its loop, or a line or an open spline against its edge: the points are the same
-  RepeatedFace,      ///< a face twice in one shell
-  RepeatedItem,      ///< a solid twice in one representation; it is counted once
-  UnusedEntity,      ///< a face, bound, loop, shell or solid that nothing uses
-  EmptyShell,        ///< a shell without a face
-  AssemblyCycle,     ///< a product, or a representation, that contains itself
+  RepeatedFace,     ///< a face twice in one shell
+  RepeatedItem,     ///< a solid twice in one representation; it is counted once
+  AlternativeShape, ///< one product has exact and faceted solids in different representations: both are counted
+  UnusedEntity,     ///< a face, bound, loop, shell or solid that nothing uses
+  EmptyShell,       ///< a shell without a face
+  AssemblyCycle,    ///< a product, or a representation, that contains itself
   MissingPlacement,  ///< an occurrence in an assembly without a transformation
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses

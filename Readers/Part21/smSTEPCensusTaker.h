@@ -9,6 +9,7 @@
 #include "smSTEPCensus.h"
 
 #include <array>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -38,6 +39,8 @@ private:
     Index To;
     /// The occurrence, mapped item or relationship that states it.
     Index By;
+    /// True for an arc to a product that `By` does not name.
+    bool OfKernel = false;
     bool operator<(const Arc& other) const
     {
       return this->From != other.From ? this->From < other.From : this->To < other.To;
@@ -69,6 +72,7 @@ private:
   void AddItems(Index representation);
   void AddPlacedShapes();
   void MarkStructure();
+  void CheckFrame(Index user, Index placement);
   void ReportDamagedStructure();
 
   // smSTEPInstances.cxx: numbers of instances of products and shapes
@@ -76,12 +80,13 @@ private:
   void PassDensity(Index from, Index to);
   /// Marks groups with a body of one of these kinds, and what they are part of; `intoAssemblies`: assemblies, too.
   std::vector<bool> FindAbove(const std::vector<CensusBodyKind>& kinds, bool intoAssemblies) const;
-  void ReportCycles(const std::vector<std::uint32_t>& open);
+  void ReportCycles();
   void SetInstances();
 
   // smSTEPComponents.cxx: what products declare besides their bodies
   bool IsOfAssembly(const Arc& arc) const;
   void FindAlternatives();
+  void CheckAlternatives();
   void FindShapelessProducts();
   std::unordered_map<Index, std::string> FindFilesOfProducts() const;
   std::string GetProductName(Index product) const;
@@ -114,6 +119,7 @@ private:
   /// Reads the coordinates of a vertex; returns false if that fails.
   bool ReadVertex(Index vertex, Point3& point);
   Index FindSpatialCurve(Index edge) const;
+  void CheckVertexLoop(Index face, Index loop);
   void CheckBounds();
 
   // smSTEPEdges.cxx: curves and vertices of edges
@@ -136,6 +142,7 @@ private:
   const char* CheckList(Index i, std::string_view text, const char* signature, bool flat);
   bool CheckValue(Index i, const Part21Value& value, char kind);
   void CheckCoordinates(Index i, const Part21Value& value, bool flat);
+  void CheckLocation(Index placement);
   void CheckSplineCurve(Index i);
   void CheckSplineSurface(Index i);
   void SpreadDamage();
@@ -162,6 +169,10 @@ private:
   std::vector<Index> Groups;
   /// Arcs from products and shapes, sorted.
   std::vector<Arc> Arcs;
+  /// Arcs to products that occurrences do not name, but that own the representations which they place: OpenCASCADE follows these.
+  std::vector<Arc> KernelArcs;
+  /// The product of each representation, of several the first one that the file names.
+  std::unordered_map<Index, Index> Owners;
   /// (product, shape) pairs, sorted.
   std::vector<std::pair<Index, Index>> ShapesOfProducts;
   /// Number of instances of each product and, at its group's entity, of each shape.
@@ -175,6 +186,9 @@ private:
   /// Bodies by shape: (group, body index), and occurrences' and mapped items' entities.
   std::vector<std::pair<Index, std::uint32_t>> BodiesOfGroups;
   std::vector<Index> BodyEntities;
+  /// Shapes of which a representation has faceted solids only, and shapes with others.
+  std::set<Index> FacetedGroups;
+  std::set<Index> ExactGroups;
   std::vector<std::pair<Index, std::uint32_t>> MappedFrom;
   std::vector<bool> SolidsBelow;
 

@@ -80,6 +80,46 @@ void STEPCensusTaker::FindAlternatives()
   }
 }
 
+/// Several representations of one product are its shape in other words, or its parts: the same solid in two of them is the former, as are
+/// exact and faceted solids.
+void STEPCensusTaker::CheckAlternatives()
+{
+  const std::vector<std::pair<Index, Index>>& shapes = this->ShapesOfProducts;
+  for (std::size_t first = 0, last = 0; first < shapes.size(); first = last)
+  {
+    const Index product = shapes[first].first;
+    bool isExact = false;
+    bool isFaceted = false;
+    std::vector<std::uint32_t> bodies;
+    for (last = first; last < shapes.size() && shapes[last].first == product; ++last)
+    {
+      const Index group = shapes[last].second;
+      isExact = isExact || this->ExactGroups.count(group) > 0;
+      isFaceted = isFaceted || this->FacetedGroups.count(group) > 0;
+      const auto start = std::lower_bound(
+        this->BodiesOfGroups.begin(), this->BodiesOfGroups.end(), std::make_pair(group, std::uint32_t{ 0 }));
+      for (auto body = start; body != this->BodiesOfGroups.end() && body->first == group; ++body)
+      {
+        bodies.push_back(body->second);
+      }
+    }
+    if (isExact && isFaceted && this->Counts[product] > 0)
+    {
+      this->Add(CensusDefect::AlternativeShape, product);
+    }
+    std::sort(bodies.begin(), bodies.end());
+    for (std::size_t k = 1; k < bodies.size(); ++k)
+    {
+      CensusBody& body = this->Census.Bodies[bodies[k]];
+      if (bodies[k] == bodies[k - 1] && body.Kind == CensusBodyKind::Solid && body.Instances != CensusMaximum)
+      {
+        body.Instances -= this->Counts[product];
+        this->Add(CensusDefect::RepeatedItem, product, body.Id, "two shapes of one product");
+      }
+    }
+  }
+}
+
 std::string STEPCensusTaker::GetProductName(Index product) const
 {
   const Index formation = this->Entities.Follow(this->Entities.Get(product, FormationOfPart));

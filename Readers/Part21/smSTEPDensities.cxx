@@ -16,6 +16,10 @@ namespace
 {
 using Index = Part21File::Index;
 
+/// Densities are the same within this, in other units, of which the factors are rounded.
+constexpr double Rounding = 1e-9;
+constexpr STEPAttribute PlacedProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 4, 4, "related product" };
+
 bool SaysDensity(std::string_view text)
 {
   constexpr std::string_view word = "density";
@@ -53,6 +57,10 @@ public:
         this->ReadProperty(i);
       }
     }
+    for (const auto& [occurrence, stated] : this->OfOccurrences)
+    {
+      this->JoinOccurrence(occurrence, stated);
+    }
     std::vector<STEPDensity> result;
     for (const auto& [product, found] : this->Found)
     {
@@ -77,8 +85,11 @@ private:
     {
       return;
     }
-    const Index product = this->FindProduct(property);
-    if (product == STEPAttributes::None)
+    const Index described = this->FindDescribed(property);
+    const bool isOccurrence = this->Entities.Has(described, STEPRole::Occurrence);
+    const Index product =
+      isOccurrence ? this->Entities.Follow(this->Entities.Get(described, PlacedProduct)) : described;
+    if (!this->Entities.Has(product, STEPRole::ProductDefinition))
     {
       return;
     }
@@ -93,24 +104,23 @@ private:
       const Index item = this->Entities.Follow(value);
       if (item != STEPAttributes::None && this->Entities.Get(item, ValueOfItem).Kind == Part21Kind::Typed)
       {
-        this->ReadItem(
-          item, product, recommended, named || SaysDensity(this->Entities.Get(item, NameOfItem).Text));
+        this->ReadItem(item, product, isOccurrence ? this->File.GetId(described) : 0, recommended,
+          named || SaysDensity(this->Entities.Get(item, NameOfItem).Text));
       }
     }
   }
 
-  /// Returns the product that the property describes, directly or through its shape.
-  Index FindProduct(Index property) const
+  /// Returns the product or the occurrence that the property describes, directly or through its shape.
+  Index FindDescribed(Index property) const
   {
-    Index product = this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty));
-    if (this->Entities.Has(product, STEPRole::ProductShape))
-    {
-      product = this->Entities.Follow(this->Entities.Get(product, DefinitionOfProperty));
-    }
-    return this->Entities.Has(product, STEPRole::ProductDefinition) ? product : STEPAttributes::None;
+    const Index described = this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty));
+    return this->Entities.Has(described, STEPRole::ProductShape)
+      ? this->Entities.Follow(this->Entities.Get(described, DefinitionOfProperty))
+      : described;
   }
 
-  void ReadItem(Index item, Index product, bool recommended, bool named)
+  /// Reads a density of a product, or of one `occurrence` of it.
+  void ReadItem(Index item, Index product, std::uint64_t occurrence, bool recommended, bool named)
   {
     const double unit = this->ReadUnit(this->Entities.Follow(this->Entities.Get(item, UnitOfItem)));
     if (!named && !(recommended && unit > 0.0))
@@ -143,6 +153,11 @@ private:
     {
       density.Density = number * unit;
     }
+    if (occurrence != 0)
+    {
+      this->OfOccurrences.emplace_back(occurrence, density);
+      return;
+    }
     const int rank = 2 * (density.Problem.empty() ? 1 : 0) + (recommended ? 1 : 0);
     const auto [found, isFirst] = this->Found.try_emplace(density.Product, Candidate{ density, rank });
     if (!isFirst)
@@ -154,8 +169,6 @@ private:
   /// Takes the better of two statements of one product. Where they differ, the other one is named; of equal rank, none counts.
   static void Join(Candidate other, Candidate& found)
   {
-    // The same density in other units, of which the factors are rounded.
-    constexpr double rounding = 1e-9;
     if (other.Rank > found.Rank)
     {
       std::swap(other, found);
@@ -168,7 +181,7 @@ private:
       kept.Others += " #" + std::to_string(other.Density.Id) + " is not used: " + other.Density.Problem + ".";
     }
     else if (areUsable &&
-      std::fabs(kept.Density - other.Density.Density) > rounding * std::fabs(kept.Density))
+      std::fabs(kept.Density - other.Density.Density) > Rounding * std::fabs(kept.Density))
     {
       if (other.Rank < found.Rank)
       {
@@ -180,6 +193,28 @@ private:
         kept.Density = 0.0;
         kept.Contradicted = true;
       }
+    }
+  }
+
+  /// An instance has the density of its product. If the file states another one for it, the product has none.
+  void JoinOccurrence(std::uint64_t occurrence, const STEPDensity& stated)
+  {
+    const std::string place = " for the occurrence #" + std::to_string(occurrence) + " alone";
+    Candidate& found = this->Found.try_emplace(stated.Product, Candidate{ stated, 0 }).first->second;
+    STEPDensity& kept = found.Density;
+    if (!stated.Problem.empty())
+    {
+      kept.Others += kept.Id == stated.Id
+        ? ""
+        : " #" + std::to_string(stated.Id) + place + " is not used: " + stated.Problem + ".";
+    }
+    else if (kept.Id == stated.Id ||
+      (kept.Problem.empty() && std::fabs(kept.Density - stated.Density) > Rounding * std::fabs(kept.Density)))
+    {
+      kept.Problem = (kept.Id == stated.Id ? std::string() : DescribeStatement(kept) + ", and ") +
+        DescribeStatement(stated) + place + "; densities of single occurrences are not read";
+      kept.Density = 0.0;
+      kept.Contradicted = true;
     }
   }
 
@@ -230,6 +265,8 @@ private:
   const Part21File& File;
   const STEPAttributes& Entities;
   std::map<std::uint64_t, Candidate> Found;
+  /// Densities of single occurrences, with the number of each.
+  std::vector<std::pair<std::uint64_t, STEPDensity>> OfOccurrences;
 };
 }
 

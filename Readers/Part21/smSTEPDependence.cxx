@@ -152,6 +152,10 @@ void STEPCensusTaker::Visit(Index i, bool flat)
       this->CheckRecord(i, this->File.GetParameters(i, k), signature, flat);
     }
   }
+  if (!flat && this->Entities.Has(i, STEPRole::Placement))
+  {
+    this->CheckLocation(i);
+  }
   if (this->Entities.Has(i, STEPRole::SplineCurve))
   {
     this->CheckSplineCurve(i);

@@ -18,6 +18,9 @@ namespace sm
 namespace
 {
 constexpr STEPAttribute FirstItem = { "ITEM_DEFINED_TRANSFORMATION", 2, 2, "first item" };
+constexpr STEPAttribute PositionOfCone = { "ELEMENTARY_SURFACE", 0, 1, "position" };
+constexpr STEPAttribute RadiusOfCone = { "CONICAL_SURFACE", 0, 2, "radius" };
+constexpr STEPAttribute AngleOfCone = { "CONICAL_SURFACE", 1, 3, "angle" };
 constexpr STEPAttribute SecondItem = { "ITEM_DEFINED_TRANSFORMATION", 3, 3, "second item" };
 
 /// The parameters of a simple CARTESIAN_TRANSFORMATION_OPERATOR_3D behind its names: two axes, origin, scale, third axis.
@@ -59,6 +62,10 @@ public:
       else if (roles & STEPRole::Transformation)
       {
         this->CompleteOperator(i);
+      }
+      else if (roles & STEPRole::Surface)
+      {
+        this->CompleteCone(i);
       }
       else if (roles & STEPRole::Relationship)
       {
@@ -214,6 +221,21 @@ private:
              !ProjectFirstAxis(z, &near, x))
     {
       this->Parallel.insert(i);
+    }
+  }
+
+  /// A cone without an angle is a cylinder; OpenCASCADE makes it a cone of 1e-12.
+  void CompleteCone(Index i)
+  {
+    double angle = 1.0;
+    double radius = 0.0;
+    const Part21Value stated = this->Entities.Get(i, RadiusOfCone);
+    if (this->IsType(i, AngleOfCone.Record) && this->Entities.Get(i, AngleOfCone).GetNumber(angle) &&
+      angle == 0.0 && stated.GetNumber(radius) && radius > 0.0)
+    {
+      this->Changes.Replace(this->File.GetText(i),
+        "#" + std::to_string(this->File.GetId(i)) + "=CYLINDRICAL_SURFACE('',#" +
+          std::to_string(this->Entities.Get(i, PositionOfCone).Id) + "," + FormatPart21Real(radius) + ");");
     }
   }
 

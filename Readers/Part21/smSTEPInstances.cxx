@@ -82,50 +82,65 @@ void STEPCensusTaker::CountAll()
       }
     }
   }
-  this->ReportCycles(incoming);
+  this->ReportCycles();
 }
 
-/// Reports the cycles of the product structure. `open`: for each entity, the number of arcs to it from entities whose count is not known.
-void STEPCensusTaker::ReportCycles(const std::vector<std::uint32_t>& open)
+/// Reports the cycles of the product structure. A cycle through a product that an occurrence does not name is one of OpenCASCADE's, which
+/// would follow it for ever.
+void STEPCensusTaker::ReportCycles()
 {
-  // Entities below a cycle are open, too. Removing entities without outgoing arcs, one after another, leaves the cycles.
-  std::vector<Arc> back;
-  std::vector<std::uint32_t> outgoing(open.size(), 0);
-  for (const Arc& arc : this->Arcs)
+  std::vector<Arc> arcs = this->Arcs;
+  arcs.insert(arcs.end(), this->KernelArcs.begin(), this->KernelArcs.end());
+  // What is left without the entities that lead to no cycle, and of the reverse without those that no cycle leads to.
+  for (int turn = 0; turn < 2; ++turn)
   {
-    if (open[arc.From] > 0 && open[arc.To] > 0)
+    for (Arc& arc : arcs)
     {
-      back.push_back({ arc.To, arc.From, arc.By });
-      ++outgoing[arc.From];
+      std::swap(arc.From, arc.To);
     }
-  }
-  std::sort(back.begin(), back.end());
-  std::vector<Index> ends;
-  for (std::size_t k = 0; k < back.size(); ++k)
-  {
-    if (outgoing[back[k].From] == 0 && (k == 0 || back[k - 1].From != back[k].From))
+    std::sort(arcs.begin(), arcs.end());
+    std::vector<std::uint32_t> incoming(this->File.GetNumberOfInstances(), 0);
+    for (const Arc& arc : arcs)
     {
-      ends.push_back(back[k].From);
+      ++incoming[arc.To];
     }
-  }
-  while (!ends.empty())
-  {
-    const Index end = ends.back();
-    ends.pop_back();
-    for (auto arc = std::lower_bound(back.begin(), back.end(), Arc{ end, 0, 0 });
-         arc != back.end() && arc->From == end; ++arc)
+    std::vector<Index> ends;
+    for (std::size_t k = 0; k < arcs.size(); ++k)
     {
-      if (--outgoing[arc->To] == 0)
+      if (incoming[arcs[k].From] == 0 && (k == 0 || arcs[k - 1].From != arcs[k].From))
       {
-        ends.push_back(arc->To);
+        ends.push_back(arcs[k].From);
       }
     }
-  }
-  for (const Arc& arc : back)
-  {
-    if (outgoing[arc.From] > 0 && outgoing[arc.To] > 0 && arc.By != None)
+    while (!ends.empty())
     {
-      this->Add(CensusDefect::AssemblyCycle, arc.By, this->File.GetId(arc.From), "contains itself");
+      const Index end = ends.back();
+      ends.pop_back();
+      for (auto arc = std::lower_bound(arcs.begin(), arcs.end(), Arc{ end, 0, 0 });
+           arc != arcs.end() && arc->From == end; ++arc)
+      {
+        if (--incoming[arc->To] == 0)
+        {
+          ends.push_back(arc->To);
+        }
+      }
+    }
+    arcs.erase(std::remove_if(
+                 arcs.begin(), arcs.end(), [&incoming](const Arc& arc) { return incoming[arc.From] == 0; }),
+      arcs.end());
+  }
+  std::sort(arcs.begin(), arcs.end(),
+    [](const Arc& a, const Arc& b) { return a.To != b.To ? a.To < b.To : a.From < b.From; });
+  for (const Arc& arc : arcs)
+  {
+    if (arc.OfKernel)
+    {
+      this->AddPeril(CensusDefect::AssemblyCycle, this->Placements.at(arc.By), this->File.GetId(arc.To),
+        "the placed product contains this one");
+    }
+    else if (arc.By != None)
+    {
+      this->Add(CensusDefect::AssemblyCycle, arc.By, this->File.GetId(arc.To), "contains itself");
     }
   }
 }

@@ -1,5 +1,6 @@
 // Finds loops whose edges run against one another.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPFrames.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
 
@@ -14,6 +15,17 @@ namespace
 {
 constexpr STEPAttribute Orientation = { "ORIENTED_EDGE", 1, 4, "orientation" };
 constexpr STEPAttribute PointOfVertex = { "VERTEX_POINT", 0, 1, "point" };
+
+constexpr STEPAttribute VertexOfLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
+constexpr STEPAttribute SurfaceOfFace = { "FACE_SURFACE", 0, 2, "surface" };
+constexpr STEPAttribute PositionOfSurface = { "ELEMENTARY_SURFACE", 0, 1, "position" };
+constexpr STEPAttribute RadiusOfSphere = { "SPHERICAL_SURFACE", 0, 2, "radius" };
+constexpr STEPAttribute MajorRadiusOfTorus = { "TOROIDAL_SURFACE", 0, 2, "major radius" };
+constexpr STEPAttribute MinorRadiusOfTorus = { "TOROIDAL_SURFACE", 1, 3, "minor radius" };
+
+/// Distance of a vertex from the sphere or torus that has no edges, relative to its radius, above which they contradict each other: that of
+/// vertices from curves, by the extent.
+constexpr double SurfaceLimit = 4e-3;
 
 /// Ends of edges that are closer than this, relative to the extent of the loop's vertices, are connected. A wider gap is detected by the
 /// integrals, too.
@@ -187,6 +199,46 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
   }
 }
 
+/// The vertex of a sphere or a torus without edges is the only other statement of its place and size.
+void STEPCensusTaker::CheckVertexLoop(Index face, Index loop)
+{
+  const Index surface = this->Entities.Follow(this->Entities.Get(face, SurfaceOfFace));
+  const Index vertex = this->Entities.Follow(this->Entities.Get(loop, VertexOfLoop));
+  const Index place = this->Entities.Follow(this->Entities.Get(vertex, PointOfVertex));
+  std::string_view record;
+  const bool isSphere = this->Entities.FindRecord(surface, RadiusOfSphere.Record, record);
+  const bool isTorus = this->Entities.FindRecord(surface, "TOROIDAL_SURFACE", record);
+  double major = 0.0;
+  double minor = 0.0;
+  STEPFrame frame;
+  Point point;
+  if ((!isSphere && !isTorus) || this->GeometricDamage[surface] || place == None ||
+    this->GeometricDamage[place] || !this->ReadNumbers(place, CoordinatesOfPoint, point) ||
+    !this->Entities.Get(surface, isSphere ? RadiusOfSphere : MinorRadiusOfTorus).GetNumber(minor) ||
+    (isTorus && !this->Entities.Get(surface, MajorRadiusOfTorus).GetNumber(major)) ||
+    !ReadSTEPFrame(
+      this->Entities, this->Entities.Follow(this->Entities.Get(surface, PositionOfSurface)), frame))
+  {
+    return;
+  }
+  double height = 0.0;
+  double square = 0.0;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const double away = point[c] - frame.Origin[c];
+    height += away * frame.Axes[2][c];
+    square += away * away;
+  }
+  const double radial = std::sqrt(std::max(0.0, square - height * height));
+  // A negative major radius stands for the inner part of a torus that crosses itself.
+  const double distance = std::abs(std::hypot(radial - major, height) - minor);
+  if (distance > SurfaceLimit * (std::abs(major) + minor))
+  {
+    this->GeometricDamage[face] = true;
+    this->Add(CensusDefect::VertexOffSurface, loop, this->File.GetId(surface), "vertex");
+  }
+}
+
 void STEPCensusTaker::CheckLoops()
 {
   this->EdgePlaces.assign(this->File.GetNumberOfInstances(), None);
@@ -199,7 +251,12 @@ void STEPCensusTaker::CheckLoops()
       const Index bound = this->File.Find(this->Census.Bounds[face.FirstBound + b]);
       const Index loop =
         bound != None ? this->Entities.Follow(this->Entities.Get(bound, LoopOfBound)) : Part21File::None;
-      if (this->Entities.Has(loop, STEPRole::Loop))
+      std::string_view record;
+      if (this->Entities.FindRecord(loop, VertexOfLoop.Record, record))
+      {
+        this->CheckVertexLoop(this->FaceEntities[k], loop);
+      }
+      else if (this->Entities.Has(loop, STEPRole::Loop))
       {
         this->CheckLoop(this->FaceEntities[k], loop);
       }

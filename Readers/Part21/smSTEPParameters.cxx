@@ -1,5 +1,7 @@
 // Checks the parameters of the entities that bodies depend on: their number, types and values, and the consistency of splines.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPFrames.h"
+#include "smSTEPPropertyAttributes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +25,7 @@ constexpr STEPAttribute SurfaceKnots[] = { { "B_SPLINE_SURFACE_WITH_KNOTS", 2, 1
   { "B_SPLINE_SURFACE_WITH_KNOTS", 3, 11, "knots in v" } };
 
 constexpr const char* TooFew = "too few parameters";
+constexpr const char* TooClose = "knots too close to each other";
 
 /// Numbers above this are refused, because algorithms of OpenCASCADE that step along a curve do not terminate for curves of this size.
 constexpr double LargestNumber = 1e100;
@@ -56,6 +59,9 @@ bool IsZero(std::string_view number)
   return number.substr(0, number.find_first_of("Ee")).find_first_of("123456789") == std::string_view::npos;
 }
 
+/// Spans between knots below this part of the whole are refused: OpenCASCADE divides by powers of them.
+constexpr double LeastSpan = 1e-30;
+
 /// Returns the reason why knots, multiplicities, degree and number of poles of one direction are inconsistent; null if they are consistent.
 const char* FindMismatch(
   std::int64_t degree, std::int64_t poles, std::string_view multiplicities, std::string_view knots)
@@ -69,7 +75,9 @@ const char* FindMismatch(
   Part21Value count;
   Part21Value position;
   std::int64_t sum = 0;
+  double first = 0.0;
   double last = -std::numeric_limits<double>::infinity();
+  double leastSpan = std::numeric_limits<double>::infinity();
   while (counts.Next(count))
   {
     std::int64_t multiplicity = 0;
@@ -83,12 +91,18 @@ const char* FindMismatch(
     {
       return "multiplicities";
     }
+    first = sum == 0 ? knot : first;
     sum += multiplicity;
+    leastSpan = std::min(leastSpan, knot - last);
     last = knot;
   }
   if (positions.Next(position))
   {
     return "knots";
+  }
+  if (leastSpan < LeastSpan * (last - first))
+  {
+    return TooClose;
   }
   return sum == poles + degree + 1 ? nullptr : "multiplicities";
 }
@@ -97,7 +111,10 @@ const char* FindMismatch(
 void STEPCensusTaker::CheckRecord(Index i, std::string_view parameters, const char* signature, bool flat)
 {
   const char* rest = this->CheckList(i, parameters, signature, flat);
-  if (rest && rest == TooFew && this->Entities.Has(i, STEPRole::Placement))
+  // OpenCASCADE follows the null pointers of axes that are missing, and of a trim curve.
+  if (rest &&
+    ((rest == TooFew && this->Entities.Has(i, STEPRole::Placement)) ||
+      this->Entities.Has(i, STEPRole::DefinitionalRepresentation)))
   {
     this->AddPeril(CensusDefect::WrongParameter, i, 0, rest);
   }
@@ -252,6 +269,20 @@ void STEPCensusTaker::CheckCoordinates(Index i, const Part21Value& value, bool f
   }
 }
 
+/// OpenCASCADE would dereference the null pointer of a location that it cannot make.
+void STEPCensusTaker::CheckLocation(Index placement)
+{
+  const Part21Value reference = this->Entities.Get(placement, LocationOfPlacement);
+  const Index location = this->Entities.Follow(reference);
+  Point3 point;
+  if (this->Entities.Has(location, STEPRole::Point) && !this->File.IsDamaged(location) &&
+    !this->ReadNumbers(location, CoordinatesOfPoint, point))
+  {
+    this->AddPeril(
+      CensusDefect::ValueOutOfRange, placement, reference.Id, "location without three coordinates");
+  }
+}
+
 void STEPCensusTaker::CheckSplineCurve(Index i)
 {
   std::string_view record;
@@ -269,7 +300,11 @@ void STEPCensusTaker::CheckSplineCurve(Index i)
   {
     place = "weights";
   }
-  if (place)
+  if (place == TooClose)
+  {
+    this->AddPeril(CensusDefect::InconsistentSpline, i, 0, place);
+  }
+  else if (place)
   {
     this->GeometricDamage[i] = true;
     this->Add(CensusDefect::InconsistentSpline, i, 0, place);
@@ -310,7 +345,11 @@ void STEPCensusTaker::CheckSplineSurface(Index i)
     countRows(GetPart21Value(record, 0).Text, weights, "weights");
     place = weights[0] != counts[0] || weights[1] != counts[1] ? "weights" : place;
   }
-  if (place)
+  if (place == TooClose)
+  {
+    this->AddPeril(CensusDefect::InconsistentSpline, i, 0, place);
+  }
+  else if (place)
   {
     this->GeometricDamage[i] = true;
     this->Add(CensusDefect::InconsistentSpline, i, 0, place);

@@ -4,6 +4,7 @@
 #include "smSTEPStructureAttributes.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace sm
 {
@@ -11,6 +12,8 @@ namespace
 {
 constexpr STEPAttribute RelatingProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 3, 3, "relating product" };
 constexpr STEPAttribute RelatedProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 4, 4, "related product" };
+constexpr STEPAttribute ItemsOfTransformation[] = { { "ITEM_DEFINED_TRANSFORMATION", 2, 2, "first item" },
+  { "ITEM_DEFINED_TRANSFORMATION", 3, 3, "second item" } };
 constexpr STEPAttribute OccurrenceId = { "PRODUCT_DEFINITION_RELATIONSHIP", 0, 0, "id" };
 constexpr STEPAttribute OccurrenceName = { "PRODUCT_DEFINITION_RELATIONSHIP", 1, 1, "name" };
 constexpr STEPAttribute RepresentationOfShape = { "PROPERTY_DEFINITION_REPRESENTATION", 1, 1,
@@ -66,6 +69,12 @@ void STEPCensusTaker::FindPlacements()
     if (relation != None)
     {
       this->Placing[relation] = true;
+    }
+    if (isOther && relation != None && HasTransformation(this->Entities, relation))
+    {
+      // A usage that is no occurrence, or another place for one instance in a part of the assembly.
+      this->Add(
+        CensusDefect::PlacementMismatch, used, this->File.GetId(i), "a usage of a type that is not read");
     }
     if (occurrence != None && !this->Placements.emplace(occurrence, i).second)
     {
@@ -128,6 +137,7 @@ void STEPCensusTaker::AddShapes(Index i)
   if (representation != None)
   {
     this->ShapesOfProducts.emplace_back(product, this->FindGroup(representation));
+    this->Owners.emplace(representation, product);
   }
 }
 
@@ -196,6 +206,13 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
   }
   const bool forward = this->IsShapeOf(first, child) && this->IsShapeOf(second, parent);
   const bool backward = this->IsShapeOf(first, parent) && this->IsShapeOf(second, child);
+  const auto owner = this->Owners.find(first);
+  const auto other = this->Owners.find(second);
+  const bool isReversed = other != this->Owners.end() && other->second == child;
+  if (!isReversed && owner != this->Owners.end() && owner->second != child)
+  {
+    this->KernelArcs.push_back({ parent, owner->second, i, true });
+  }
   if (!forward && !backward)
   {
     this->Add(CensusDefect::PlacementMismatch, i, occurrence.Placement, "representations of other products");
@@ -205,11 +222,18 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
 void STEPCensusTaker::AddItems(Index representation)
 {
   Part21Values items(this->Entities.Get(representation, ItemsOfRepresentation).Text);
+  std::unordered_set<Index> mappedItems;
   for (Part21Value value; items.Next(value);)
   {
     const Index item = this->Entities.Follow(value);
     if (!this->Entities.Has(item, STEPRole::MappedItem))
     {
+      continue;
+    }
+    if (!mappedItems.insert(item).second)
+    {
+      this->Add(
+        CensusDefect::RepeatedItem, representation, this->File.GetId(item), ItemsOfRepresentation.Name);
       continue;
     }
     const Index map = this->Entities.Follow(this->Entities.Get(item, MappingSource));
@@ -294,6 +318,17 @@ void STEPCensusTaker::AddPlacedShapes()
   }
 }
 
+/// A placement that is no frame in space places nothing: OpenCASCADE takes none for it.
+void STEPCensusTaker::CheckFrame(Index user, Index placement)
+{
+  std::string_view record;
+  if (this->Entities.Has(placement, STEPRole::Placement) &&
+    !this->Entities.FindRecord(placement, "AXIS2_PLACEMENT_3D", record))
+  {
+    this->Add(CensusDefect::WrongType, user, this->File.GetId(placement));
+  }
+}
+
 /// Marks the entities of the structure on which products with solids depend, and reports their damage. Placements are added to the stack of
 /// WalkBodies().
 void STEPCensusTaker::MarkStructure()
@@ -326,12 +361,17 @@ void STEPCensusTaker::MarkStructure()
       {
         this->Use(item, CensusUse::Structure);
         const Index map = this->Follow(item, MappingSource, STEPRole::RepresentationMap);
-        addPlacement(this->Follow(item, MappingTarget, STEPRole::Placement | STEPRole::Transformation));
+        const Index target =
+          this->Follow(item, MappingTarget, STEPRole::Placement | STEPRole::Transformation);
+        addPlacement(target);
+        this->CheckFrame(item, target);
         if (map != None)
         {
           this->Use(map, CensusUse::Structure);
           this->Follow(map, MappedRepresentation, STEPRole::Representation);
-          addPlacement(this->Follow(map, MappingOrigin, STEPRole::Placement));
+          const Index origin = this->Follow(map, MappingOrigin, STEPRole::Placement);
+          addPlacement(origin);
+          this->CheckFrame(map, origin);
         }
       }
     }
@@ -340,7 +380,15 @@ void STEPCensusTaker::MarkStructure()
   {
     const CensusOccurrence& occurrence = this->Census.Occurrences[k];
     this->Use(this->OccurrenceEntities[k], CensusUse::Structure);
-    addPlacement(occurrence.Transformation == 0 ? None : this->File.Find(occurrence.Transformation));
+    if (occurrence.Transformation != 0)
+    {
+      const Index transformation = this->File.Find(occurrence.Transformation);
+      addPlacement(transformation);
+      for (const STEPAttribute& item : ItemsOfTransformation)
+      {
+        this->CheckFrame(transformation, this->Entities.Follow(this->Entities.Get(transformation, item)));
+      }
+    }
   }
   for (const Index i : this->Products)
   {

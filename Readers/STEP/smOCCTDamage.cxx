@@ -131,14 +131,27 @@ Damage FollowUsers(const Interface_Graph& graph, std::vector<Handle(Standard_Tra
   return damage;
 }
 
+/// Returns true for the shape of an aspect whose first item is an unresolved reference: the transfer asks for its type.
+bool IsBrokenAspect(const Handle(StepRepr_PropertyDefinitionRepresentation) & shape)
+{
+  const Handle(StepRepr_PropertyDefinition) definition = shape->Definition().PropertyDefinition();
+  const Handle(StepRepr_Representation) items = shape->UsedRepresentation();
+  return !definition.IsNull() && definition->Definition().ProductDefinition().IsNull() && !items.IsNull() &&
+    !items->Items().IsNull() && items->NbItems() > 0 && items->ItemsValue(1).IsNull();
+}
+
 /// Returns true for a validation property with an unresolved reference. Real files have unresolved references in other properties, too,
 /// which the transfer does not examine.
 bool IsBrokenValidation(const Handle(Standard_Transient) & entity)
 {
   const auto property = Handle(StepRepr_PropertyDefinitionRepresentation)::DownCast(entity);
-  if (property.IsNull() || property->IsKind(STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation)))
+  if (property.IsNull())
   {
     return false;
+  }
+  if (property->IsKind(STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation)))
+  {
+    return IsBrokenAspect(property);
   }
   const Handle(StepRepr_PropertyDefinition) definition = property->Definition().PropertyDefinition();
   const Handle(TCollection_HAsciiString) name =

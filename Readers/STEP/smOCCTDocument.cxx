@@ -16,6 +16,7 @@
 #include "smOCCTTurnedShells.h"
 #include "smPart21File.h"
 #include "smPart21Remains.h"
+#include "smPart21Unparsable.h"
 #include "smSTEPExplicit.h"
 #include "smSTEPReconciliation.h"
 #include "smSTEPTessellations.h"
@@ -61,11 +62,11 @@ void Configure(STEPCAFControl_Reader& reader)
 
 /// Reads the entities of the file. `completed` gets what was made explicit for OpenCASCADE. Returns false, with document.Problem, if
 /// OpenCASCADE cannot.
-bool Parse(const FileCheck& check, const Part21File& file, STEPCAFControl_Reader& reader,
-  STEPExplicit& completed, Document& document)
+bool Parse(const FileCheck& check, const Part21File& file, const std::vector<bool>& unparsable,
+  STEPCAFControl_Reader& reader, STEPExplicit& completed, Document& document)
 {
   // Behind damage OpenCASCADE's lexer loses more than the census does, or makes entities of it that crash its translation.
-  std::string remains = GetRemains(file);
+  std::string remains = GetRemains(file, unparsable);
   Part21File sound;
   const bool isBroken = !remains.empty() && sound.Parse(std::move(remains));
   const Part21File& whole = isBroken ? sound : file;
@@ -183,6 +184,7 @@ struct DeclaredContent
   Part21File Text;
   STEPCensus Census;
   std::unordered_map<std::uint64_t, std::string> Perils;
+  std::vector<bool> Unparsable;
 
   DeclaredContent(std::string content, Document& document)
   {
@@ -194,6 +196,7 @@ struct DeclaredContent
     this->ReportUnread(Part21Defect::UnreadInstance,
       "text with numbers of entities is outside of all entities, or in a section that has none", document);
     this->Census = TakeSTEPCensus(this->Text);
+    this->Unparsable = FindUnparsable(this->Text);
     for (const CensusProblem& peril : this->Census.Perils)
     {
       this->Perils.emplace(
@@ -225,6 +228,20 @@ struct DeclaredContent
       {
         return "its entity #" + std::to_string(peril.Id) + " is part of itself (cyclic reference to #" +
           std::to_string(peril.Other) + "); export it again";
+      }
+    }
+    return {};
+  }
+
+  /// Returns a message about an entity that bodies depend on and whose number is too long for OpenCASCADE; empty if there is none.
+  std::string FindLongNumber() const
+  {
+    for (Part21File::Index i = 0; i < this->Text.GetNumberOfInstances(); ++i)
+    {
+      if (this->Text.GetId(i) > LargestParsedNumber && this->Census.Uses[i] != 0)
+      {
+        return "the number of its entity #" + std::to_string(this->Text.GetId(i)) + " exceeds " +
+          std::to_string(LargestParsedNumber) + ", the largest one that is read; number its entities anew";
       }
     }
     return {};
@@ -263,7 +280,8 @@ struct DeclaredContent
     {
       for (const Part21File::Index to : this->Text.GetReferences(index))
       {
-        if (to == Part21File::None || this->Text.IsMalformed(to))
+        if (to == Part21File::None || this->Text.IsMalformed(to) ||
+          (!this->Unparsable.empty() && this->Unparsable[to]))
         {
           return to == Part21File::None ? "undefined reference" : "reference to a damaged entity";
         }
@@ -337,6 +355,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   document.Problem = declared.FindCycle();
   document.Problem = document.Problem.empty() ? declared.FindDeepNesting() : document.Problem;
+  document.Problem = document.Problem.empty() ? declared.FindLongNumber() : document.Problem;
   if (!document.Problem.empty())
   {
     return;
@@ -345,7 +364,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   STEPCAFControl_Reader reader;
   Configure(reader);
   STEPExplicit completed;
-  if (!Parse(check, declared.Text, reader, completed, document))
+  if (!Parse(check, declared.Text, declared.Unparsable, reader, completed, document))
   {
     return;
   }

@@ -130,6 +130,16 @@ void CheckPerils()
     take("(1.,0.,0.)", "(1.,0.,1.E300)").size() == 1 && take("(1.,0.,0.)", "(1.,0.,1.E999)").size() == 1 &&
       take("(1.,0.,0.)", "(1.,0.,1.E80)").empty());
   CheckTrue("perils: a placement", placement.size() == 1 && placement[0].Id == 23);
+  const std::vector<sm::CensusProblem> location = take("('',(0.,0.,0.))", "('',(0.,0.))");
+  CheckTrue("perils: a location in the plane", location.size() == 1 && location[0].Id == 23);
+  const std::string arc = "#70=B_SPLINE_CURVE_WITH_KNOTS('',1,(#20,#26,#20),.UNSPECIFIED.,.F.,.F.,(2,1,2),";
+  const std::string edge =
+    "#71=EDGE_CURVE('',#25,#25,#70,.T.);\n#72=ORIENTED_EDGE('',*,*,#71,.T.);\n#27=EDGE_LOOP('',(#72));\n";
+  CheckEqual("perils: knots too close to each other", 1,
+    static_cast<long long>(
+      take("#27=VERTEX_LOOP('',#25);\n", arc + "(0.,1.E-40,1.),.UNSPECIFIED.);\n" + edge).size()));
+  CheckTrue("perils: close knots",
+    take("#27=VERTEX_LOOP('',#25);\n", arc + "(0.,1.E-20,1.),.UNSPECIFIED.);\n" + edge).empty());
   const std::size_t many = 3 * sm::STEPCensus::ProblemLimit;
   std::string edges;
   std::string loop = "#27=EDGE_LOOP('',(";

@@ -166,6 +166,32 @@ void CheckAssemblies()
     TakeBoxed(whole + second + StateDensity(160, "2700.", "#80,1.", "#82,-3.", "#150"));
   Check("its own contradict each other, so that of the assembly does not count", 0.0,
     TakeBoxed(whole + part + StateDensity(170, "1.", "#81,1.", "#83,-3.", "#44")).Density, 0.0);
+  // The density of one instance.
+  const auto take = [&](const std::string& statements)
+  {
+    const std::string text = smtest::GetAssemblyCases().at(0).Text;
+    return TakeDensities(smtest::Replace(text, "#60=NEXT", DensityUnits + statements + "#60=NEXT"));
+  };
+  for (const char* described : { "#60", "#61" })
+  {
+    const std::string single = StateDensity(170, "5000.", "#80,1.", "#82,-3.", described);
+    for (const bool isOwn : { false, true })
+    {
+      const sm::STEPCensus census = take(isOwn ? single + part : single);
+      CheckEqual("of one occurrence: none", 0.0, census.Bodies.at(0).Density);
+      const std::string& problem = census.Densities.at(0).Problem;
+      CheckTrue("of one occurrence: said",
+        problem.find("#173 states 5000 kg/m^3 for the occurrence #60 alone") != std::string::npos &&
+          (problem.find("#113 states 7850 kg/m^3, and") != std::string::npos) == isOwn,
+        problem);
+    }
+  }
+  CheckEqual("of one occurrence, the same", 7850.0,
+    take(part + StateDensity(170, "7.85", "#81,1.", "#83,-3.", "#60")).Bodies.at(0).Density);
+  const sm::STEPCensus unusable = take(part + StateDensity(170, "-1.", "#80,1.", "#82,-3.", "#60"));
+  CheckEqual("of one occurrence, not usable", 7850.0, unusable.Bodies.at(0).Density);
+  CheckEqual("  and said", " #173 for the occurrence #60 alone is not used: it is not above 0.",
+    unusable.Densities.at(0).Others);
   CheckTrue("in assemblies that agree", ball.Density == 2700.0 && !ball.DensitiesDiffer);
 }
 }

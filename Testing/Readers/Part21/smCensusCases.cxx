@@ -19,16 +19,6 @@ const std::string OneInBox = Count(1, 1, 1, 1);
 const std::string OneSurfaceModel =
   "solids 0, instances 0, faces 0, surface models 1 with faces 1, other solids 0, occurrences 0, mapped 0";
 
-std::string ChangeBall(const std::string& from, const std::string& to)
-{
-  return MakeStepText(Replace(GetBallText(), from, to));
-}
-
-std::string ExtendBall(const std::string& from, const std::string& to, const std::string& more)
-{
-  return MakeStepText(Replace(GetBallText(), from, to) + more);
-}
-
 std::string ChangeBox(const std::string& from, const std::string& to)
 {
   return MakeStepText(GetBallText() + Replace(GetAssemblyText(), from, to));
@@ -65,6 +55,38 @@ std::vector<CensusCase> GetBodyCases()
   const std::string solid = "#31=MANIFOLD_SOLID_BREP('ball',#30);";
   return {
     { "a ball", ChangeBall("ball", "ball"), OneBall, "" },
+    { "the ball in two shapes of its product",
+      ExtendBall("ball", "ball",
+        "#70=SHAPE_REPRESENTATION('',(#31),#6);\n#71=SHAPE_DEFINITION_REPRESENTATION(#45,#70);\n"),
+      OneBall, "item twice in a representation: 1 (#44 PRODUCT_DEFINITION two shapes of one product #31)" },
+    { "the ball and facets of it",
+      ExtendBall("ball", "ball",
+        "#74=FACETED_BREP_SHAPE_REPRESENTATION('',(#75),#6);\n#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n"
+        "#75=FACETED_BREP('',#73);\n" +
+          second),
+      Count(2, 2, 2),
+      "exact and faceted shapes of one product, which are both counted: 1 (#44 PRODUCT_DEFINITION)" },
+    { "a ball beside it",
+      ExtendBall("ball", "ball",
+        "#74=SHAPE_REPRESENTATION('',(#75),#6);\n#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n"
+        "#75=MANIFOLD_SOLID_BREP('',#73);\n" +
+          second),
+      Count(2, 2, 2), "" },
+    { "a vertex off its sphere", ChangeBall("(0.,0.,5.)", "(0.,0.,5.05)"), OneBall,
+      "a vertex is off the surface of its face: 1 (#27 VERTEX_LOOP vertex #24)" },
+    { "a vertex near its sphere", ChangeBall("(0.,0.,5.)", "(0.,5.01,0.)"), OneBall, "" },
+    { "a vertex on a torus", ChangeBall("SPHERICAL_SURFACE('',#23,5.)", "TOROIDAL_SURFACE('',#23,3.,2.)"),
+      OneBall, "a vertex is off the surface of its face: 1 (#27 VERTEX_LOOP vertex #24)" },
+    { "a vertex on its torus",
+      MakeStepText(
+        Replace(Replace(GetBallText(), "SPHERICAL_SURFACE('',#23,5.)", "TOROIDAL_SURFACE('',#23,3.,2.)"),
+          "(0.,0.,5.)", "(0.,3.,-2.)")),
+      OneBall, "" },
+    { "a vertex on the inner part of a torus",
+      MakeStepText(Replace(Replace(GetBallText(), "SPHERICAL_SURFACE('',#23,5.)",
+                             "DEGENERATE_TOROIDAL_SURFACE('',#23,3.,5.,.F.)"),
+        "(0.,0.,5.)", "(0.,0.,4.)")),
+      OneBall, "" },
     { "a solid of a complex instance",
       ChangeBall(solid,
         "#31=(BREP_WITH_VOIDS((#73))FACETED_BREP()GEOMETRIC_REPRESENTATION_ITEM()MANIFOLD_SOLID_BREP(#30)"
@@ -290,8 +312,24 @@ std::vector<CensusCase> GetAssemblyCases()
       OneInBox, "missing placement: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE no transformation #64)" },
     { "representations the other way round", ChangeBox("#32,#54)R", "#54,#32)R"), OneInBox, "" },
     { "a placement of other products", ChangeBox("#32,#54)R", "#54,#54)R"), OneInBox,
-      "placement of other products: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE representations of other products "
-      "#64)" },
+      "assembly contains itself: 1 (#64 CONTEXT_DEPENDENT_SHAPE_REPRESENTATION the placed product contains "
+      "this one #52); placement of other products: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE representations of "
+      "other products #64)" },
+    { "a placement by an axis",
+      MakeStepText(GetBallText() +
+        Replace(GetAssemblyText(), "'','',#23,#23)", "'','',#23,#70);\n#70=AXIS1_PLACEMENT('',#20,#21)")),
+      OneInBox, "wrong type: 1 (#62 ITEM_DEFINED_TRANSFORMATION #70)" },
+    { "a placed usage of another type",
+      MakeStepText(GetBallText() + GetAssemblyText() +
+        "#70=PROMISSORY_USAGE_OCCURRENCE('2','second','',#52,#44,$);\n#71=PRODUCT_DEFINITION_SHAPE('','',#70)"
+        ";\n"
+        "#72=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#73,#71);\n"
+        "#73=(REPRESENTATION_RELATIONSHIP('','',#32,#54)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#62)"
+        "SHAPE_"
+        "REPRESENTATION_RELATIONSHIP());\n"),
+      OneInBox,
+      "placement of other products: 1 (#70 PROMISSORY_USAGE_OCCURRENCE a usage of a type that is not read "
+      "#72)" },
     { "an undefined parent", ChangeBox("#52,#44,$", "#99,#44,$"), OneInBox,
       "undefined reference: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE relating product #99)" },
     { "a child that is a shape", ChangeBox("#52,#44,$", "#52,#32,$"), OneInBox,
@@ -379,79 +417,6 @@ std::vector<CensusCase> GetAssemblyCases()
       "solids 1, instances at least 18446744073709551615, faces 1, surface models 0 with faces 0, other "
       "solids 0, occurrences 140, mapped 0",
       "" },
-  };
-}
-
-std::vector<CensusCase> GetUnitCases()
-{
-  const std::string unit = "#2=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));";
-  const auto inch = [&unit](const std::string& factor)
-  {
-    return ExtendBall(unit, "#2=(CONVERSION_BASED_UNIT('INCH',#70)LENGTH_UNIT()NAMED_UNIT(#72));",
-      "#70=LENGTH_MEASURE_WITH_UNIT(" + factor +
-        ",#71);\n#71=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n#72=DIMENSIONAL_EXPONENTS(1.,0.,"
-        "0.,0.,0.,0.,0.);\n");
-  };
-  return {
-    { "millimetres", ChangeBall("ball", "ball"), OneBall, "" },
-    { "inches", inch("LENGTH_MEASURE(25.4)"), OneBall, "" },
-    { "inches without a type", inch("25.4"), OneBall, "" },
-    { "negative inches", inch("LENGTH_MEASURE(-25.4)"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "inches of zero", inch("LENGTH_MEASURE(0.)"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "inches of 25.43", inch("LENGTH_MEASURE(25.43)"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "inches without a number", inch("LENGTH_MEASURE('25.4')"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "an inch of inches", Replace(inch("LENGTH_MEASURE(25.4)"), "#71);", "#2);"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "inches of a damaged unit",
-      ChangeBall("#2=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));",
-        "#2=(CONVERSION_BASED_UNIT('INCH',#80)LENGTH_UNIT()NAMED_UNIT($));\n#80=LENGTH_MEASURE_WITH_UNIT("
-        "LENGTH_MEASURE(25.4),#81);\n#81=(LENGTH_UNIT()PRODUCT(*)SI_UNIT(.MILLI.,.METRE.));"),
-      OneBall, "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "a unit with a digit before it", ChangeBall("#2=(LENGTH_UNIT", "#2=(8LENGTH_UNIT"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "a solid for a unit", ChangeBall("((#2,#3,#4))", "((#31,#3,#4))"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #31)" },
-    { "an area unit in the place of the angle unit",
-      ExtendBall(
-        "((#2,#3,#4))", "((#2,#70,#4))", "#70=AREA_UNIT((#71));\n#71=DERIVED_UNIT_ELEMENT(#2,2.);\n"),
-      OneBall, "missing unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT angle unit)" },
-    { "no length unit", ChangeBall("((#2,#3,#4))", "((#3,#4))"), OneBall,
-      "missing unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit)" },
-    { "no angle unit", ChangeBall("((#2,#3,#4))", "((#2,#4))"), OneBall,
-      "missing unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT angle unit)" },
-    { "no units", ChangeBall("GLOBAL_UNIT_ASSIGNED_CONTEXT((#2,#3,#4))", ""), OneBall,
-      "missing unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit, #6 GEOMETRIC_REPRESENTATION_CONTEXT "
-      "angle unit)" },
-    { "no context", ChangeBall("(#23,#31),#6)", "(#23,#31),$)"), OneBall,
-      "missing unit: 1 (#31 MANIFOLD_SOLID_BREP context)" },
-    { "a context with a record of another entity",
-      ChangeBall("REPRESENTATION_CONTEXT('','')", "LENGTH_UNIT('','')"), OneBall,
-      "wrong unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #6, #6 "
-      "GEOMETRIC_REPRESENTATION_CONTEXT "
-      "angle unit #6)" },
-    { "a context with a parameter too many",
-      ChangeBall("REPRESENTATION_CONTEXT('','')", "REPRESENTATION_CONTEXT('','','')"), OneBall,
-      "wrong unit: 2 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #6, #6 "
-      "GEOMETRIC_REPRESENTATION_CONTEXT "
-      "angle unit #6)" },
-    { "an undefined unit", ChangeBall("((#2,#3,#4))", "((#99,#3,#4))"), OneBall,
-      "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); wrong unit: 1 (#6 "
-      "GEOMETRIC_REPRESENTATION_CONTEXT length unit #6)" },
-    { "a prefix that is none", ChangeBall(".MILLI.", ".MILLY."), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "petametres", ChangeBall(".MILLI.", ".PETA."), OneBall,
-      "absurd unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "grams", ChangeBall(".METRE.", ".GRAM."), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "a damaged unit", ChangeBall("(.MILLI.,.METRE.));", "(.MILLI.,.METRE.);"), OneBall,
-      "wrong unit: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT length unit #2)" },
-    { "a damaged context", ChangeBall("GLOBAL_UNIT_ASSIGNED_CONTEXT((#2", "*) ((#2"), OneBall,
-      "damaged entity: 1 (#6 GEOMETRIC_REPRESENTATION_CONTEXT context); missing unit: 2 (#6 "
-      "GEOMETRIC_REPRESENTATION_CONTEXT length unit, #6 GEOMETRIC_REPRESENTATION_CONTEXT angle unit)" },
   };
 }
 }

@@ -75,6 +75,16 @@ std::string Replace(std::string text, const std::string& from, const std::string
   return text.replace(at, from.size(), to);
 }
 
+std::string ChangeBall(const std::string& from, const std::string& to)
+{
+  return MakeStepText(Replace(GetBallText(), from, to));
+}
+
+std::string ExtendBall(const std::string& from, const std::string& to, const std::string& more)
+{
+  return MakeStepText(Replace(GetBallText(), from, to) + more);
+}
+
 std::string MakeBomb(int levels)
 {
   std::string text = Ball;

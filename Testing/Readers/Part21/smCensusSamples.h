@@ -20,6 +20,10 @@ std::string MakeStepText(const std::string& data);
 /// Returns `text` with the first `from` replaced; throws std::logic_error when there is none.
 std::string Replace(std::string text, const std::string& from, const std::string& to);
 
+/// Returns a file of the ball with one text replaced, and with more entities.
+std::string ChangeBall(const std::string& from, const std::string& to);
+std::string ExtendBall(const std::string& from, const std::string& to, const std::string& more);
+
 /// Returns a file with a ball in `levels` levels of assemblies, each with two of the one below: 2^levels instances.
 std::string MakeBomb(int levels);
 }

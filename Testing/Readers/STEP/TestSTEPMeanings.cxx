@@ -266,6 +266,22 @@ void CheckProducts()
   box.AddProduct("#960").Add(
     "#960=ADVANCED_BREP_SHAPE_REPRESENTATION('',(" + solid + ")," + box.FindContext() + ");\n");
   CheckBox("two_products", box, 1.0, {}, "occurs 2 times in the file, and was read 1 time");
+  const auto check = [](const std::string& name, const BoxText& text, const std::string& said)
+  {
+    Pipeline pipeline(Make("meanings_" + name + ".step", text.Text));
+    pipeline.Mass->SetBackend(vtkMassPropertiesGPU::CPU);
+    pipeline.Mass->Update();
+    CheckEqual(name, names::StatusSuspect, std::string(pipeline.Mass->GetStatus()));
+    CheckTrue("  said", Says(pipeline.Mass, said), GetMessages(pipeline.Mass));
+  };
+  const std::string repeated = "occurs 1 time in the file, and was read 2 times";
+  check("mapped_twice", BoxText().Add(AddFrames()).Map("#810", "#811").Exchange("(#952)", "(#952,#952)"),
+    repeated);
+  BoxText two;
+  const std::string property = two.Find("PRODUCT_DEFINITION_SHAPE");
+  two.Add("#960=ADVANCED_BREP_SHAPE_REPRESENTATION('',(" + two.Find("MANIFOLD_SOLID_BREP") + ")," +
+    two.FindContext() + ");\n#961=SHAPE_DEFINITION_REPRESENTATION(" + property + ",#960);\n");
+  check("two_shapes", two, repeated);
 }
 }
 
