@@ -100,7 +100,9 @@ void CheckUnits()
   Check("one unit, section", 4.0, equal.Section->GetSectionArea(), equal.Section->GetSectionAreaBound());
 }
 
-void CheckPlacement(const std::string& what, int row, int column, double value, const std::string& status)
+/// `status`: of mass properties, which are integrated in the part's own coordinates; `elsewhere`: of the other filters.
+void CheckPlacement(const std::string& what, int row, int column, double value, const std::string& status,
+  const std::string& elsewhere)
 {
   const auto box = MakeBox(0.0);
   vtkNew<vtkMatrix4x4> placement;
@@ -108,7 +110,7 @@ void CheckPlacement(const std::string& what, int row, int column, double value, 
   box->SetPlacement(placement);
   Filters filters(box);
   filters.Visit([&](const std::string& name, vtkSurfaceIntegralBase* filter, double)
-    { CheckEqual(what + ", " + name, status, filter->GetStatus()); });
+    { CheckEqual(what + ", " + name, name == "mass" ? status : elsewhere, filter->GetStatus()); });
 }
 
 /// A solid without faces, alone and beside a box: what is not there has no section.
@@ -135,15 +137,15 @@ int TestUnusualBodies(int, char*[])
 {
   CheckUnits();
   const double infinity = std::numeric_limits<double>::infinity();
-  CheckPlacement("the identity", 0, 0, 1.0, "ok");
+  CheckPlacement("the identity", 0, 0, 1.0, "ok", "ok");
   for (int row = 0; row < 3; ++row)
   {
-    CheckPlacement("infinitely far", row, 3, infinity, "suspect");
-    CheckPlacement("nowhere", row, 3, std::nan(""), "suspect");
+    CheckPlacement("infinitely far", row, 3, infinity, "suspect", "not-computed");
+    CheckPlacement("nowhere", row, 3, std::nan(""), "suspect", "not-computed");
   }
-  CheckPlacement("scaled by the last entry", 3, 3, 2.0, "suspect");
-  CheckPlacement("a projection", 3, 0, 0.1, "suspect");
-  CheckPlacement("stretched", 0, 0, 1.5, "suspect");
+  CheckPlacement("scaled by the last entry", 3, 3, 2.0, "suspect", "suspect");
+  CheckPlacement("a projection", 3, 0, 0.1, "suspect", "suspect");
+  CheckPlacement("stretched", 0, 0, 1.5, "suspect", "suspect");
   // The centre is known to 1e285: its distance from the origin must not hide that.
   const auto far = MakeBox(0.0);
   vtkNew<vtkMatrix4x4> placement;
