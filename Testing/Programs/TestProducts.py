@@ -38,6 +38,11 @@ def check_bounded(what, expected, actual, bound):
     check_true(what + ": bound", 0 <= bound <= 1e-8 * max(abs(float(expected)), 1.0), str(bound))
 
 
+def count_triangles(path):
+    with open(path, "rb") as file:
+        return int.from_bytes(file.read(84)[80:], "little")
+
+
 def check_matrix(what, expected, actual, bound):
     size = max(abs(float(x)) for row in expected for x in row)
     for i in range(3):
@@ -269,6 +274,11 @@ def lists():
     check_equal("their parts list", ["station"], [entry["name"] for entry in file["parts"][0]["children"]])
     file = run_json("--only", "b?lt", "--only", "rail", path)
     check_equal("bolts and the rail", 7, len(file["solids"]))
+    mesh = os.path.join(folder, "rail.stl")
+    for names, solids in ((("--only", "rail"), ["rail"]), ((), None)):
+        run(*names, "--mesh", mesh, "-q", path)
+        boxes = [box for box in expand(machine) if solids is None or box[0] in solids]
+        check_equal(f"triangles of {solids or 'all'}", 12 * len(boxes), count_triangles(mesh))
     file = run_json("--only", "nothing", path, status=3)
     check_true("no such product", file["status"] == "empty" and any("nothing" in text for text in file["messages"]), str(file["messages"]))
 
@@ -355,6 +365,12 @@ def stability():
     lean = write_product(os.path.join(folder, "lean.step"), lean)
     for file_name, status in ((tower, 0), (lean, 3)):
         check_equal("stable required", status, run("--stability", "-z", "--require", "stable", "-q", file_name).returncode)
+    # The arm alone lies on its own lowest face.
+    file = run_json("--stability", "-z", "--only", "arm", lean)
+    for alone in (file["total"]["stability"], file["solids"][0]["stability"]):
+        check_equal("the arm alone", "stable", alone["verdict"])
+        check_bounded("its margin", 5, alone["stability_margin"], alone["bounds"]["stability_margin"])
+        check("height of its ground", 2.0, alone["projected_center_of_mass"][2], 1e-9)
 
 
 def robots():
