@@ -13,7 +13,7 @@ from fractions import Fraction
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 import smprogram  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
-from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
+from smproduct import Assembly, Part, expand, get_properties, make_box, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
 parser.add_argument("mode", choices=[
@@ -472,6 +472,17 @@ def validation():
     run("-q", "--write-validation", again, target)
     with open(again, encoding="ascii") as text:
         check_true("nothing is stated twice", text.read() == new)
+    # An open box beside a closed one: its volume depends on the origin, and is not stated, nor is that of both.
+    points, faces = make_box(Fraction(4), Fraction(5), Fraction(6), (Fraction(0),) * 3)
+    pair = Assembly("pair", [(Part("open", [], None, polyhedra=[(points, faces[1:])]), (0, 0, 0), None),
+                             (Part("closed", [((0, 0, 0), (1, 2, 3))], None), (20, 0, 0), None)])
+    pair = write_product(os.path.join(folder, "open-pair.step"), pair)
+    target = os.path.join(folder, "open-pair-stated.step")
+    check_equal("open", 3, run("-q", "--density", "steel", "--write-validation", target, pair).returncode)
+    after = run_json("--validate", target, status=3)
+    check_equal("stated of the closed one only", {"closed"}, {e["product"] for e in after["validation"]})
+    check_equal("three statements", 3, len(after["validation"]))
+    check_equal("both densities", [7850.0, 7850.0], [round(solid["density"], 9) for solid in after["solids"]])
     for arguments, said in ((("--write-validation", path, path), "input"), (("--write-validation", again, path, target), "one file"),
                             (("--require", "validation", path), "--validate"), (("--validation-limit", "2", "--validate", path), "from 0 to 1")):
         result = run(*arguments)
