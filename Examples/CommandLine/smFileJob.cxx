@@ -395,9 +395,12 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   if (!options.MeshName.empty() && isRead)
   {
     send({ { "progress", { sm::stages::Mesh, 0.0 } } });
+    // Port 5 has the bodies that --only chooses.
+    vtkDataObject* bodies =
+      options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5);
     send({ { "mesh",
-      sm::WriteMesh(vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0)),
-        reader->GetLengthUnit(), options.MeshName) } });
+      sm::WriteMesh(vtkPartitionedDataSetCollection::SafeDownCast(bodies), reader->GetLengthUnit(),
+        options.MeshName) } });
   }
   if (!options.PictureName.empty() && isRead)
   {

@@ -1,9 +1,11 @@
 #include "smValidation.h"
 
+#include "smIntegralNames.h"
 #include "smLengthUnits.h"
 #include "smSTEPProducts.h"
 #include "smSafeFile.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -26,6 +28,8 @@ struct Computed
   double CenterBound = std::nan("");
   /// The reason why the centre cannot be compared; empty if it can.
   std::string NoCenter;
+  /// False if some solid is flagged by more than a bound above the tolerance.
+  bool IsSound = true;
   /// Material and density; null for an assembly.
   Json Material, Density;
 };
@@ -43,6 +47,11 @@ bool IsKnown(const Json& solid)
   const Json& bounds = solid["bounds"];
   return solid["volume"].is_number() && solid["area"].is_number() && solid["center_of_mass"].is_array() &&
     bounds["volume"].is_number() && bounds["area"].is_number() && bounds["center_of_mass"].is_number();
+}
+
+bool IsSound(const Json& status)
+{
+  return status == names::StatusOk || status == names::StatusToleranceNotMet;
 }
 
 /// Collects the solids below a node; returns false if one of them was not computed.
@@ -105,6 +114,7 @@ Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double m
   {
     const Json& values = *solid.Values;
     const Json& bounds = values["bounds"];
+    sum.IsSound = sum.IsSound && IsSound(values["status"]);
     const double volume = cube * values["volume"].get<double>();
     sum.Volume += volume;
     sum.VolumeBound += cube * bounds["volume"].get<double>();
@@ -299,6 +309,10 @@ std::string WriteValidation(
   {
     return fileName + " is no STEP file that can be written again with validation properties";
   }
+  // A flag that no solid has is that of the file: something that it declares is missing or contradictory.
+  const bool isFileSound = IsSound(file["status"]) ||
+    std::any_of(file["solids"].begin(), file["solids"].end(),
+      [](const Json& solid) { return !IsSound(solid["status"]); });
   std::vector<STEPStatement> statements;
   for (const STEPProduct& product : comparison.Products)
   {
@@ -310,10 +324,11 @@ std::string WriteValidation(
     }
     STEPStatement statement;
     statement.Product = product;
-    // A property that the file states already is not written a second time.
-    statement.Values.Volume = std::isfinite(stated.Volume) ? std::nan("") : computed.Volume;
-    statement.Values.Area = std::isfinite(stated.Area) ? std::nan("") : computed.Area;
-    if (computed.NoCenter.empty() && !std::isfinite(stated.Centroid[0]))
+    // A property that the file states already is not written a second time, and none of which this program says that it may be wrong.
+    const bool isSound = isFileSound && computed.IsSound;
+    statement.Values.Volume = std::isfinite(stated.Volume) || !isSound ? std::nan("") : computed.Volume;
+    statement.Values.Area = std::isfinite(stated.Area) || !isSound ? std::nan("") : computed.Area;
+    if (computed.NoCenter.empty() && isSound && !std::isfinite(stated.Centroid[0]))
     {
       statement.Values.Centroid = computed.Center;
     }

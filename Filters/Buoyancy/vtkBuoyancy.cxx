@@ -217,6 +217,11 @@ void vtkBuoyancy::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
   Internals& self = *this->Implementation;
   sm::DisplacedMoments moments;
   Row& total = self.Total;
+  const bool hasTotal = sm::HaveOneUnit(bodies);
+  if (!hasTotal)
+  {
+    this->GetEngine().GetReport().Messages.push_back(sm::MixedUnitsMessage);
+  }
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     sm::BodyIntegrals& body = bodies[b];
@@ -240,6 +245,10 @@ void vtkBuoyancy::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
     const sm::DisplacedMoments* own = self.Results.empty() ? nullptr : &self.Results[b].Total;
     const Row row = MakeRow(body, own);
     self.Rows.push_back(row);
+    if (!hasTotal)
+    {
+      continue;
+    }
     if (b == 0)
     {
       total = row;

@@ -85,7 +85,7 @@ bool vtkPlaneCutBase::IntegrateSide(const sm::IntegralRequest& request,
   limits.MaximumSeconds *= end - begin;
   limits.MaximumEvaluations =
     std::max<std::int64_t>(1, limits.MaximumEvaluations / std::lround(1.0 / (end - begin)));
-  if (!engine.ChooseRunner(request, limits.Backend))
+  if (!engine.CheckPlacements(bodies) || !engine.ChooseRunner(request, limits.Backend))
   {
     return false;
   }

@@ -1,7 +1,7 @@
 #include "smMassAnalysis.h"
 
-#include "smCoincidentFaces.h"
 #include "smBodyScales.h"
+#include "smCoincidentFaces.h"
 #include "smFormat.h"
 #include "smMassIntegrands.h"
 #include "smMoments.h"
@@ -28,19 +28,20 @@ constexpr double CoincidenceLimit = 1e-9;
 constexpr std::size_t NamedPairs = 5;
 constexpr std::size_t MostPairs = 100000;
 
-/// Adds to the bounds the effect of the rounding of a placement that was read (smPlacementError.h): an error of the translation by some u
+/// Adds to the bounds the effect of the rounding of a placement (smPlacementError.h): an error of the translation by some u
 /// of its length, and of the rotation, which deforms and rotates the body and the vector to its origin by as much.
 void AddPlacementError(const BodyIntegrals& body, Moments& moments)
 {
-  if (!PlacementError::IsRounded(body))
+  const double turned = PlacementError::GetTurned(body);
+  if (!(turned > 0.0))
   {
     return;
   }
   const std::array<double, 16>& m = body.Placement;
-  moments.ReferenceBound += PlacementError::Turned * vtkMath::Norm(body.Model->GetOrigin()) +
+  moments.ReferenceBound += turned * vtkMath::Norm(body.Model->GetOrigin()) +
     PlacementError::Rounding * std::hypot(m[3], m[7], m[11]);
   // A product of k lengths changes by k times that, and a moment of order n by n + 3 times.
-  const auto grow = [](double order, const double* values, double* bounds, int count)
+  const auto grow = [turned](double order, const double* values, double* bounds, int count)
   {
     double largest = 0.0;
     for (int i = 0; i < count; ++i)
@@ -49,7 +50,7 @@ void AddPlacementError(const BodyIntegrals& body, Moments& moments)
     }
     for (int i = 0; i < count; ++i)
     {
-      bounds[i] += (order + 3.0) * PlacementError::Turned * largest;
+      bounds[i] += (order + 3.0) * turned * largest;
     }
   };
   grow(0.0, &moments.Volume, &moments.VolumeBound, 1);
@@ -392,8 +393,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   }
   // The unit of the total is that of the first body; a reader gives all its bodies the same unit.
   analysis.Unit = bodies.front().Model->GetLengthUnit();
-  analysis.HasOneUnit = std::all_of(bodies.begin(), bodies.end(),
-    [&analysis](const BodyIntegrals& body) { return body.Model->GetLengthUnit() == analysis.Unit; });
+  analysis.HasOneUnit = HaveOneUnit(bodies);
   analysis.HasMass = std::any_of(bodies.begin(), bodies.end(),
     [&options](const BodyIntegrals& body) { return ChooseMaterial(body, options).Density > 0.0; });
   MassRow& total = analysis.Total;
@@ -406,8 +406,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   else
   {
     // Volumes in different units cannot be added.
-    analysis.Messages.push_back(
-      "the parts have different length units: there is no total; read all files in one output unit");
+    analysis.Messages.push_back(MixedUnitsMessage);
   }
   std::vector<Moments> parts;
   for (BodyIntegrals& body : bodies)

@@ -5,8 +5,6 @@
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
 
-#include "vtkMath.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +50,8 @@ std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance, double
   const MassProperties& p = row.Properties;
   // At a great distance from the origin, the roundoff of the centre's coordinates exceeds the tolerance that follows from the
   // body's size.
-  const double length = std::max({ std::cbrt(p.Volume), radius, 1e-6 * vtkMath::Norm(p.Center.data()) });
+  const double length =
+    std::max({ std::cbrt(p.Volume), radius, 1e-6 * std::hypot(p.Center[0], p.Center[1], p.Center[2]) });
   const struct
   {
     const char* Name;
@@ -67,7 +66,7 @@ std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance, double
   for (const auto& quantity : quantities)
   {
     const double scale = std::abs(quantity.Scale);
-    if (std::isfinite(scale) && !(quantity.Bound <= quantity.Asked.Get(scale)))
+    if (!std::isnan(scale) && !(quantity.Bound <= quantity.Asked.Get(scale) && std::isfinite(quantity.Bound)))
     {
       const double ratio = quantity.Bound / scale;
       unmet += (unmet.empty() ? "" : ", ") + std::string(quantity.Name) + " " +

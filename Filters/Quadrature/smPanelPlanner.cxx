@@ -235,6 +235,15 @@ int PanelPlanner::ChooseDirection(const PanelPart& part) const
 void PanelPlanner::Keep(
   std::uint32_t index, const PanelPart& part, int along, int across, bool compared, double noise)
 {
+  // Where weights differ much, or no order suffices for the moments, |n| may have peaks between the points of two orders.
+  const bool mayEstimate =
+    compared && std::max(along, across) <= LargestOrder && this->Bounds.GetMajorants().HasEvenWeight();
+  if (compared)
+  {
+    // The orders are those of the moments; where |n| has a kink, few points on many parts are most accurate.
+    along = std::clamp(along, LeastCompared, MostCompared);
+    across = std::clamp(across, LeastCompared, MostCompared);
+  }
   PlannedItem item{ ItemKind::Panel, index };
   item.Start = part.Start;
   item.End = part.End;
@@ -256,7 +265,7 @@ void PanelPlanner::Keep(
     else
     {
       this->Result.QuadratureBound[i] +=
-        (compared && !(error <= this->Request.Tolerances[i] * std::exp2(-part.Depth)) ? 0.0 : error) +
+        (mayEstimate && !(error <= this->Request.Tolerances[i] * std::exp2(-part.Depth)) ? 0.0 : error) +
         2.0 * noise * IntegerPower(this->GetReach(), c.Degree);
     }
   }
@@ -345,7 +354,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
     this->Keep(index, part, along, across, false, noise);
     return;
   }
-  const bool canCompare = this->FindOrders(share, false, along, across);
+  const bool canCompare = this->FindOrders(share, false, along, across) && majorants.HasEvenWeight();
   if (part.Depth < LargestDepth &&
     this->Pending.size() + this->Parts < (canCompare ? MostParts : MostPartsOfMoments) &&
     (!canCompare || part.Depth < DepthOfLines || this->Abreast <= MostAbreast))
@@ -361,9 +370,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
     }
     return;
   }
-  // The orders are those of the moments; where |n| has a kink, few points on many parts are most accurate.
-  this->Keep(index, part, std::clamp(along, LeastCompared, MostCompared),
-    std::clamp(across, LeastCompared, MostCompared), true, noise);
+  this->Keep(index, part, along, across, true, noise);
 }
 
 void PanelPlanner::Plan(std::uint32_t index)

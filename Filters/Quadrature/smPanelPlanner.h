@@ -39,6 +39,7 @@ private:
   bool IsSmall(double kink, double share) const;
   void AddEndError(const Panel& panel, const PanelPart& part);
   int ChooseDirection(const PanelPart& part) const;
+  /// Adds a part with these orders; `compared`: the error of its area is estimated by comparing orders where its bounds permit that.
   void Keep(std::uint32_t index, const PanelPart& part, int along, int across, bool compared, double noise);
 
   const FacePanels& Panels;

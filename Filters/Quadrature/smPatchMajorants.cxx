@@ -93,6 +93,13 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
   const double cube = weight * weight * weight;
   const double factor = this->GetFactorMajorant(real, real);
   const double reach = this->GetReach();
+  if (!(weight > 0.0))
+  {
+    const bool isAny =
+      std::any_of(this->Dropped.begin(), this->Dropped.end(), [](double sum) { return sum > 0.0; });
+    dropped.assign(classes.size(), isAny ? std::numeric_limits<double>::infinity() : 0.0);
+    return;
+  }
   dropped.resize(classes.size());
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
@@ -206,6 +213,11 @@ double PatchMajorants::GetLowestWeight() const
   return this->FirstWeight - sum;
 }
 
+bool PatchMajorants::HasEvenWeight() const
+{
+  return this->GetLowestWeight() > 0.1 * this->FirstWeight;
+}
+
 double PatchMajorants::GetReach() const
 {
   double sum = 0.0;
@@ -213,7 +225,8 @@ double PatchMajorants::GetReach() const
   {
     sum += entry;
   }
-  return this->CenterDistance + sum / this->GetLowestWeight();
+  const double weight = this->GetLowestWeight();
+  return weight > 0.0 ? this->CenterDistance + sum / weight : std::numeric_limits<double>::infinity();
 }
 
 double PatchMajorants::GetLengthDeviation() const
@@ -225,6 +238,10 @@ double PatchMajorants::GetLengthDeviation() const
   // ||m~| - h| (|m~| + h) is the deviation of the squares. With a constant direction h is m~.e, e taken on the box.
   const Ellipse real = Ellipse::FromRadius(1.0);
   const double weight = this->GetLowestWeight();
+  if (!(weight > 0.0))
+  {
+    return this->Traits.SquareDeviation > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+  }
   return this->Traits.SquareDeviation / this->LeastLength * this->GetFactorMajorant(real, real) /
     (weight * weight * weight);
 }

@@ -75,10 +75,12 @@ public:
   /// box) in the two ellipses. Returns false when the weight may vanish there; the bound of an area is infinite where |m| may vanish.
   bool Evaluate(const Ellipse& s, const Ellipse& r, const std::vector<BoundClass>& classes,
     std::vector<double>& bounds) const;
-  /// Largest distance from the point that moments are about.
+  /// Largest distance from the point that moments are about; infinite where the weight may vanish, as the next bounds are.
   double GetReach() const;
   /// A lower bound of w on the box, which may be negative.
   double GetLowestWeight() const;
+  /// True if w is nowhere on the box below a tenth of its mean, so that the polynomial m divided by w^3 has no narrow peaks.
+  bool HasEvenWeight() const;
 
   /// Upper bound, for real parameters, of the difference between |n| and its series where |n| is taken for a polynomial.
   double GetLengthDeviation() const;

@@ -305,7 +305,11 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
   sm::DisplacedMoments above;
   sm::SectionRow masses;
   bool isFirst = true;
-  bool hasOpen = false;
+  bool hasTotal = sm::HaveOneUnit(bodies);
+  if (!hasTotal)
+  {
+    this->GetEngine().GetReport().Messages.push_back(sm::MixedUnitsMessage);
+  }
   self.Rows.assign(bodies.size(), {});
   for (std::size_t b = 0; b < bodies.size() && !self.Below.empty(); ++b)
   {
@@ -314,9 +318,16 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
     {
       continue;
     }
+    if (body.Faces->empty())
+    {
+      hasTotal = false;
+      body.Flag(
+        sm::Status::Suspect, "it has no faces: it has no section and no volumes, nor are there totals");
+      continue;
+    }
     if (body.OpenEdges > 0)
     {
-      hasOpen = true;
+      hasTotal = false;
       body.Flag(sm::Status::Open,
         "the solid is not closed: its section and the volumes on either side are not defined, nor are the "
         "totals. Close it, or leave it out");
@@ -344,7 +355,7 @@ void vtkSolidSection::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
     above.Add(self.Above[b].Total);
     masses.AddMass(row);
   }
-  if (!isFirst && !hasOpen)
+  if (!isFirst && hasTotal)
   {
     self.Total = sm::SectionRow(section, below, above);
     const auto takeMass = [](const sm::SectionSide& from, sm::SectionSide& to)

@@ -353,7 +353,7 @@ int vtkSolidStability::RequestData(
 int vtkSolidStability::Evaluate(vtkDataObject* input, int piece, vtkInformationVector* outputVector)
 {
   sm::RejectedInput rejected;
-  const std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
+  std::vector<sm::BodyIntegrals> bodies = sm::CollectBodies(input, rejected);
   if (bodies.empty() && rejected.Plain + rejected.Withheld > 0)
   {
     this->Implementation->Status = names::StatusEmpty;
@@ -375,6 +375,7 @@ int vtkSolidStability::Evaluate(vtkDataObject* input, int piece, vtkInformationV
     return 0;
   }
   this->UpdateMassProperties(input);
+  this->Implementation->KeepChosen(bodies);
   std::vector<sm::SupportedBody> supported = this->Implementation->Collect(bodies, this->Bodies == TOGETHER);
   this->EvaluateBodies(ground, supported);
   this->FillOutputs(ground, supported, outputVector);

@@ -137,7 +137,8 @@ public:
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
   ///@}
-  /** The filter inside, for its other options and its results. Never null; its input is set by every run. */
+  /** The filter inside, for its other options and its results. Never null; its input is set by every run. Its selectors choose the
+   * solids that are put on the ground. */
   vtkMassPropertiesGPU* GetMassProperties();
 
   ///@{

@@ -34,6 +34,8 @@ struct vtkSolidStability::Internals
   std::string Status;
   std::vector<std::string> Messages;
 
+  /// Removes the bodies that the mass filter has no row for, because its selectors leave them out.
+  void KeepChosen(std::vector<sm::BodyIntegrals>& bodies) const;
   std::vector<sm::SupportedBody> Collect(const std::vector<sm::BodyIntegrals>& bodies, bool together);
   static double GetEnergy(const sm::SupportedBody& body, double rise, double strength);
   static void AddColumns(const std::vector<sm::SupportedBody>& bodies, const sm::GroundDirections& ground,

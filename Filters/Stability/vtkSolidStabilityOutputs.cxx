@@ -1,6 +1,7 @@
 #include "smFormat.h"
 #include "vtkSolidStabilityInternals.h"
 
+#include "smBodyScales.h"
 #include "smColumns.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace
 {
@@ -145,6 +148,20 @@ static bool LacksDensities(vtkFieldData* rows, vtkIdType count)
   return known > 0 && known < count;
 }
 
+void vtkSolidStability::Internals::KeepChosen(std::vector<sm::BodyIntegrals>& bodies) const
+{
+  vtkTable* rows = vtkTable::SafeDownCast(this->Mass->GetOutputDataObject(1));
+  auto* ids = vtkStringArray::SafeDownCast(rows->GetRowData()->GetAbstractArray(names::Id));
+  std::set<std::string> chosen;
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfValues(); ++i)
+  {
+    chosen.insert(ids->GetValue(i));
+  }
+  bodies.erase(std::remove_if(bodies.begin(), bodies.end(),
+                 [&](const sm::BodyIntegrals& body) { return ids && chosen.count(body.Id) == 0; }),
+    bodies.end());
+}
+
 /// Returns the rigid bodies to evaluate, each with its centre of mass.
 std::vector<sm::SupportedBody> vtkSolidStability::Internals::Collect(
   const std::vector<sm::BodyIntegrals>& bodies, bool together)
@@ -168,7 +185,7 @@ std::vector<sm::SupportedBody> vtkSolidStability::Internals::Collect(
     {
       all.Parts.push_back(&body);
     }
-    if (count > 1 && HasDensities(rows, count))
+    if (count > 1 && HasDensities(rows, count) && sm::HaveOneUnit(bodies))
     {
       SetCommonCenter(all, rows, count);
     }

@@ -95,7 +95,8 @@ std::string ListIds(const std::vector<int>& ids)
 
 bool IsRigid(const std::array<double, 16>& m)
 {
-  bool rigid = true;
+  bool rigid = m[12] == 0.0 && m[13] == 0.0 && m[14] == 0.0 && m[15] == 1.0 && std::isfinite(m[3]) &&
+    std::isfinite(m[7]) && std::isfinite(m[11]);
   for (int i = 0; i < 3; ++i)
   {
     for (int j = i; j < 3; ++j)
@@ -195,7 +196,8 @@ void CheckTopology(BodyIntegrals& body)
   if (!IsRigid(body.Placement))
   {
     body.Flag(Status::Suspect,
-      "its placement scales or shears it; only rotations, mirrors and translations are supported");
+      "its placement scales, shears or projects it, or is not finite; only rotations, mirrors and "
+      "translations are supported");
   }
   CountOpenEdges(body);
 }

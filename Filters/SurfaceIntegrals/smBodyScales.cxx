@@ -19,6 +19,13 @@ double RoundDown(double scale)
 }
 }
 
+bool HaveOneUnit(const std::vector<BodyIntegrals>& bodies)
+{
+  return std::all_of(bodies.begin(), bodies.end(),
+    [&bodies](const BodyIntegrals& body)
+    { return body.Model->GetLengthUnit() == bodies.front().Model->GetLengthUnit(); });
+}
+
 std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model)
 {
   std::array<double, 6> box;

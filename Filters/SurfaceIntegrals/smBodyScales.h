@@ -1,6 +1,6 @@
 /**
  * @file smBodyScales.h
- * @brief Boxes of bodies, and the scales of their tolerances
+ * @brief Boxes of bodies, the scales of their tolerances, and their common unit
  */
 #ifndef smBodyScales_h
 #define smBodyScales_h
@@ -8,6 +8,7 @@
 #include "smFiltersSurfaceIntegralsModule.h"
 
 #include <array>
+#include <vector>
 
 class vtkBoundingBox;
 class vtkTrimmedNURBSModel;
@@ -16,6 +17,10 @@ namespace sm
 {
 struct BodyIntegrals;
 
+/// Returns true if all bodies have the same length unit, without which values have no total.
+SMFILTERSSURFACEINTEGRALS_EXPORT bool HaveOneUnit(const std::vector<BodyIntegrals>& bodies);
+constexpr const char* MixedUnitsMessage =
+  "the parts have different length units: there is no total; read all files in one output unit";
 /// Returns xmin, xmax, ymin … about the model's origin; computed from the control points if the model has no box.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model);
 /// Adds the eight corners of a body's box, in the body's placement, to `box`.

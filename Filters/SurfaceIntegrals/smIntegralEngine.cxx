@@ -7,6 +7,7 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -259,10 +260,26 @@ std::vector<std::size_t> IntegralEngine::MakeTasks(const IntegralRequest& reques
   return firstTask;
 }
 
+bool IntegralEngine::CheckPlacements(const std::vector<BodyIntegrals>& bodies)
+{
+  const auto isPlaced = [](const BodyIntegrals& body)
+  {
+    return std::all_of(
+      body.Placement.begin(), body.Placement.end(), [](double entry) { return std::isfinite(entry); });
+  };
+  if (std::all_of(bodies.begin(), bodies.end(), isPlaced))
+  {
+    return true;
+  }
+  this->Report.SetReason("nothing was computed: the placement of a body is not finite");
+  return false;
+}
+
 bool IntegralEngine::Integrate(
   const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies)
 {
-  if (!this->ChooseRunner(request, limits.Backend))
+  if ((request.UsePlacements && !this->CheckPlacements(bodies)) ||
+    !this->ChooseRunner(request, limits.Backend))
   {
     return false;
   }

@@ -107,6 +107,8 @@ public:
    * CPU backend, only for expressions or where the context has a window or source of the user's.
    */
   bool ChooseRunner(const IntegralRequest& request, BackendChoice backend);
+  /// Returns true if all placements are finite. Otherwise nothing can be integrated in the world's coordinates; the report has the reason.
+  bool CheckPlacements(const std::vector<BodyIntegrals>& bodies);
   /// Sets the integrands and limits of the integrator.
   void Configure(const IntegralRequest& request, const IntegralLimits& limits);
 

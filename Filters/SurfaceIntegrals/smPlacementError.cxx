@@ -24,10 +24,27 @@ bool PlacementError::IsRounded(const BodyIntegrals& body)
       [](const FacePointer& face) { return Norm(face->Surface.Rounding.data()) > 0.0; });
 }
 
+double PlacementError::GetTurned(const BodyIntegrals& body)
+{
+  const std::array<double, 16>& m = body.Placement;
+  double deviation = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const double product = m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
+      deviation = std::max(deviation, std::abs(product - (i == j ? 1.0 : 0.0)));
+    }
+  }
+  // With M = R S and S symmetric, |S - 1| is at most |M^T M - 1|, of nine entries. A rotation in doubles has some u.
+  return (IsRounded(body) ? 3.0 * Rounding : 0.0) + (deviation > Rounding ? 3.0 * deviation : 0.0);
+}
+
 PlacementError PlacementError::Make(const BodyIntegrals& body)
 {
   PlacementError error;
-  if (!IsRounded(body))
+  error.Turned = GetTurned(body);
+  if (!(error.Turned > 0.0))
   {
     return error;
   }
@@ -41,7 +58,7 @@ PlacementError PlacementError::Make(const BodyIntegrals& body)
   }
   const double translation[3] = { body.Placement[3], body.Placement[7], body.Placement[11] };
   // Twice the radius: trim curves and edges may leave the control points.
-  error.Moved = Turned * (Norm(body.Model->GetOrigin()) + 2.0 * radius) + Rounding * Norm(translation);
+  error.Moved = error.Turned * (Norm(body.Model->GetOrigin()) + 2.0 * radius) + Rounding * Norm(translation);
   return error;
 }
 
@@ -58,7 +75,7 @@ double PlacementError::GetBound(const BoundClass& integrand, double area, double
   }
   const int k = integrand.Degree;
   const double power = std::pow(reach, k);
-  const double flux = (area + gaps) * power * ((k + 1.0) * this->Moved + 2.0 * Turned * reach);
+  const double flux = (area + gaps) * power * ((k + 1.0) * this->Moved + 2.0 * this->Turned * reach);
   switch (integrand.Kind)
   {
     case BoundClass::VolumeMoment:
@@ -66,9 +83,9 @@ double PlacementError::GetBound(const BoundClass& integrand, double area, double
     case BoundClass::HeightMoment:
       return flux;
     case BoundClass::AreaMoment:
-      return area * (2.0 * Turned * power + (k > 0 ? k * this->Moved * std::pow(reach, k - 1) : 0.0));
+      return area * (2.0 * this->Turned * power + (k > 0 ? k * this->Moved * std::pow(reach, k - 1) : 0.0));
     default:
-      return 2.0 * Turned * (area + gaps);
+      return 2.0 * this->Turned * (area + gaps);
   }
 }
 }

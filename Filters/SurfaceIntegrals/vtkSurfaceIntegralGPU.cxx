@@ -105,10 +105,15 @@ void vtkSurfaceIntegralGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
 {
   this->Implementation->Integrated = this->Implementation->GetIntegrands();
   const std::vector<sm::Integrand>& integrands = this->Implementation->Integrated;
+  const bool hasTotal = !bodies.empty() && sm::HaveOneUnit(bodies);
+  if (!bodies.empty() && !hasTotal)
+  {
+    this->GetEngine().GetReport().Messages.push_back(sm::MixedUnitsMessage);
+  }
   for (std::size_t k = 0; k < integrands.size(); ++k)
   {
     const std::string& name = integrands[k].Name;
-    double total = bodies.empty() ? vtkMath::Nan() : 0.0;
+    double total = hasTotal ? 0.0 : vtkMath::Nan();
     double bound = total;
     for (sm::BodyIntegrals& body : bodies)
     {

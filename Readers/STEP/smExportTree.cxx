@@ -44,6 +44,13 @@ Placement GetPlace(vtkNURBSDataSet* leaf)
   return place;
 }
 
+/// Returns true for a finite 4x4 matrix with the last row 0 0 0 1.
+bool IsAffine(const double* m)
+{
+  return std::all_of(m, m + 16, [](double entry) { return std::isfinite(entry); }) && m[12] == 0.0 &&
+    m[13] == 0.0 && m[14] == 0.0 && m[15] == 1.0;
+}
+
 Placement Multiply(const Placement& a, const Placement& b)
 {
   Placement c{};
@@ -218,6 +225,11 @@ private:
         this->Tree.Warnings.push_back(
           called + " is not saved: it has no exact geometry" + (model ? " (no faces)." : ", only a mesh."));
       }
+      return;
+    }
+    if (!IsAffine(leaf->GetPlacementData()))
+    {
+      this->Tree.Warnings.push_back(called + " is not saved: its placement is not finite, or projects it.");
       return;
     }
     if (this->Leaves.empty())

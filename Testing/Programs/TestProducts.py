@@ -13,7 +13,7 @@ from fractions import Fraction
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 import smprogram  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
-from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
+from smproduct import Assembly, Part, expand, get_properties, make_box, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
 parser.add_argument("mode", choices=[
@@ -36,6 +36,11 @@ def check_bounded(what, expected, actual, bound):
     """Within the bound, which is not vacuous."""
     check(what, float(expected), actual, bound + 1e-15 * abs(float(expected)), "its bound")
     check_true(what + ": bound", 0 <= bound <= 1e-8 * max(abs(float(expected)), 1.0), str(bound))
+
+
+def count_triangles(path):
+    with open(path, "rb") as file:
+        return int.from_bytes(file.read(84)[80:], "little")
 
 
 def check_matrix(what, expected, actual, bound):
@@ -269,6 +274,11 @@ def lists():
     check_equal("their parts list", ["station"], [entry["name"] for entry in file["parts"][0]["children"]])
     file = run_json("--only", "b?lt", "--only", "rail", path)
     check_equal("bolts and the rail", 7, len(file["solids"]))
+    mesh = os.path.join(folder, "rail.stl")
+    for names, solids in ((("--only", "rail"), ["rail"]), ((), None)):
+        run(*names, "--mesh", mesh, "-q", path)
+        boxes = [box for box in expand(machine) if solids is None or box[0] in solids]
+        check_equal(f"triangles of {solids or 'all'}", 12 * len(boxes), count_triangles(mesh))
     file = run_json("--only", "nothing", path, status=3)
     check_true("no such product", file["status"] == "empty" and any("nothing" in text for text in file["messages"]), str(file["messages"]))
 
@@ -355,6 +365,12 @@ def stability():
     lean = write_product(os.path.join(folder, "lean.step"), lean)
     for file_name, status in ((tower, 0), (lean, 3)):
         check_equal("stable required", status, run("--stability", "-z", "--require", "stable", "-q", file_name).returncode)
+    # The arm alone lies on its own lowest face.
+    file = run_json("--stability", "-z", "--only", "arm", lean)
+    for alone in (file["total"]["stability"], file["solids"][0]["stability"]):
+        check_equal("the arm alone", "stable", alone["verdict"])
+        check_bounded("its margin", 5, alone["stability_margin"], alone["bounds"]["stability_margin"])
+        check("height of its ground", 2.0, alone["projected_center_of_mass"][2], 1e-9)
 
 
 def robots():
@@ -456,6 +472,17 @@ def validation():
     run("-q", "--write-validation", again, target)
     with open(again, encoding="ascii") as text:
         check_true("nothing is stated twice", text.read() == new)
+    # An open box beside a closed one: its volume depends on the origin, and is not stated, nor is that of both.
+    points, faces = make_box(Fraction(4), Fraction(5), Fraction(6), (Fraction(0),) * 3)
+    pair = Assembly("pair", [(Part("open", [], None, polyhedra=[(points, faces[1:])]), (0, 0, 0), None),
+                             (Part("closed", [((0, 0, 0), (1, 2, 3))], None), (20, 0, 0), None)])
+    pair = write_product(os.path.join(folder, "open-pair.step"), pair)
+    target = os.path.join(folder, "open-pair-stated.step")
+    check_equal("open", 3, run("-q", "--density", "steel", "--write-validation", target, pair).returncode)
+    after = run_json("--validate", target, status=3)
+    check_equal("stated of the closed one only", {"closed"}, {e["product"] for e in after["validation"]})
+    check_equal("three statements", 3, len(after["validation"]))
+    check_equal("both densities", [7850.0, 7850.0], [round(solid["density"], 9) for solid in after["solids"]])
     for arguments, said in ((("--write-validation", path, path), "input"), (("--write-validation", again, path, target), "one file"),
                             (("--require", "validation", path), "--validate"), (("--validation-limit", "2", "--validate", path), "from 0 to 1")):
         result = run(*arguments)

@@ -9,6 +9,7 @@
 #include "smStepFile.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkDataAssembly.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkMassPropertiesGPU.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -109,6 +110,59 @@ void TestBodies(const Manifest& manifest)
   CheckTrue("and no margin", std::isnan(shell.Filter->GetStabilityMargin()));
 }
 
+/// Selectors of the mass filter choose the solids that stand: a plate on a post, and the plate alone.
+void TestChoice()
+{
+  vtkNew<vtkPartitionedDataSetCollection> parts;
+  const BoxShell shells[2] = { { { 0, 0, 0 }, { 4, 4, 10 } }, { { 0, 0, 10 }, { 20, 4, 12 } } };
+  vtkNew<vtkDataAssembly> assembly;
+  assembly->SetRootNodeName("Product");
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    BoxBody body;
+    body.Add(shells[i]);
+    parts->SetPartition(i, 0, body.Make());
+    assembly->AddDataSetIndex(assembly->AddNode(i == 0 ? "Post" : "Plate"), i);
+  }
+  parts->SetDataAssembly(assembly);
+  vtkNew<vtkSolidStability> filter;
+  filter->SetInputDataObject(parts);
+  filter->Update();
+  // (160 x 2 + 160 x 10) / 320 = 6
+  CheckVerdict("plate on a post", filter, "unstable", "area", "margin");
+  CheckBounded(filter, names::StabilityMargin, -2.0, 1e-9);
+  filter->GetMassProperties()->AddSelector("//Plate");
+  filter->GetMassProperties()->TotalRowOn();
+  for (const int bodies : { vtkSolidStability::TOGETHER, vtkSolidStability::EACH })
+  {
+    filter->SetBodies(bodies);
+    filter->Update();
+    CheckVerdict("the plate", filter, "stable", "area", "margin");
+    CheckBounded(filter, names::StabilityMargin, 2.0, 1e-9);
+    Check("height of its ground", 10.0, Get(filter, names::ProjectedCenterOfMass, 2), 1e-9);
+    CheckEqual("its row", 1, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfRows());
+  }
+  const MessageTrap trap(filter->GetMassProperties());
+  filter->GetMassProperties()->ClearSelectors();
+  filter->GetMassProperties()->AddSelector("//Wheel");
+  filter->Update();
+  CheckEqual("what is not there", names::VerdictUnknown, filter->GetStability());
+  CheckEqual("its status", names::StatusEmpty, filter->GetStatus());
+  CheckEqual("no row", 0, vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfRows());
+  // Solids in two units have no common centre, whatever their masses are.
+  filter->GetMassProperties()->ClearSelectors();
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    auto* model = vtkNURBSDataSet::SafeDownCast(parts->GetPartition(i, 0))->GetModel();
+    model->SetDensity(1000.0 + i);
+    model->SetLengthUnit(i == 0 ? "mm" : "inch");
+  }
+  filter->SetBodies(vtkSolidStability::TOGETHER);
+  filter->Update();
+  CheckEqual("two units", names::VerdictUnknown, filter->GetStability());
+  CheckTrue("two units, no margin", std::isnan(filter->GetStabilityMargin()));
+}
+
 /// An exception from within a run is an error of the filter with empty outputs; it does not leave Update().
 void CheckOutOfMemory(const std::string& path)
 {
@@ -198,6 +252,7 @@ int TestSolidStabilityBodies(int argc, char* argv[])
   if (std::string(argv[3]) == "bodies")
   {
     TestBodies(Manifest(argv[2]));
+    TestChoice();
   }
   else
   {

@@ -3,6 +3,7 @@
 #include "smPlacedBox.h"
 #include "smTesting.h"
 
+#include <vtkMassPropertiesGPU.h>
 #include <vtkSurfaceIntegralGPU.h>
 
 #include <algorithm>
@@ -68,6 +69,35 @@ void CheckExact()
   filter->Update();
   CheckRange("bound of the rotated", 2.0 * still, filter->GetIntegralBound("area"), 100.0 * still);
 }
+
+/// A matrix that is a rotation but for its decimals, or stretches by as little: the box as it places it is within the bounds.
+void CheckNearlyRigid(double stretch)
+{
+  vtkNew<vtkMatrix4x4> placement;
+  PlacedBox::SetPlacement(0.0, placement);
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      placement->SetElement(i, j, (1.0 + stretch) * placement->GetElement(i, j));
+    }
+  }
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetBackend(vtkSurfaceIntegralGPU::CPU);
+  LatticeBody body;
+  body.Degree = 1;
+  body.Knots = { 0.0, 0.0, 1.0, 1.0 };
+  const auto leaf = body.Make();
+  leaf->SetPlacement(placement);
+  mass->SetInputDataObject(leaf);
+  mass->Update();
+  const Real scale = 1.0L + stretch;
+  const std::string label = "stretched by " + std::to_string(stretch * 1e13) + "e-13";
+  Check(label + ", volume", static_cast<double>(30.0L * scale * scale * scale), mass->GetVolume(),
+    mass->GetVolumeBound(), "(the bound)");
+  CheckRange(label + ", bound", 0.0, mass->GetVolumeBound(), 30.0 * (1e-14 + 40.0 * stretch));
+  CheckEqual(label + ", status", "ok", mass->GetStatus());
+}
 }
 
 int TestPlacementError(int, char*[])
@@ -75,5 +105,9 @@ int TestPlacementError(int, char*[])
   CheckPlacement(0.0);
   CheckPlacement(1000.0);
   CheckExact();
+  for (const double stretch : { 0.0, 1e-14, 1e-13, 4e-13 })
+  {
+    CheckNearlyRigid(stretch);
+  }
   return Finish();
 }

@@ -4,11 +4,14 @@
 #include "smWriterFiles.h"
 
 #include <vtkErrorCode.h>
+#include <vtkMatrix4x4.h>
 #include <vtkSphereSource.h>
 
+#include <cmath>
 #include <csignal>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <tuple>
 
 namespace
 {
@@ -95,6 +98,22 @@ void CheckErrors(const std::string& folder, const std::string& own)
   mesh->SetInputConnection(sphere->GetOutputPort());
   CheckFails(
     "a mesh", watchedMesh, (own + "/mesh.brep").c_str(), vtkErrorCode::UserError, "no exact geometry");
+  // The placement alone of a copy is of no use: a NaN is no number of a STEP file.
+  vtkNew<vtkNURBSDataSet> nowhere;
+  nowhere->ShallowCopy(vtkPartitionedDataSetCollection::SafeDownCast(box)->GetPartition(0, 0));
+  for (const auto& [row, column, value] :
+    { std::tuple(0, 3, std::nan("")), std::tuple(1, 1, HUGE_VAL), std::tuple(3, 0, 0.5) })
+  {
+    vtkNew<vtkMatrix4x4> placement;
+    placement->SetElement(row, column, value);
+    nowhere->SetPlacement(placement);
+    for (Watched* writer : { &watched, &watchedMesh })
+    {
+      writer->Writer->SetInputDataObject(nowhere);
+      CheckFails("a placement that is none", *writer, path.c_str(), vtkErrorCode::UserError, "placement");
+    }
+  }
+  step->SetInputDataObject(box);
   CheckEqual("nothing was left behind", 0, CountFiles(own));
 
   step->SetFileName(path.c_str());
