@@ -1,4 +1,5 @@
 #include "smPanelPlanner.h"
+#include "smHullBound.h"
 #include "smIntegerPower.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
@@ -370,10 +371,17 @@ void PanelPlanner::Plan(std::uint32_t index)
   {
     return;
   }
-  if (this->PlanByPatch(index, {}))
+  const std::vector<double> before = this->Result.Magnitude;
+  if (!this->PlanByPatch(index, {}))
   {
-    return;
+    this->PlanInParts(index);
   }
+  this->Result.LimitMagnitude(before, this->Request.Classes,
+    BoundPanelByHull(this->Panels, this->Panels.Panels[index], this->Request.Shift));
+}
+
+void PanelPlanner::PlanInParts(std::uint32_t index)
+{
   this->Pending.assign(1, {});
   this->Parts = 0;
   // Parts of small depth come first, so that the limit of parts affects the deepest ones.

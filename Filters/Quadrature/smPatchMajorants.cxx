@@ -186,7 +186,7 @@ double PatchMajorants::GetLowestWeight() const
   {
     sum += entry;
   }
-  return this->FirstWeight - sum;
+  return std::max(0.0, this->FirstWeight - sum);
 }
 
 double PatchMajorants::GetReach() const
@@ -201,7 +201,7 @@ double PatchMajorants::GetReach() const
 
 double PatchMajorants::GetLengthDeviation() const
 {
-  if (!this->IsPolynomialLength())
+  if (!this->IsPolynomialLength() || this->Traits.SquareDeviation == 0.0)
   {
     return 0.0;
   }

@@ -75,7 +75,7 @@ public:
     std::vector<double>& bounds) const;
   /// Largest distance from the point that moments are about.
   double GetReach() const;
-  /// A lower bound of w on the box, which may be negative.
+  /// A lower bound of w on the box; 0 if there is none above it.
   double GetLowestWeight() const;
 
   /// Upper bound, for real parameters, of the difference between |n| and its series where |n| is taken for a polynomial.

@@ -67,8 +67,9 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   double MaxOverhang = 0.0;
   /// The widest overlap of a face's loops beside gaps at their corners.
   double MaxOverlap = 0.0;
-  /// Entity numbers of the faces whose bounds are estimated, and the number of faces that were skipped.
+  /// Entity numbers of the faces whose bounds are estimated, and of those that were left out; the number of faces that were skipped.
   std::vector<int> EstimatedFaces;
+  std::vector<int> LeftOutFaces;
   int SkippedFaces = 0;
   /// Defects of faces that make the body suspect. Edges do so if they are open or their gap is wider than ExcusedGap.
   std::vector<FaceDefect> FaceDefects;

@@ -74,6 +74,8 @@ struct FaceIntegrals
   bool Estimated = false;
   /// True if the run was stopped before this face: its integrals are 0, with their largest possible magnitude as error.
   bool Skipped = false;
+  /// True if the bound of some integral would have been larger than its largest possible magnitude, which is its error instead: it is 0.
+  bool LeftOut = false;
   /// Gaps between all coedges and their edges at foot points: integral of the square, integral, and maximum.
   double GapSquared = 0.0;
   double GapArea = 0.0;

@@ -153,7 +153,11 @@ void SurfaceIntegrator::Internals::MakeBatches(const std::vector<FaceTask>& task
     results[i].CoverageDefects = cut.Panels.CoverageDefects;
     results[i].Overlap = cut.Panels.Overlap;
     results[i].Outside = cut.Panels.Outside;
-    results[i].IsContinued = true;
+    results[i].IsContinued = !cut.Panels.AreTrimsMoved;
+    if (cut.Panels.AreTrimsMoved)
+    {
+      results[i].Outside.Distance = std::numeric_limits<double>::infinity();
+    }
     groups[this->Runner->GetGroup(i)].push_back(i);
   }
   const std::size_t rowLimit = groups.empty() ? 0 : this->Runner->GetRowLimit();

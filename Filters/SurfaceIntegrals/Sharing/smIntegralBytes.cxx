@@ -11,6 +11,7 @@ void PutIntegrals(ByteWriter& to, const FaceIntegrals& integrals)
   }
   to.Put(integrals.Estimated);
   to.Put(integrals.Skipped);
+  to.Put(integrals.LeftOut);
   to.Put(integrals.GapSquared);
   to.Put(integrals.GapArea);
   to.Put(integrals.MaxGap);
@@ -32,6 +33,7 @@ FaceIntegrals GetIntegrals(ByteReader& from)
   }
   integrals.Estimated = from.Get<bool>();
   integrals.Skipped = from.Get<bool>();
+  integrals.LeftOut = from.Get<bool>();
   integrals.GapSquared = from.Get<double>();
   integrals.GapArea = from.Get<double>();
   integrals.MaxGap = from.Get<double>();
