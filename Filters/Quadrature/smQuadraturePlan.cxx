@@ -363,10 +363,12 @@ FacePlan JoinPortions(const Face& face, const FacePanels& panels, const PlanRequ
   }
   LimitResidualError(panels, all, plan);
   AddFitError(face, panels, all.Classes, reach, area, plan);
+  plan.ResidualBound = plan.ConversionBound;
   AddDisplacementError(panels, all, area, plan);
   plan.Area = area;
   plan.Reading = ReadingError::Make(face, panels, std::min(reach, GetReach(panels, request)));
-  for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
+  for (std::vector<double>* values :
+    { &plan.QuadratureBound, &plan.ConversionBound, &plan.ResidualBound, &plan.Magnitude })
   {
     values->resize(request.Classes.size());
     // Bounds are computed with rounding to nearest.

@@ -58,6 +58,8 @@ struct FacePlan
   std::vector<double> QuadratureBound;
   /// Per class: bound of the error from residuals of trim curves, edge curves and surface, and rounding of control points.
   std::vector<double> ConversionBound;
+  /// The part of ConversionBound that comes from residuals of curves and surfaces, which are measured, not proved (Bounds.md, 3).
+  std::vector<double> ResidualBound;
   /// Per class: bound of the integral's magnitude, panels, ribbons and caps together, for a face that is not evaluated.
   std::vector<double> Magnitude;
   /// True if Magnitude counts a panel or ribbon by its hull, because no ellipse gave as small a bound: weights differ by orders of magnitude.

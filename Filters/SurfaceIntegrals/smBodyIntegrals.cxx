@@ -348,7 +348,7 @@ void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
       all[k].Add(side * result.Face[k]);
       all[k].Add(side * result.Closing[k]);
       body.Bound[k] += result.GetBound(k);
-      body.MeasuredBound[k] += result.Rounding[k];
+      body.MeasuredBound[k] += result.Rounding[k] + result.Residual[k];
     }
   }
   for (std::size_t k = 0; k < count; ++k)

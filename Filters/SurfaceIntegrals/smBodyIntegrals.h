@@ -58,7 +58,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   std::vector<double> Value;
   std::vector<double> FaceValue;
   std::vector<double> Bound;
-  /// The part of Bound that is estimated: the rounding of samples, whose constants were measured and are not proved (Bounds.md, 2).
+  /// The part of Bound that is estimated: the rounding of samples, whose constants were measured and are not proved (Bounds.md, 2), and
+  /// measured residuals (3).
   std::vector<double> MeasuredBound;
   double GapSquared = 0.0;
   double GapArea = 0.0;

@@ -57,6 +57,8 @@ struct FaceIntegrals
   std::vector<double> QuadratureError;
   std::vector<double> Rounding;
   std::vector<double> Conversion;
+  /// The part of Conversion that is measured, not proved: that of the residuals.
+  std::vector<double> Residual;
   double GetBound(std::size_t integrand) const
   {
     return this->QuadratureError[integrand] + this->Rounding[integrand] + this->Conversion[integrand];
@@ -64,8 +66,8 @@ struct FaceIntegrals
   /// Appends an integrand whose entries all have this value.
   void Append(double value)
   {
-    for (std::vector<double>* values :
-      { &this->Face, &this->Closing, &this->QuadratureError, &this->Rounding, &this->Conversion })
+    for (std::vector<double>* values : { &this->Face, &this->Closing, &this->QuadratureError, &this->Rounding,
+           &this->Conversion, &this->Residual })
     {
       values->push_back(value);
     }

@@ -53,6 +53,7 @@ void SurfaceIntegrator::Internals::AddBounds(const std::vector<FaceTask>& tasks,
       error = compared || !std::isfinite(error) ? error : 0.0;
       error += plan.QuadratureBound[this->Plans.GetClass(k)];
       result.Conversion[this->Chosen[k]] += plan.ConversionBound[this->Plans.GetClass(k)];
+      result.Residual[this->Chosen[k]] += plan.ResidualBound[this->Plans.GetClass(k)];
       if (this->Plans.GetBoundClass(k) == PlainArea)
       {
         area = std::fmin(area, result.Face[this->Chosen[k]] + result.GetBound(this->Chosen[k]));

@@ -5,7 +5,7 @@ namespace sm
 void PutIntegrals(ByteWriter& to, const FaceIntegrals& integrals)
 {
   for (const std::vector<double>* values : { &integrals.Face, &integrals.Closing, &integrals.QuadratureError,
-         &integrals.Rounding, &integrals.Conversion })
+         &integrals.Rounding, &integrals.Conversion, &integrals.Residual })
   {
     to.PutAll(*values);
   }
@@ -27,7 +27,7 @@ FaceIntegrals GetIntegrals(ByteReader& from)
 {
   FaceIntegrals integrals;
   for (std::vector<double>* values : { &integrals.Face, &integrals.Closing, &integrals.QuadratureError,
-         &integrals.Rounding, &integrals.Conversion })
+         &integrals.Rounding, &integrals.Conversion, &integrals.Residual })
   {
     *values = from.GetAll<double>();
   }
