@@ -55,7 +55,8 @@ void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
 {
   const std::pair<std::vector<double>*, const std::vector<double>*> pairs[] = { { &to.Face, &from.Face },
     { &to.Closing, &from.Closing }, { &to.QuadratureError, &from.QuadratureError },
-    { &to.Rounding, &from.Rounding }, { &to.Conversion, &from.Conversion } };
+    { &to.Rounding, &from.Rounding }, { &to.Conversion, &from.Conversion },
+    { &to.Residual, &from.Residual } };
   for (const auto& [sum, more] : pairs)
   {
     for (std::size_t k = 0; k < sum->size(); ++k)

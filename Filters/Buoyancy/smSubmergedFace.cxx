@@ -90,6 +90,7 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
     panels.CoverageDefects = source.Panels.CoverageDefects;
     panels.Overlap = source.Panels.Overlap;
     panels.Outside = source.Panels.Outside;
+    panels.AreTrimsMoved = source.Panels.AreTrimsMoved;
   }
   cut->Panels = std::move(panels);
   return cut;

@@ -36,7 +36,7 @@ constexpr const char* MassUncertainty = "MassUncertainty"; // 4, kg: in all, by 
 constexpr const char* Density = "Density";                 // 1, kg/m^3
 constexpr const char* Material = "Material";               // string
 constexpr const char* BoundsMeasured =
-  "BoundsMeasured"; // 4, parts of the bounds of volume, area, centre and inertia that rest on measured constants
+  "BoundsMeasured"; // 4, parts of the bounds of volume, area, centre and inertia that are measured, not proved
 // The total of solids of which only some have a density.
 constexpr const char* KnownMass = "KnownMass";               // 1, kg, of those
 constexpr const char* SolidsWithVolume = "SolidsWithVolume"; // 1 (int)

@@ -272,6 +272,7 @@ void SchemeIntegrator::Internals::Finish(std::vector<SchemeResult>& results) con
     integrals.QuadratureError.assign(NumberOfMassIntegrands, nan);
     integrals.Rounding.assign(NumberOfMassIntegrands, nan);
     integrals.Conversion.assign(NumberOfMassIntegrands, nan);
+    integrals.Residual.assign(NumberOfMassIntegrands, nan);
     integrals.GapSquared = integrals.GapArea = integrals.MaxGap = nan;
     integrals.Outside.Distance = face.Outside;
     if (!integrals.Error.empty())

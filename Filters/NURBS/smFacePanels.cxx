@@ -447,6 +447,26 @@ FacePanels Builder::Build()
 }
 }
 
+namespace
+{
+// From this ratio of neighbours' weights a surface is not continued farther than it is wide.
+constexpr double LargeWeightRatio = 8.0;
+
+/// Returns true if the surface can be continued to its trim curves.
+bool CanContinue(const FacePanels& panels)
+{
+  double diameter = 0.0;
+  double ratio = 0.0;
+  for (const Patch& patch : panels.Patches)
+  {
+    diameter = std::max(diameter, 2.0 * patch.Radius);
+    ratio = std::max(ratio, patch.WeightRatio);
+  }
+  return std::isfinite(panels.Outside.Distance) &&
+    (panels.Outside.Distance <= diameter || ratio < LargeWeightRatio);
+}
+}
+
 FacePanels BuildFacePanels(const Face& face)
 {
   std::string reason = face.Surface.Check();
@@ -454,7 +474,14 @@ FacePanels BuildFacePanels(const Face& face)
   {
     try
     {
-      return Builder(face).Build();
+      FacePanels panels = Builder(face).Build();
+      if (CanContinue(panels))
+      {
+        return panels;
+      }
+      panels = Builder(MoveTrimsInside(face)).Build();
+      panels.AreTrimsMoved = true;
+      return panels;
     }
     catch (const std::runtime_error& error)
     {

@@ -104,6 +104,9 @@ struct FacePanels
   double Overlap = 0.0;
   /// Trim curves beyond the surface's domain, to which the surface is continued.
   Overhang Outside;
+  /// True if trim curves led where the denominator of the surface may vanish, or where, with weights that differ much, the surface would have
+  /// to be continued farther than it is wide: these curves were moved to the border, and ribbons close the rest.
+  bool AreTrimsMoved = false;
 };
 
 /// Cuts a face. Throws std::runtime_error naming the face when its surface or a trim curve is not valid.

@@ -135,4 +135,22 @@ Overhang BoundOverhang(const Patch& patch, const std::array<double, 4>* points,
   }
   return sum;
 }
+
+Face MoveTrimsInside(const Face& face)
+{
+  Face moved = face;
+  const Point2 low{ face.Surface.GetSpanBreaks(0).front(), face.Surface.GetSpanBreaks(1).front() };
+  const Point2 high{ face.Surface.GetSpanBreaks(0).back(), face.Surface.GetSpanBreaks(1).back() };
+  for (Loop& loop : moved.Loops)
+  {
+    for (Coedge& coedge : loop.Coedges)
+    {
+      for (TrimCurve::Point& c : coedge.Curve.Coefficients)
+      {
+        c = { std::clamp(c[0], low[0], high[0]), std::clamp(c[1], low[1], high[1]) };
+      }
+    }
+  }
+  return moved;
+}
 }

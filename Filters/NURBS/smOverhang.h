@@ -17,6 +17,7 @@
 #include "smFiltersNURBSModule.h"
 
 #include "smBezierPatch.h"
+#include "smFace.h"
 #include "smPolynomialCurve.h"
 
 #include <array>
@@ -38,6 +39,9 @@ struct SMFILTERSNURBS_EXPORT Overhang
 SMFILTERSNURBS_EXPORT Overhang BoundOverhang(const Patch& patch, const std::array<double, 4>* points,
   const BernsteinPiece<2>& curve, double start, double end, const std::array<double, 2>& low,
   const std::array<double, 2>& high);
+
+/// Returns the face with trim curves that stay in the surface's domain: their coefficients outside are moved to its border.
+Face MoveTrimsInside(const Face& face);
 }
 
 #endif

@@ -1,4 +1,5 @@
 #include "smPanelPlanner.h"
+#include "smHullBound.h"
 #include "smIntegerPower.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
@@ -375,13 +376,23 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
 
 void PanelPlanner::Plan(std::uint32_t index)
 {
-  // The form of |n| costs more than the points that it saves where few are needed without it.
-  const bool withForm = this->Series.HasCheapForm(this->Panels.Panels[index].Patch);
-  if (this->PlanExactly(index) || (!withForm && this->PlanByPatch(index, {}, false)) ||
-    this->PlanByPatch(index, {}, true))
+  if (this->PlanExactly(index))
   {
     return;
   }
+  const std::vector<double> before = this->Result.Magnitude;
+  // The form of |n| costs more than the points that it saves where few are needed without it.
+  const bool withForm = this->Series.HasCheapForm(this->Panels.Panels[index].Patch);
+  if (!(!withForm && this->PlanByPatch(index, {}, false)) && !this->PlanByPatch(index, {}, true))
+  {
+    this->PlanInParts(index);
+  }
+  this->Result.LimitMagnitude(before, this->Request.Classes,
+    BoundPanelByHull(this->Panels, this->Panels.Panels[index], this->Request.Shift));
+}
+
+void PanelPlanner::PlanInParts(std::uint32_t index)
+{
   this->Pending.assign(1, {});
   this->Parts = 0;
   // Parts of small depth come first, so that the limit of parts affects the deepest ones.

@@ -26,6 +26,8 @@ public:
 
 private:
   bool PlanExactly(std::uint32_t index);
+  /// Plans a panel in as many parts as its bounds ask for.
+  void PlanInParts(std::uint32_t index);
   /// Adds the error of exact orders for what a flat patch deviates from a parallelogram.
   void AddFlatError(const Patch& patch, double reach);
   /// Plans a panel by the series of its patch. Returns false if their bounds do not suffice, or if series of the panel's own may need far

@@ -210,7 +210,7 @@ double PatchMajorants::GetLowestWeight() const
   {
     sum += entry;
   }
-  return this->FirstWeight - sum;
+  return std::max(0.0, this->FirstWeight - sum);
 }
 
 bool PatchMajorants::HasEvenWeight() const
@@ -231,17 +231,13 @@ double PatchMajorants::GetReach() const
 
 double PatchMajorants::GetLengthDeviation() const
 {
-  if (!this->IsPolynomialLength())
+  if (!this->IsPolynomialLength() || this->Traits.SquareDeviation == 0.0)
   {
     return 0.0;
   }
   // ||m~| - h| (|m~| + h) is the deviation of the squares. With a constant direction h is m~.e, e taken on the box.
   const Ellipse real = Ellipse::FromRadius(1.0);
   const double weight = this->GetLowestWeight();
-  if (!(weight > 0.0))
-  {
-    return this->Traits.SquareDeviation > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
-  }
   return this->Traits.SquareDeviation / this->LeastLength * this->GetFactorMajorant(real, real) /
     (weight * weight * weight);
 }

@@ -77,7 +77,7 @@ public:
     std::vector<double>& bounds) const;
   /// Largest distance from the point that moments are about; infinite where the weight may vanish, as the next bounds are.
   double GetReach() const;
-  /// A lower bound of w on the box, which may be negative.
+  /// A lower bound of w on the box; 0 if there is none above it.
   double GetLowestWeight() const;
   /// True if w is nowhere on the box below a tenth of its mean, so that the polynomial m divided by w^3 has no narrow peaks.
   bool HasEvenWeight() const;

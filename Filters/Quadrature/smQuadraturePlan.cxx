@@ -70,6 +70,33 @@ void AddFitError(const Face& face, const FacePanels& panels, const std::vector<B
   }
 }
 
+/// Limits the effect of residuals of trim curves on areas. The face with its curves as they are and that with exact ones both lie on the
+/// patches, and cover them once: their areas differ by no more than that of the patches.
+void LimitResidualError(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
+{
+  if (panels.CoverageDefects > 0 || panels.Outside.Distance > 0.0)
+  {
+    return;
+  }
+  std::vector<double> largest(request.Classes.size(), 0.0);
+  for (std::uint32_t i = 0; i < panels.Patches.size(); ++i)
+  {
+    const HullBound hull = BoundPatchByHull(panels, i, request.Shift);
+    for (std::size_t k = 0; k < largest.size(); ++k)
+    {
+      // Moments of degrees above 0 may have different signs.
+      largest[k] += (request.Classes[k].Degree > 0 ? 2.0 : 1.0) * hull.GetMagnitude(request.Classes[k]);
+    }
+  }
+  for (std::size_t k = 0; k < largest.size(); ++k)
+  {
+    if (request.Classes[k].Kind == BoundClass::AreaMoment)
+    {
+      plan.ConversionBound[k] = std::min(plan.ConversionBound[k], largest[k]);
+    }
+  }
+}
+
 /// Length of a control polygon: no shorter than the rational curve, whose weights are positive.
 double GetPolygonLength(const std::array<double, 4>* points, int degree, int stride)
 {
@@ -218,10 +245,59 @@ void ShareOut(const FacePanels& panels, const PlanRequest& request, FacePlan& pl
   }
 }
 
+/// Leaves out the panels if no moment of the face, whose tolerances are `shares` of one item, has a bound that is less than its magnitude.
+void LeaveOut(const PlanRequest& shares, FacePlan& plan)
+{
+  bool isUseless = plan.IsLimitedByHull;
+  bool hasMoment = false;
+  for (std::size_t i = 0; i < shares.Classes.size(); ++i)
+  {
+    const bool isMoment = shares.Classes[i].Kind != BoundClass::AreaMoment && shares.Tolerances[i] > 0.0;
+    hasMoment = hasMoment || isMoment;
+    isUseless = isUseless && !(isMoment && plan.QuadratureBound[i] <= plan.Magnitude[i]);
+  }
+  if (!isUseless || !hasMoment)
+  {
+    return;
+  }
+  plan.IsLeftOut = true;
+  plan.Estimated = false;
+  // One panel remains, because a face without items counts as 0.
+  const auto isPanel = [](const PlannedItem& item) { return item.Kind == ItemKind::Panel; };
+  const auto first = std::find_if(plan.Items.begin(), plan.Items.end(), isPanel);
+  if (first != plan.Items.end())
+  {
+    first->Along = first->Across = 1;
+    first->Compared = false;
+    plan.Items.erase(std::remove_if(first + 1, plan.Items.end(), isPanel), plan.Items.end());
+  }
+  plan.QuadratureBound.assign(plan.QuadratureBound.size(), std::numeric_limits<double>::infinity());
+  plan.Evaluations = 0;
+  for (const PlannedItem& item : plan.Items)
+  {
+    plan.Evaluations +=
+      static_cast<std::int64_t>(item.Along) * (item.Kind == ItemKind::Panel ? item.Across : 1);
+  }
+}
+
 void Add(const std::vector<double>& values, std::vector<double>& sums)
 {
   std::transform(values.begin(), values.end(), sums.begin(), sums.begin(), std::plus<>());
 }
+}
+
+void FacePlan::LimitMagnitude(
+  const std::vector<double>& before, const std::vector<BoundClass>& classes, const HullBound& hull)
+{
+  for (std::size_t i = 0; i < classes.size(); ++i)
+  {
+    const double largest = before[i] + hull.GetMagnitude(classes[i]);
+    if (!(this->Magnitude[i] <= largest))
+    {
+      this->Magnitude[i] = largest;
+      this->IsLimitedByHull = true;
+    }
+  }
 }
 
 FacePlanner::FacePlanner(const Face& face, const FacePanels& panels, const PlanRequest& request)
@@ -283,22 +359,27 @@ FacePlan FacePlanner::Join() const
     plan.Items.insert(plan.Items.end(), part.Items.begin(), part.Items.end());
     plan.Evaluations += part.Evaluations;
     plan.Estimated = plan.Estimated || part.Estimated;
+    plan.IsLimitedByHull = plan.IsLimitedByHull || part.IsLimitedByHull;
     Add(part.QuadratureBound, plan.QuadratureBound);
     Add(part.ConversionBound, plan.ConversionBound);
     Add(part.Magnitude, plan.Magnitude);
     reach = std::max(reach, this->Portions[i].Reach);
     area = i < panelPortions ? plan.Magnitude[areaClass] : area;
   }
+  LeaveOut(all, plan);
   ShareOut(panels, this->Request, plan);
   for (std::uint32_t i = 0; i < panels.Caps.size(); ++i)
   {
     AddCap(panels, all, i, plan);
   }
+  LimitResidualError(panels, all, plan);
   AddFitError(this->Source, panels, all.Classes, reach, area, plan);
+  plan.ResidualBound = plan.ConversionBound;
   AddDisplacementError(panels, all, area, plan);
   plan.Area = area;
   plan.Reading = ReadingError::Make(this->Source, panels, std::min(reach, GetReach(panels, this->Request)));
-  for (std::vector<double>* values : { &plan.QuadratureBound, &plan.ConversionBound, &plan.Magnitude })
+  for (std::vector<double>* values :
+    { &plan.QuadratureBound, &plan.ConversionBound, &plan.ResidualBound, &plan.Magnitude })
   {
     values->resize(this->Request.Classes.size());
     // Bounds are computed with rounding to nearest. One that is no number, which a difference of infinite values is, is none.

@@ -12,6 +12,7 @@
 
 #include "smFacePanels.h"
 #include "smFiltersQuadratureModule.h"
+#include "smHullBound.h"
 #include "smPatchMajorants.h"
 #include "smReadingError.h"
 
@@ -59,8 +60,15 @@ struct FacePlan
   std::vector<double> QuadratureBound;
   /// Per class: bound of the error from residuals of trim curves, edge curves and surface, and rounding of control points.
   std::vector<double> ConversionBound;
+  /// The part of ConversionBound that comes from residuals of curves and surfaces, which are measured, not proved (Bounds.md, 3).
+  std::vector<double> ResidualBound;
   /// Per class: bound of the integral's magnitude, panels, ribbons and caps together, for a face that is not evaluated.
   std::vector<double> Magnitude;
+  /// True if Magnitude counts a panel or ribbon by its hull, because no ellipse gave as small a bound: weights differ by orders of magnitude.
+  /// Then the quadrature's bound may be larger than Magnitude, and useless.
+  bool IsLimitedByHull = false;
+  /// True if the bounds of all moments are useless: nothing but the ribbons and caps, which measure gaps, is evaluated.
+  bool IsLeftOut = false;
   /// Bound of the face's area that is known before anything is evaluated.
   double Area = 0.0;
   /// Error of reading, which is added to ConversionBound once the face's area is known.
@@ -69,6 +77,10 @@ struct FacePlan
   std::int64_t Evaluations = 0;
   /// True if the area of an item is compared, or if the surface is a fit whose normals have no bound: the bounds of areas are estimates.
   bool Estimated = false;
+
+  /// Limits what was added to Magnitude, which was `before`, by that of a hull.
+  void LimitMagnitude(
+    const std::vector<double>& before, const std::vector<BoundClass>& classes, const HullBound& hull);
 };
 
 struct PlanRequest

@@ -1,4 +1,5 @@
 #include "smRibbonPlanner.h"
+#include "smHullBound.h"
 #include "smIntegerPower.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
@@ -232,6 +233,9 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
 
 void RibbonPlanner::Plan(std::uint32_t index)
 {
+  const std::vector<double> before = this->Result.Magnitude;
   this->PlanPart(index, 0.0, 1.0, 0);
+  this->Result.LimitMagnitude(before, this->Request.Classes,
+    BoundRibbonByHull(this->Panels, this->Panels.Ribbons[index], this->Request.Shift));
 }
 }

@@ -273,6 +273,10 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
       body.EstimatedFaces.push_back(source.FileId);
     }
     body.SkippedFaces += result.Skipped ? 1 : 0;
+    if (result.LeftOut)
+    {
+      body.LeftOutFaces.push_back(source.FileId);
+    }
     if (result.CoverageDefects > 0)
     {
       body.Flag(
@@ -298,6 +302,14 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
       "the run was stopped: " + std::to_string(body.SkippedFaces) +
         " faces were not integrated; they count as 0, and the bounds include their largest possible "
         "magnitude");
+  }
+  if (!body.LeftOutFaces.empty())
+  {
+    body.Flag(Status::ToleranceNotMet,
+      FormatCount(body.LeftOutFaces.size(), "face", "faces") + " (" + ListIds(body.LeftOutFaces) +
+        ") could not be integrated with a bound, because weights of the surface differ too much; integrals "
+        "there count "
+        "as 0, and the bounds include their largest possible magnitude");
   }
   const bool everything = std::any_of(
     integrands.begin(), integrands.end(), [](const Integrand& integrand) { return integrand.Degree < 0; });
@@ -338,7 +350,7 @@ void SumValues(BodyIntegrals& body, const std::vector<Integrand>& integrands)
       all[k].Add(side * result.Face[k]);
       all[k].Add(side * result.Closing[k]);
       body.Bound[k] += result.GetBound(k);
-      body.MeasuredBound[k] += result.Rounding[k];
+      body.MeasuredBound[k] += result.Rounding[k] + result.Residual[k];
     }
   }
   for (std::size_t k = 0; k < count; ++k)
@@ -502,8 +514,9 @@ void ReverseShells(BodyIntegrals& body, const std::vector<Integrand>& integrands
                           : " shells were inside out and were reversed"));
     SumValues(body, integrands);
   }
-  // The sum of a run that was stopped may be negative although the solid is not inside out.
-  const bool isSignKnown = body.SkippedFaces == 0 || std::abs(body.Value[volume]) > body.Bound[volume];
+  // A sum without some faces may be negative although the solid is not inside out.
+  const bool isSignKnown = (body.SkippedFaces == 0 && body.LeftOutFaces.empty()) ||
+    std::abs(body.Value[volume]) > body.Bound[volume];
   if (body.Value[volume] < 0.0 && isSignKnown)
   {
     body.InsideOut = true;

@@ -58,7 +58,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   std::vector<double> Value;
   std::vector<double> FaceValue;
   std::vector<double> Bound;
-  /// The part of Bound that is estimated: the rounding of samples, whose constants were measured and are not proved (Bounds.md, 2).
+  /// The part of Bound that is estimated: the rounding of samples, whose constants were measured and are not proved (Bounds.md, 2), and
+  /// measured residuals (3).
   std::vector<double> MeasuredBound;
   double GapSquared = 0.0;
   double GapArea = 0.0;
@@ -67,8 +68,9 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   double MaxOverhang = 0.0;
   /// The widest overlap of a face's loops beside gaps at their corners.
   double MaxOverlap = 0.0;
-  /// Entity numbers of the faces whose bounds are estimated, and the number of faces that were skipped.
+  /// Entity numbers of the faces whose bounds are estimated, and of those that were left out; the number of faces that were skipped.
   std::vector<int> EstimatedFaces;
+  std::vector<int> LeftOutFaces;
   int SkippedFaces = 0;
   /// Defects of faces that make the body suspect. Edges do so if they are open or their gap is wider than ExcusedGap.
   std::vector<FaceDefect> FaceDefects;

@@ -57,6 +57,8 @@ struct FaceIntegrals
   std::vector<double> QuadratureError;
   std::vector<double> Rounding;
   std::vector<double> Conversion;
+  /// The part of Conversion that is measured, not proved: that of the residuals.
+  std::vector<double> Residual;
   double GetBound(std::size_t integrand) const
   {
     return this->QuadratureError[integrand] + this->Rounding[integrand] + this->Conversion[integrand];
@@ -64,8 +66,8 @@ struct FaceIntegrals
   /// Appends an integrand whose entries all have this value.
   void Append(double value)
   {
-    for (std::vector<double>* values :
-      { &this->Face, &this->Closing, &this->QuadratureError, &this->Rounding, &this->Conversion })
+    for (std::vector<double>* values : { &this->Face, &this->Closing, &this->QuadratureError, &this->Rounding,
+           &this->Conversion, &this->Residual })
     {
       values->push_back(value);
     }
@@ -74,6 +76,8 @@ struct FaceIntegrals
   bool Estimated = false;
   /// True if the run was stopped before this face: its integrals are 0, with their largest possible magnitude as error.
   bool Skipped = false;
+  /// True if the bound of some integral would have been larger than its largest possible magnitude, which is its error instead: it is 0.
+  bool LeftOut = false;
   /// Gaps between all coedges and their edges at foot points: integral of the square, integral, and maximum.
   double GapSquared = 0.0;
   double GapArea = 0.0;

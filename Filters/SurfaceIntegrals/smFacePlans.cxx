@@ -14,7 +14,8 @@ namespace
 std::size_t CountBytes(const FacePlan& plan)
 {
   return sizeof(FacePlan) + plan.Items.capacity() * sizeof(PlannedItem) +
-    (plan.QuadratureBound.capacity() + plan.ConversionBound.capacity() + plan.Magnitude.capacity()) *
+    (plan.QuadratureBound.capacity() + plan.ConversionBound.capacity() + plan.ResidualBound.capacity() +
+      plan.Magnitude.capacity()) *
     sizeof(double);
 }
 

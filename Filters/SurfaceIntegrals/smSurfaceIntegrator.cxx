@@ -118,11 +118,13 @@ void SurfaceIntegrator::Internals::Skip(const std::vector<FaceTask>& tasks,
     {
       const std::size_t to = this->Chosen[k];
       result.Face[to] = result.Closing[to] = result.Rounding[to] = result.Conversion[to] = 0.0;
+      result.Residual[to] = 0.0;
       result.QuadratureError[to] = std::numeric_limits<double>::infinity();
       if (this->Planned)
       {
         const FacePlan& plan = this->Plans.Get(face);
         result.QuadratureError[to] = plan.Magnitude[this->Plans.GetClass(k)];
+        result.Residual[to] = plan.ResidualBound[this->Plans.GetClass(k)];
         const BoundClass& integrand = this->Plans.GetBoundClass(k);
         result.Conversion[to] = plan.ConversionBound[this->Plans.GetClass(k)] +
           plan.Reading.GetBound(integrand, plan.Area, plan.Area) +
@@ -153,7 +155,11 @@ void SurfaceIntegrator::Internals::MakeBatches(const std::vector<FaceTask>& task
     results[i].CoverageDefects = cut.Panels.CoverageDefects;
     results[i].Overlap = cut.Panels.Overlap;
     results[i].Outside = cut.Panels.Outside;
-    results[i].IsContinued = true;
+    results[i].IsContinued = !cut.Panels.AreTrimsMoved;
+    if (cut.Panels.AreTrimsMoved)
+    {
+      results[i].Outside.Distance = std::numeric_limits<double>::infinity();
+    }
     groups[this->Runner->GetGroup(i)].push_back(i);
   }
   const std::size_t rowLimit = groups.empty() ? 0 : this->Runner->GetRowLimit();
@@ -298,8 +304,8 @@ FaceIntegrals SurfaceIntegrator::Internals::MakeZeroResult() const
   for (const std::string& obstacle : this->Obstacles)
   {
     const double value = obstacle.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-    for (std::vector<double>* values :
-      { &nothing.Face, &nothing.Closing, &nothing.QuadratureError, &nothing.Rounding, &nothing.Conversion })
+    for (std::vector<double>* values : { &nothing.Face, &nothing.Closing, &nothing.QuadratureError,
+           &nothing.Rounding, &nothing.Conversion, &nothing.Residual })
     {
       values->push_back(value);
     }

@@ -53,16 +53,35 @@ void SurfaceIntegrator::Internals::AddBounds(const std::vector<FaceTask>& tasks,
       error = compared || !std::isfinite(error) ? error : 0.0;
       error += plan.QuadratureBound[this->Plans.GetClass(k)];
       result.Conversion[this->Chosen[k]] += plan.ConversionBound[this->Plans.GetClass(k)];
+      result.Residual[this->Chosen[k]] += plan.ResidualBound[this->Plans.GetClass(k)];
       if (this->Plans.GetBoundClass(k) == PlainArea)
       {
         area = std::fmin(area, result.Face[this->Chosen[k]] + result.GetBound(this->Chosen[k]));
       }
     }
+    LimitByMagnitude(tasks[face], plan, result);
     for (std::size_t k = 0; k < this->Chosen.size(); ++k)
     {
       const BoundClass& integrand = this->Plans.GetBoundClass(k);
       result.Conversion[this->Chosen[k]] += plan.Reading.GetBound(integrand, area, result.GapArea) +
         tasks[face].PlacementBound.GetBound(integrand, area, result.GapArea, plan.Reading.Reach);
+    }
+  }
+}
+
+void SurfaceIntegrator::Internals::LimitByMagnitude(
+  const FaceTask& task, const FacePlan& plan, FaceIntegrals& result) const
+{
+  for (std::size_t k = 0; k < this->Chosen.size() && plan.IsLimitedByHull; ++k)
+  {
+    const std::size_t to = this->Chosen[k];
+    const double magnitude = plan.Magnitude[this->Plans.GetClass(k)];
+    const bool isUseless = !(result.QuadratureError[to] + result.Rounding[to] <= magnitude);
+    if (isUseless && (plan.IsLeftOut || magnitude > task.Tolerances[to]))
+    {
+      result.LeftOut = true;
+      result.Face[to] = result.Closing[to] = result.Rounding[to] = 0.0;
+      result.QuadratureError[to] = magnitude;
     }
   }
 }

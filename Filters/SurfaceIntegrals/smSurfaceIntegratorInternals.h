@@ -112,6 +112,8 @@ struct SurfaceIntegrator::Internals
   bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
   bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
+  /// Sets integrals to 0 whose largest possible magnitude is less than their bounds.
+  void LimitByMagnitude(const FaceTask& task, const FacePlan& plan, FaceIntegrals& result) const;
   void AddBounds(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results) const;
   void Store(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,

@@ -27,6 +27,30 @@ void FillNormals(FaceMesh& mesh)
   }
 }
 
+/// Returns the diagonal of the box of the control points, in which the face lies, and its triangles but for the gaps of their corners;
+/// HUGE_VAL for a face that leaves the domain of its surface.
+double GetHullDiagonal(const NURBSSurface& surface, const ParameterBox& box)
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    if (box.Low[d] < surface.GetDomainStart(d) || box.High[d] > surface.GetDomainEnd(d))
+    {
+      return HUGE_VAL;
+    }
+  }
+  Vector3 low{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
+  Vector3 high{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+  for (const std::array<double, 4>& p : surface.ControlPoints)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      low[c] = std::min(low[c], p[c] / p[3]);
+      high[c] = std::max(high[c], p[c] / p[3]);
+    }
+  }
+  return Norm(Subtract(high, low));
+}
+
 /// Adds the vertex, and returns its index.
 int AddPoint(const MeshVertex& v, const MeshedFace& face, FaceMesh& result)
 {
@@ -51,6 +75,7 @@ void WriteFaceMesh(
   result.Normals.reserve(face.Vertices.size());
   result.Triangles.reserve(triangles.size());
   double farthest = 0.0;
+  double widestGap = 0.0;
   for (const MeshRepair::Corners& t : triangles)
   {
     std::array<int, 3> corners;
@@ -72,6 +97,7 @@ void WriteFaceMesh(
     }
     result.Triangles.push_back(corners);
     const double deviation = face.Judge.GetDeviation(t);
+    widestGap = std::max(widestGap, face.Judge.GetGap(t));
     result.NormalTurn = std::max(result.NormalTurn, face.Judge.GetNormalTurn(t, result.NormalTurn));
     // Not std::max, which loses a NaN.
     result.Deviation = deviation <= result.Deviation ? result.Deviation
@@ -85,6 +111,8 @@ void WriteFaceMesh(
     farthest += all.Speed[d] * std::max(std::abs(face.Box.Low[d]), std::abs(face.Box.High[d]));
   }
   result.Deviation += 64.0 * UnitRoundoff * farthest + face.Blocks.GetSmallJumps();
+  // Where weights differ much, only the hull bounds the deviation.
+  result.Deviation = std::min(result.Deviation, widestGap + GetHullDiagonal(face.Source.Surface, face.Box));
   FillNormals(result);
 }
 }

@@ -5,12 +5,13 @@ namespace sm
 void PutIntegrals(ByteWriter& to, const FaceIntegrals& integrals)
 {
   for (const std::vector<double>* values : { &integrals.Face, &integrals.Closing, &integrals.QuadratureError,
-         &integrals.Rounding, &integrals.Conversion })
+         &integrals.Rounding, &integrals.Conversion, &integrals.Residual })
   {
     to.PutAll(*values);
   }
   to.Put(integrals.Estimated);
   to.Put(integrals.Skipped);
+  to.Put(integrals.LeftOut);
   to.Put(integrals.GapSquared);
   to.Put(integrals.GapArea);
   to.Put(integrals.MaxGap);
@@ -26,12 +27,13 @@ FaceIntegrals GetIntegrals(ByteReader& from)
 {
   FaceIntegrals integrals;
   for (std::vector<double>* values : { &integrals.Face, &integrals.Closing, &integrals.QuadratureError,
-         &integrals.Rounding, &integrals.Conversion })
+         &integrals.Rounding, &integrals.Conversion, &integrals.Residual })
   {
     *values = from.GetAll<double>();
   }
   integrals.Estimated = from.Get<bool>();
   integrals.Skipped = from.Get<bool>();
+  integrals.LeftOut = from.Get<bool>();
   integrals.GapSquared = from.Get<double>();
   integrals.GapArea = from.Get<double>();
   integrals.MaxGap = from.Get<double>();

@@ -1,0 +1,149 @@
+"""TestExtremeWeights.py --program SOLIDMOMENTS --output DIR: a box of 10 x 20 x 30 whose top is a rational Bezier surface with weights that
+differ by up to 1e12 ends within the budget of evaluations, with finite bounds that hold.
+
+The control points of the top are those of the plane, so that its volume and area are exact whatever its weights are.
+"""
+import argparse
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import check_true, finish  # noqa: E402
+
+parser = argparse.ArgumentParser()
+for option in ("--program", "--output"):
+    parser.add_argument(option, required=True)
+options = parser.parse_args()
+
+SIZE = (10.0, 20.0, 30.0)
+VOLUME = 6000.0
+AREA = 2200.0
+HUGE = 1e12
+BUDGET = 2000000000
+# Faces as vertices, x + 2 y + 4 z, and normals; the top has none.
+FACES = (((0, 2, 3, 1), (0, 0, -1), (1, 0, 0)), ((4, 5, 7, 6), None, None), ((0, 1, 5, 4), (0, -1, 0), (1, 0, 0)),
+         ((2, 6, 7, 3), (0, 1, 0), (1, 0, 0)), ((0, 4, 6, 2), (-1, 0, 0), (0, 1, 0)), ((1, 3, 7, 5), (1, 0, 0), (0, 1, 0)))
+CONTEXT = """#1=APPLICATION_CONTEXT('');
+#2=PRODUCT_CONTEXT('',#1,'mechanical');
+#3=PRODUCT('box','box','',(#2));
+#4=PRODUCT_DEFINITION_FORMATION('','',#3);
+#5=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');
+#6=PRODUCT_DEFINITION('design','',#4,#5);
+#7=PRODUCT_DEFINITION_SHAPE('','',#6);
+#8=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));
+#9=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));
+#10=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());
+#11=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-7),#8,'distance_accuracy_value','');
+#12=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#11))GLOBAL_UNIT_ASSIGNED_CONTEXT((#8,#9,#10))
+REPRESENTATION_CONTEXT('',''));"""
+
+
+class Writer:
+    """Entities of a STEP file."""
+
+    def __init__(self):
+        self.lines = [CONTEXT]
+        self.last = 12
+
+    def add(self, text):
+        self.last += 1
+        self.lines.append(f"#{self.last}={text};")
+        return self.last
+
+    def point(self, p):
+        return self.add("CARTESIAN_POINT('',(%s))" % numbers(p))
+
+    def direction(self, p):
+        return self.add("DIRECTION('',(%s))" % numbers(p))
+
+    def placement(self, at, z, x):
+        return self.add(f"AXIS2_PLACEMENT_3D('',#{self.point(at)},#{self.direction(z)},#{self.direction(x)})")
+
+
+def numbers(values):
+    return ",".join(f"{float(x):.17E}" for x in values)
+
+
+def references(ids):
+    return "(" + ",".join(f"#{i}" for i in ids) + ")"
+
+
+def add_surface(to, degree, weights):
+    net = [[to.point((SIZE[0] * i / degree, SIZE[1] * j / degree, SIZE[2])) for j in range(degree + 1)] for i in range(degree + 1)]
+    knots = f"({degree + 1},{degree + 1}),({degree + 1},{degree + 1}),(0.,1.),(0.,1.),.UNSPECIFIED."
+    return to.add(f"(BOUNDED_SURFACE()B_SPLINE_SURFACE({degree},{degree},({','.join(references(row) for row in net)}),.UNSPECIFIED.,.F.,.F.,.F.)"
+                  f"B_SPLINE_SURFACE_WITH_KNOTS({knots})GEOMETRIC_REPRESENTATION_ITEM()"
+                  f"RATIONAL_B_SPLINE_SURFACE(({','.join('(' + numbers(row) + ')' for row in weights)}))REPRESENTATION_ITEM('')SURFACE())")
+
+
+def write_box(path, degree, weights):
+    to = Writer()
+    corners = [tuple(SIZE[d] * (i >> d & 1) for d in range(3)) for i in range(8)]
+    vertices = [to.add(f"VERTEX_POINT('',#{to.point(p)})") for p in corners]
+    edges = {}
+    faces = []
+    for loop, normal, x in FACES:
+        used = []
+        for a, b in zip(loop, loop[1:] + loop[:1]):
+            if (a, b) not in edges and (b, a) not in edges:
+                along = [q - p for p, q in zip(corners[a], corners[b])]
+                vector = to.add(f"VECTOR('',#{to.direction([c / math.hypot(*along) for c in along])},1.)")
+                line = to.add(f"LINE('',#{to.point(corners[a])},#{vector})")
+                edges[a, b] = to.add(f"EDGE_CURVE('',#{vertices[a]},#{vertices[b]},#{line},.T.)")
+            forward = (a, b) in edges
+            used.append(to.add(f"ORIENTED_EDGE('',*,*,#{edges[(a, b) if forward else (b, a)]},.{'T' if forward else 'F'}.)"))
+        ring = to.add(f"EDGE_LOOP('',{references(used)})")
+        bound = to.add(f"FACE_OUTER_BOUND('',#{ring},.T.)")
+        surface = (to.add(f"PLANE('',#{to.placement(corners[loop[0]], normal, x)})") if normal
+                   else add_surface(to, degree, weights))
+        faces.append(to.add(f"ADVANCED_FACE('',(#{bound}),#{surface},.T.)"))
+    shell = to.add(f"CLOSED_SHELL('',{references(faces)})")
+    solid = to.add(f"MANIFOLD_SOLID_BREP('box',#{shell})")
+    frame = to.placement((0, 0, 0), (0, 0, 1), (1, 0, 0))
+    shape = to.add(f"ADVANCED_BREP_SHAPE_REPRESENTATION('',(#{frame},#{solid}),#12)")
+    to.add(f"SHAPE_DEFINITION_REPRESENTATION(#7,#{shape})")
+    head = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n" \
+           "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n"
+    with open(path, "w", encoding="ascii") as file:
+        file.write(head + "\n".join(to.lines) + "\nENDSEC;\nEND-ISO-10303-21;\n")
+
+
+def check_box(name, degree, weight, limit=math.inf):
+    """`weight`: that of control point (i, j). Bounds of volume and area are at most `limit` of these."""
+    path = os.path.join(options.output, f"weights_{name}.step")
+    write_box(path, degree, [[weight(i, j) for j in range(degree + 1)] for i in range(degree + 1)])
+    done = subprocess.run([options.program, "--quiet", "--backend", "cpu", "--max-evaluations", str(BUDGET), "--json", "-", path],
+                          stdout=subprocess.PIPE, check=False)
+    entry = json.loads(done.stdout)["files"][0]
+    total = entry["total"]
+    check_true(name + ": not ok without its tolerance", entry["status"] != "ok" or limit <= 1e-9, entry["status"])
+    check_true(name + ": evaluations", entry["evaluations"] <= BUDGET, entry["evaluations"])
+    # A file whose trim curves had to be moved has gaps; its bounds are those of what was made of it.
+    is_sound = entry["status"] in ("ok", "tolerance-not-met")
+    for key, exact in (("volume", VOLUME), ("area", AREA)):
+        value, bound = total[key], total["bounds"][key]
+        finite = value is not None and bound is not None and 0.0 <= bound < math.inf
+        check_true(f"{name}: {key} is bounded", finite, f"{value} {bound}")
+        if finite and is_sound:
+            check_true(f"{name}: the bound of {key} holds", abs(value - exact) <= bound, f"{value} {bound}")
+            check_true(f"{name}: the bound of {key} says something", bound <= limit * exact, f"{bound}")
+
+
+spread = random.Random(14)
+exponents = [[spread.uniform(0.0, 12.0) for _ in range(4)] for _ in range(4)]
+check_box("bilinear_corner", 1, lambda i, j: HUGE if i == j == 0 else 1.0)
+check_box("bilinear_spread", 1, lambda i, j: (1.0, 1e4, 1e8, 1e12)[2 * i + j])
+check_box("quadratic_middle", 2, lambda i, j: HUGE if i == j == 1 else 1.0)
+check_box("quadratic_corner", 2, lambda i, j: HUGE if i == j == 0 else 1.0)
+check_box("quadratic_moebius", 2, lambda i, j: 1e3 ** (i + j))
+check_box("cubic_huge", 3, lambda i, j: HUGE if (i, j) == (1, 2) else 1.0)
+check_box("cubic_tiny", 3, lambda i, j: 1.0 / HUGE if (i, j) == (1, 2) else 1.0)
+check_box("cubic_edge", 3, lambda i, j: HUGE if (i, j) == (0, 2) else 1.0)
+check_box("cubic_spread", 3, lambda i, j: 10.0 ** exponents[i][j])
+# A surface that can be integrated: its tolerance follows from its size, not from what its weights let its mesh deviate.
+check_box("cubic_1e4", 3, lambda i, j: 1e4 if (i, j) == (1, 2) else 1.0, limit=1e-6)
+finish()
