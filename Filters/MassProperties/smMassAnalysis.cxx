@@ -1,7 +1,7 @@
 #include "smMassAnalysis.h"
 
-#include "smCoincidentFaces.h"
 #include "smBodyScales.h"
+#include "smCoincidentFaces.h"
 #include "smFormat.h"
 #include "smMassIntegrands.h"
 #include "smMoments.h"
@@ -147,7 +147,7 @@ void CheckClosureCorrection(BodyIntegrals& body, const MassRow& row, double limi
 bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, MassRow& row, Moments& moments)
 {
   FlagCoincidentFaces(body, MassVolume, MassArea);
-  ReverseShells(body, MakeMassIntegrands(), MassVolume);
+  ReverseShells(body, GetMassIntegrands(), MassVolume);
   moments = GetMoments(body, body.Bound);
   if (!options.HasBounds)
   {
@@ -457,7 +457,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
 IntegralRequest MakeMassRequest(const MassTolerance& tolerance)
 {
   IntegralRequest request;
-  request.Integrands = MakeMassIntegrands();
+  request.Integrands = GetMassIntegrands();
   request.UsePlacements = false;
   request.GetTolerances = [tolerance](const BodyIntegrals& body)
   { return ShareTolerance(tolerance, *body.Model); };
