@@ -109,8 +109,10 @@ void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
   {
     slack = std::max(slack, 2.0 * face.Outside.Distance);
   }
+  // Only a volume that may be zero is compared with the size of the box.
+  const bool isPositive = properties.Volume > properties.VolumeBound;
   for (const std::string& violation :
-    FindImplausibilities(properties, center, GetHullBox(*body.Model), slack))
+    FindImplausibilities(properties, center, GetHullBox(*body.Model, isPositive ? &center : nullptr), slack))
   {
     body.Flag(Status::Suspect, violation);
   }
