@@ -112,19 +112,6 @@ Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, do
 
   std::array<double, 4> cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
   const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
-  surface.ExtractBezier(u0, u1, v0, v1, cell);
-  for (int c = 0; c < 3; ++c)
-  {
-    double low = cell[0][c] / cell[0][3];
-    double high = low;
-    for (int i = 1; i < count; ++i)
-    {
-      low = std::min(low, cell[i][c] / cell[i][3]);
-      high = std::max(high, cell[i][c] / cell[i][3]);
-    }
-    patch.Center[c] = 0.5 * (low + high);
-  }
-  // Extracted a second time, relative to the centre that the first points gave.
   const Point3 moved = surface.ExtractBezier(u0, u1, v0, v1, cell, patch.Center);
   points.insert(points.end(), cell, cell + count);
   std::copy(moved.begin(), moved.end(), patch.Displacement);
