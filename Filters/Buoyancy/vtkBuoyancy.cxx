@@ -40,41 +40,26 @@ struct Row
   double CenterBound = vtkMath::Nan();
 };
 
-/// The six columns of values and bounds, which are added to field data or to a table.
-class Columns
+/// Adds six columns: values and bounds.
+void WriteRows(const Row* rows, std::size_t count, sm::columns::Writer writer)
 {
-public:
-  Columns()
-    : Values{ { sm::names::DisplacedVolume, 1 }, { sm::names::DisplacedFirstMoments, 3 },
-      { sm::names::CenterOfBuoyancy, 3 } }
-    , Bounds{ { std::string(sm::names::DisplacedVolume) + sm::names::BoundSuffix, 1 },
-      { std::string(sm::names::DisplacedFirstMoments) + sm::names::BoundSuffix, 1 },
-      { std::string(sm::names::CenterOfBuoyancy) + sm::names::BoundSuffix, 1 } }
+  double* volume = writer.AddDoubles(sm::names::DisplacedVolume);
+  double* volumeBound = writer.AddDoubles(std::string(sm::names::DisplacedVolume) + sm::names::BoundSuffix);
+  double* first = writer.AddDoubles(sm::names::DisplacedFirstMoments, 3);
+  double* firstBound =
+    writer.AddDoubles(std::string(sm::names::DisplacedFirstMoments) + sm::names::BoundSuffix);
+  double* center = writer.AddDoubles(sm::names::CenterOfBuoyancy, 3);
+  double* centerBound = writer.AddDoubles(std::string(sm::names::CenterOfBuoyancy) + sm::names::BoundSuffix);
+  for (const Row* row = rows; row != rows + count; ++row)
   {
+    *volume++ = row->Volume;
+    *volumeBound++ = row->VolumeBound;
+    first = std::copy(row->First.begin(), row->First.end(), first);
+    *firstBound++ = row->FirstBound;
+    center = std::copy(row->Center.begin(), row->Center.end(), center);
+    *centerBound++ = row->CenterBound;
   }
-  void Append(const Row& row)
-  {
-    const double* values[3] = { &row.Volume, row.First.data(), row.Center.data() };
-    const double* bounds[3] = { &row.VolumeBound, &row.FirstBound, &row.CenterBound };
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Values[i].Append(values[i]);
-      this->Bounds[i].Append(bounds[i]);
-    }
-  }
-  void AddTo(vtkFieldData* data) const
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Values[i].AddTo(data);
-      this->Bounds[i].AddTo(data);
-    }
-  }
-
-private:
-  sm::columns::Column Values[3];
-  sm::columns::Column Bounds[3];
-};
+}
 
 /// Returns the scale to which the tolerance of the volume (degree 0) or of the first moments (degree 1) is relative.
 double GetScale(const sm::BodyIntegrals& body, int degree)
@@ -275,15 +260,10 @@ void vtkBuoyancy::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
 void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
 {
   const Internals& self = *this->Implementation;
-  Columns totals;
-  totals.Append(self.Total);
-  totals.AddTo(outputs.Totals->GetFieldData());
-  Columns solids;
-  for (const Row& row : self.Rows)
-  {
-    solids.Append(row);
-  }
-  solids.AddTo(outputs.Solids->GetRowData());
+  sm::columns::Writer totals(outputs.Arrays, outputs.Totals->GetFieldData());
+  WriteRows(&self.Total, 1, totals);
+  WriteRows(self.Rows.data(), self.Rows.size(),
+    sm::columns::Writer(outputs.Arrays, outputs.Solids->GetRowData(), self.Rows.size()));
   const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
   std::string summary = this->FormatStatus(bodies) + DescribeSide(bodies, this->Point, this->Normal) +
     "Displaced volume: " + sm::FormatWithBound(self.Total.Volume, self.Total.VolumeBound, unit + "^3") + "\n";
@@ -296,10 +276,9 @@ void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, con
     }
     summary += " " + unit + sm::FormatBoundNote(self.Total.CenterBound) + "\n";
   }
-  sm::columns::SetString(outputs.Totals->GetFieldData(), sm::names::LengthUnit, unit);
-  sm::columns::AddBodyColumns(bodies, outputs.Solids);
-  sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);
-  sm::columns::AddFaceRows(bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
+  totals.SetString(sm::names::LengthUnit, unit);
+  sm::columns::Writer(outputs.Arrays, outputs.Text->GetRowData()).SetString(sm::names::Text, summary);
+  sm::columns::AddFaceRows(outputs.Arrays, bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
 }
 
 std::vector<sm::MeshArray> vtkBuoyancy::GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const

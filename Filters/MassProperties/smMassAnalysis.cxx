@@ -110,8 +110,10 @@ void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
   {
     slack = std::max(slack, 2.0 * face.Outside.Distance);
   }
+  // Only a volume that may be zero is compared with the size of the box.
+  const bool isPositive = properties.Volume > properties.VolumeBound;
   for (const std::string& violation :
-    FindImplausibilities(properties, center, GetHullBox(*body.Model), slack))
+    FindImplausibilities(properties, center, GetHullBox(*body.Model, isPositive ? &center : nullptr), slack))
   {
     body.Flag(Status::Suspect, violation);
   }
@@ -148,7 +150,7 @@ void CheckClosureCorrection(BodyIntegrals& body, const MassRow& row, double limi
 bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, MassRow& row, Moments& moments)
 {
   FlagCoincidentFaces(body, MassVolume, MassArea);
-  ReverseShells(body, MakeMassIntegrands(), MassVolume);
+  ReverseShells(body, GetMassIntegrands(), MassVolume);
   moments = GetMoments(body, body.Bound);
   if (!options.HasBounds)
   {
@@ -456,7 +458,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
 IntegralRequest MakeMassRequest(const MassTolerance& tolerance)
 {
   IntegralRequest request;
-  request.Integrands = MakeMassIntegrands();
+  request.Integrands = GetMassIntegrands();
   request.UsePlacements = false;
   request.GetTolerances = [tolerance](const BodyIntegrals& body)
   { return ShareTolerance(tolerance, *body.Model); };

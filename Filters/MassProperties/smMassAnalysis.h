@@ -69,7 +69,7 @@ struct MassAnalysis
 };
 
 /// Reverses shells whose normals point inwards, sets the statuses of the bodies and computes all mass properties. Bodies have the
-/// integrals of MakeMassIntegrands() (SumFaces), or no Faces if nothing was computed.
+/// integrals of GetMassIntegrands() (SumFaces), or no Faces if nothing was computed.
 SMFILTERSMASSPROPERTIES_EXPORT MassAnalysis AnalyzeMass(
   std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options);
 

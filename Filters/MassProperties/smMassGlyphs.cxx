@@ -6,6 +6,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -21,129 +22,20 @@ namespace sm
 {
 namespace
 {
-/// A sphere or axes, and the result whose colour they have.
+/// A sphere about a centre of mass, or the principal axes there.
 struct Glyph
 {
-  vtkSmartPointer<vtkPolyData> Shape;
+  const MassProperties* Properties;
+  bool IsSphere;
+  /// Radius of the sphere, or length of an axis on either side.
+  double Size;
+  /// The result whose colour it has.
   Status Result;
+  /// Index of the first of its points, which are those of the unit sphere or the ends of the axes.
+  vtkIdType FirstPoint;
 };
 
-/// The lines or the polygons of all glyphs; a single glyph's are shared if its points are the first ones.
-vtkSmartPointer<vtkCellArray> JoinCells(
-  const std::vector<Glyph>& glyphs, vtkCellArray* (vtkPolyData::*getCells)())
-{
-  vtkSmartPointer<vtkCellArray> cells;
-  vtkIdType offset = 0;
-  bool isShared = false;
-  for (const Glyph& glyph : glyphs)
-  {
-    vtkCellArray* own = (glyph.Shape->*getCells)();
-    if (own->GetNumberOfCells() > 0)
-    {
-      if (!cells && offset == 0)
-      {
-        cells = own;
-        isShared = true;
-      }
-      else
-      {
-        auto joined = vtkSmartPointer<vtkCellArray>::New();
-        if (isShared)
-        {
-          joined->DeepCopy(cells);
-        }
-        cells = isShared || !cells ? joined : cells;
-        isShared = false;
-        cells->Append(own, offset);
-      }
-    }
-    offset += glyph.Shape->GetNumberOfPoints();
-  }
-  return cells;
-}
-
-vtkSmartPointer<vtkPoints> JoinPoints(const std::vector<Glyph>& glyphs)
-{
-  if (glyphs.size() == 1)
-  {
-    return glyphs[0].Shape->GetPoints();
-  }
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  for (const Glyph& glyph : glyphs)
-  {
-    points->InsertPoints(
-      points->GetNumberOfPoints(), glyph.Shape->GetNumberOfPoints(), 0, glyph.Shape->GetPoints());
-  }
-  return points;
-}
-
-/// Normals, if all glyphs have them: axes have none.
-vtkSmartPointer<vtkDataArray> JoinNormals(const std::vector<Glyph>& glyphs)
-{
-  vtkSmartPointer<vtkDataArray> normals;
-  for (const Glyph& glyph : glyphs)
-  {
-    vtkDataArray* own = glyph.Shape->GetPointData()->GetNormals();
-    if (!own || glyphs.size() == 1)
-    {
-      return own;
-    }
-    if (!normals)
-    {
-      normals.TakeReference(own->NewInstance());
-      normals->SetName(own->GetName());
-      normals->SetNumberOfComponents(3);
-    }
-    normals->InsertTuples(normals->GetNumberOfTuples(), own->GetNumberOfTuples(), 0, own);
-  }
-  return normals;
-}
-
-/// Colours of lines, then of polygons, as polydata numbers its cells.
-vtkSmartPointer<vtkUnsignedCharArray> MakeColors(const std::vector<Glyph>& glyphs)
-{
-  const unsigned char green[3] = { 26, 179, 51 };
-  const unsigned char red[3] = { 217, 26, 26 };
-  vtkIdType cells = 0;
-  for (const Glyph& glyph : glyphs)
-  {
-    cells += glyph.Shape->GetNumberOfCells();
-  }
-  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  colors->SetName(names::Color);
-  colors->SetNumberOfComponents(3);
-  unsigned char* next = colors->WritePointer(0, 3 * cells);
-  const auto fill = [&](const Glyph& glyph, vtkIdType count)
-  {
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      next = std::copy_n(glyph.Result == Status::Ok ? green : red, 3, next);
-    }
-  };
-  for (const Glyph& glyph : glyphs)
-  {
-    fill(glyph, glyph.Shape->GetNumberOfLines());
-  }
-  for (const Glyph& glyph : glyphs)
-  {
-    fill(glyph, glyph.Shape->GetNumberOfPolys());
-  }
-  return colors;
-}
-
-/// Sets points and cells. vtkAppendPolyData, a pipeline of its own for every update, takes several times as long.
-void Join(const std::vector<Glyph>& glyphs, vtkPolyData* output)
-{
-  output->SetPoints(JoinPoints(glyphs));
-  output->SetLines(JoinCells(glyphs, &vtkPolyData::GetLines));
-  output->SetPolys(JoinCells(glyphs, &vtkPolyData::GetPolys));
-  if (const vtkSmartPointer<vtkDataArray> normals = JoinNormals(glyphs))
-  {
-    output->GetPointData()->SetNormals(normals);
-  }
-  output->GetCellData()->SetScalars(MakeColors(glyphs));
-}
+constexpr vtkIdType AxisEnds = 6;
 
 vtkSmartPointer<vtkPolyData> MakeUnitSphere()
 {
@@ -156,53 +48,148 @@ vtkSmartPointer<vtkPolyData> MakeUnitSphere()
   return source->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MakeSphere(vtkPolyData* unit, const std::array<double, 3>& center, double radius)
+vtkSmartPointer<vtkPoints> MakePoints(
+  const std::vector<Glyph>& glyphs, vtkPolyData* sphere, vtkIdType count, columns::KeptArrays& arrays)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(unit->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < unit->GetNumberOfPoints(); ++i)
+  auto* values = arrays.Get<vtkDoubleArray>("Points", 3, count);
+  double* next = values->GetPointer(0);
+  for (const Glyph& glyph : glyphs)
   {
-    double p[3];
-    unit->GetPoint(i, p);
-    points->SetPoint(i, center[0] + radius * p[0], center[1] + radius * p[1], center[2] + radius * p[2]);
-  }
-  auto sphere = vtkSmartPointer<vtkPolyData>::New();
-  sphere->ShallowCopy(unit);
-  sphere->SetPoints(points);
-  return sphere;
-}
-
-vtkSmartPointer<vtkPolyData> MakeAxes(const MassProperties& properties, double length)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    vtkIdType ends[2];
-    for (int side = 0; side < 2; ++side)
+    const std::array<double, 3>& center = glyph.Properties->Center;
+    if (glyph.IsSphere)
     {
-      double p[3];
+      const double* unit = vtkDoubleArray::FastDownCast(sphere->GetPoints()->GetData())->GetPointer(0);
+      for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i, unit += 3)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          *next++ = center[c] + glyph.Size * unit[c];
+        }
+      }
+      continue;
+    }
+    for (int end = 0; end < AxisEnds; ++end)
+    {
+      const double length = end % 2 == 0 ? -glyph.Size : glyph.Size;
       for (int i = 0; i < 3; ++i)
       {
-        p[i] = properties.Center[i] + (side ? length : -length) * properties.Axes[3 * axis + i];
+        *next++ = center[i] + length * glyph.Properties->Axes[3 * (end / 2) + i];
       }
-      ends[side] = points->InsertNextPoint(p);
     }
-    lines->InsertNextCell(2, ends);
   }
-  auto axes = vtkSmartPointer<vtkPolyData>::New();
-  axes->SetPoints(points);
-  axes->SetLines(lines);
-  return axes;
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(values);
+  return points;
+}
+
+vtkSmartPointer<vtkCellArray> MakeLines(const std::vector<Glyph>& glyphs)
+{
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
+  for (const Glyph& glyph : glyphs)
+  {
+    for (vtkIdType end = 0; end < AxisEnds && !glyph.IsSphere; end += 2)
+    {
+      const vtkIdType ends[2] = { glyph.FirstPoint + end, glyph.FirstPoint + end + 1 };
+      lines->InsertNextCell(2, ends);
+    }
+  }
+  return lines;
+}
+
+/// The polygons of all spheres; those of a single one, which is the first glyph, are shared.
+vtkSmartPointer<vtkCellArray> MakePolygons(
+  const std::vector<Glyph>& glyphs, vtkPolyData* sphere, vtkIdType spheres)
+{
+  if (spheres == 1)
+  {
+    return sphere->GetPolys();
+  }
+  auto polygons = vtkSmartPointer<vtkCellArray>::New();
+  for (const Glyph& glyph : glyphs)
+  {
+    if (glyph.IsSphere)
+    {
+      polygons->Append(sphere->GetPolys(), glyph.FirstPoint);
+    }
+  }
+  return polygons;
+}
+
+vtkSmartPointer<vtkDataArray> MakeNormals(vtkPolyData* sphere, vtkIdType spheres)
+{
+  vtkDataArray* own = sphere->GetPointData()->GetNormals();
+  if (spheres == 1)
+  {
+    return own;
+  }
+  vtkSmartPointer<vtkDataArray> normals;
+  normals.TakeReference(own->NewInstance());
+  normals->SetName(own->GetName());
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < spheres; ++i)
+  {
+    normals->InsertTuples(normals->GetNumberOfTuples(), own->GetNumberOfTuples(), 0, own);
+  }
+  return normals;
+}
+
+/// Colours of lines, then of polygons, as polydata numbers its cells.
+vtkUnsignedCharArray* MakeColors(
+  const std::vector<Glyph>& glyphs, vtkIdType lines, vtkIdType polygons, columns::KeptArrays& arrays)
+{
+  const unsigned char green[3] = { 26, 179, 51 };
+  const unsigned char red[3] = { 217, 26, 26 };
+  auto* colors = arrays.Get<vtkUnsignedCharArray>(names::Color, 3, lines + polygons);
+  const auto spheres =
+    std::count_if(glyphs.begin(), glyphs.end(), [](const Glyph& glyph) { return glyph.IsSphere; });
+  unsigned char* next = colors->GetPointer(0);
+  for (const bool isSphere : { false, true })
+  {
+    for (const Glyph& glyph : glyphs)
+    {
+      const vtkIdType cells = glyph.IsSphere != isSphere ? 0 : isSphere ? polygons / spheres : AxisEnds / 2;
+      for (vtkIdType cell = 0; cell < cells; ++cell)
+      {
+        next = std::copy_n(glyph.Result == Status::Ok ? green : red, 3, next);
+      }
+    }
+  }
+  return colors;
+}
+
+/// Sets points and cells. vtkAppendPolyData, a pipeline of its own for every update, takes several times as long.
+void Join(
+  const std::vector<Glyph>& glyphs, vtkPolyData* sphere, columns::KeptArrays& arrays, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(glyphs.size());
+  const vtkIdType spheres =
+    std::count_if(glyphs.begin(), glyphs.end(), [](const Glyph& glyph) { return glyph.IsSphere; });
+  const Glyph& last = glyphs.back();
+  const vtkIdType points = last.FirstPoint + (last.IsSphere ? sphere->GetNumberOfPoints() : AxisEnds);
+  output->SetPoints(MakePoints(glyphs, sphere, points, arrays));
+  if (spheres < count)
+  {
+    output->SetLines(MakeLines(glyphs));
+  }
+  if (spheres > 0)
+  {
+    output->SetPolys(MakePolygons(glyphs, sphere, spheres));
+  }
+  // Axes have no normals.
+  if (spheres == count)
+  {
+    output->GetPointData()->SetNormals(MakeNormals(sphere, spheres));
+  }
+  output->GetCellData()->SetScalars(
+    MakeColors(glyphs, output->GetNumberOfLines(), output->GetNumberOfPolys(), arrays));
 }
 }
 
 void MassGlyphs::Make(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
-  const MassGlyphOptions& options, vtkPolyData* output)
+  const MassGlyphOptions& options, columns::KeptArrays& arrays, vtkPolyData* output)
 {
   std::vector<Glyph> glyphs;
+  vtkIdType points = 0;
   const auto add = [&](const MassProperties& properties, double diagonal, Status result)
   {
     if (!std::isfinite(properties.Center[0]) || !(diagonal > 0.0))
@@ -211,12 +198,17 @@ void MassGlyphs::Make(const std::vector<BodyIntegrals>& bodies, const MassAnalys
     }
     if (options.Scale > 0.0)
     {
-      this->UnitSphere = this->UnitSphere ? this->UnitSphere : MakeUnitSphere();
-      glyphs.push_back({ MakeSphere(this->UnitSphere, properties.Center, options.Scale * diagonal), result });
+      if (!this->UnitSphere)
+      {
+        this->UnitSphere = MakeUnitSphere();
+      }
+      glyphs.push_back({ &properties, true, options.Scale * diagonal, result, points });
+      points += this->UnitSphere->GetNumberOfPoints();
     }
     if (options.ShowPrincipalAxes && !properties.AxesDegenerate)
     {
-      glyphs.push_back({ MakeAxes(properties, 0.3 * diagonal), result });
+      glyphs.push_back({ &properties, false, 0.3 * diagonal, result, points });
+      points += AxisEnds;
     }
   };
   vtkBoundingBox all;
@@ -231,7 +223,7 @@ void MassGlyphs::Make(const std::vector<BodyIntegrals>& bodies, const MassAnalys
   add(analysis.Total.Properties, all.IsValid() ? all.GetDiagonalLength() : 0.0, status);
   if (!glyphs.empty())
   {
-    Join(glyphs, output);
+    Join(glyphs, this->UnitSphere, arrays, output);
   }
 }
 }

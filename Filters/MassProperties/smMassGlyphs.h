@@ -30,7 +30,7 @@ class MassGlyphs
 public:
   /// Sets the points and cells of `output`. The active cell scalars are colours: green, or red for a flagged result.
   void Make(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
-    const MassGlyphOptions& options, vtkPolyData* output);
+    const MassGlyphOptions& options, columns::KeptArrays& arrays, vtkPolyData* output);
 
 private:
   /// A sphere of radius 1 about the origin, whose cells and normals all spheres of all runs share.

@@ -4,7 +4,9 @@
 
 namespace sm
 {
-std::vector<Integrand> MakeMassIntegrands()
+namespace
+{
+std::vector<Integrand> MakeIntegrands()
 {
   std::vector<Integrand> integrands;
   integrands.push_back(Integrand::VolumeMoment(names::Volume, 0, 0, 0));
@@ -21,6 +23,13 @@ std::vector<Integrand> MakeMassIntegrands()
     integrands.push_back(Integrand::VectorArea(components[i], i));
   }
   integrands.push_back(Integrand::AreaMoment(names::SurfaceArea, 0, 0, 0));
+  return integrands;
+}
+}
+
+const std::vector<Integrand>& GetMassIntegrands()
+{
+  static const std::vector<Integrand> integrands = MakeIntegrands();
   return integrands;
 }
 }

@@ -24,7 +24,7 @@ enum MassIntegrand
 };
 
 /// Returns the integrands in the order of MassIntegrand, about the origin of each part.
-SMFILTERSMASSPROPERTIES_EXPORT std::vector<Integrand> MakeMassIntegrands();
+SMFILTERSMASSPROPERTIES_EXPORT const std::vector<Integrand>& GetMassIntegrands();
 }
 
 #endif

@@ -139,45 +139,30 @@ void MassRow::RemoveBounds()
   this->MeasuredBounds.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
-MassColumns::MassColumns(bool withMass, bool withFrame)
-  : WithMass(withMass)
-  , WithFrame(withFrame)
+void WriteMassRows(
+  const MassRow* rows, std::size_t count, bool withMass, bool withFrame, columns::Writer& writer)
 {
   ForEachQuantity(withMass, withFrame,
-    [this](const Quantity& quantity)
-    {
-      this->Columns.emplace_back(quantity.Name, quantity.Components);
-      if (quantity.HasBound)
-      {
-        this->Columns.emplace_back(std::string(quantity.Name) + names::BoundSuffix, 1);
-      }
-    });
-  this->Columns.emplace_back(names::PrincipalAxesDegenerate, 1);
-}
-
-void MassColumns::Append(const MassRow& row)
-{
-  std::size_t next = 0;
-  ForEachQuantity(this->WithMass, this->WithFrame,
     [&](const Quantity& quantity)
     {
-      this->Columns[next++].Append(quantity.Values(row));
-      if (quantity.HasBound)
+      double* values = writer.AddDoubles(quantity.Name, quantity.Components);
+      for (std::size_t i = 0; i < count; ++i)
       {
-        this->Columns[next++].Append(quantity.Bound(row));
+        values = std::copy_n(quantity.Values(rows[i]), quantity.Components, values);
+      }
+      double* bounds =
+        quantity.HasBound ? writer.AddDoubles(std::string(quantity.Name) + names::BoundSuffix) : nullptr;
+      for (std::size_t i = 0; i < count && bounds; ++i)
+      {
+        bounds[i] = *quantity.Bound(rows[i]);
       }
     });
-  const double degenerate = std::isnan(row.Properties.Principal[0]) ? row.Properties.Principal[0]
-    : row.Properties.AxesDegenerate                                 ? 1.0
-                                                                    : 0.0;
-  this->Columns[next].Append(&degenerate);
-}
-
-void MassColumns::AddTo(vtkFieldData* data) const
-{
-  for (const columns::Column& column : this->Columns)
+  double* degenerate = writer.AddDoubles(names::PrincipalAxesDegenerate);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    column.AddTo(data);
+    const MassProperties& properties = rows[i].Properties;
+    const double principal = properties.Principal[0];
+    degenerate[i] = std::isnan(principal) ? principal : properties.AxesDegenerate ? 1.0 : 0.0;
   }
 }
 

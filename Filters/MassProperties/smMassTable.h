@@ -11,10 +11,9 @@
 #include "smMoments.h"
 #include "smReferenceFrame.h"
 
+#include <array>
+#include <cstddef>
 #include <string>
-#include <vector>
-
-class vtkFieldData;
 
 namespace sm
 {
@@ -59,19 +58,9 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   void RemoveBounds();
 };
 
-/// Appends rows to arrays named as in smMassPropertyNames.h, and adds these to field data or to a table.
-class SMFILTERSMASSPROPERTIES_EXPORT MassColumns
-{
-public:
-  MassColumns(bool withMass, bool withFrame);
-  void Append(const MassRow& row);
-  void AddTo(vtkFieldData* data) const;
-
-private:
-  std::vector<columns::Column> Columns;
-  bool WithMass;
-  bool WithFrame;
-};
+/// Adds columns named as in smMassPropertyNames.h with a row for each of `rows`.
+SMFILTERSMASSPROPERTIES_EXPORT void WriteMassRows(
+  const MassRow* rows, std::size_t count, bool withMass, bool withFrame, columns::Writer& writer);
 
 /// Returns a summary in a few lines: the number of solids, volume, area, centre, principal moments and mass. `weighed` of the `weighable`
 /// solids with a volume have a density.

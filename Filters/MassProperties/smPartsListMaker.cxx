@@ -1,16 +1,13 @@
 #include "smPartsListMaker.h"
 
 #include "smBodyIntegrals.h"
+#include "smColumns.h"
 #include "smMassPropertyNames.h"
 #include "smMassTable.h"
 #include "smProducts.h"
 #include "smUnitRoundoff.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -190,35 +187,12 @@ PartsListEntry MakeTotal(const std::vector<PartsListEntry>& entries)
   return total;
 }
 
-/// Adds a column of the values that `get` gives for an entry and its level.
-template <typename Array, typename Get>
-void AddColumn(const Lines& lines, const std::string& name, const Get& get, vtkTable* table)
-{
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  for (const auto& [entry, level] : lines)
-  {
-    array->InsertNextValue(get(*entry, level));
-  }
-  table->AddColumn(array);
-}
-
 /// Returns the mass of all solids; a sum without terms if some solids have no mass.
 PartsSum GetWholeMass(const PartsSums& sums)
 {
   return sums.HasWholeMass() ? sums.Mass : PartsSum();
 }
 
-/// Adds the columns of a quantity and its bound.
-template <typename Get>
-void AddSum(const Lines& lines, const std::string& name, const Get& get, vtkTable* table)
-{
-  AddColumn<vtkDoubleArray>(
-    lines, name, [&get](const PartsListEntry& entry, int) { return get(entry).GetValue(); }, table);
-  AddColumn<vtkDoubleArray>(
-    lines, name + names::BoundSuffix,
-    [&get](const PartsListEntry& entry, int) { return get(entry).GetBound(); }, table);
-}
 }
 
 void PartsSum::Add(double value, double bound)
@@ -252,8 +226,8 @@ std::vector<PartsListEntry> MakePartsList(
   return TakeEntries(root.Children, 1);
 }
 
-void FillPartsTable(
-  const std::vector<PartsListEntry>& entries, const std::string& unit, bool withMass, vtkTable* table)
+void FillPartsTable(columns::KeptArrays& arrays, const std::vector<PartsListEntry>& entries,
+  const std::string& unit, bool withMass, vtkTable* table)
 {
   using Entry = const PartsListEntry&;
   Lines lines;
@@ -263,55 +237,46 @@ void FillPartsTable(
     lines.emplace_back(&total, 1);
   }
   ListLines(entries, 1, lines);
-  AddColumn<vtkStringArray>(
-    lines, names::Name,
-    [](Entry e, int level) { return std::string(4 * static_cast<std::size_t>(level - 1), ' ') + e.Name; },
-    table);
-  AddColumn<vtkStringArray>(
-    lines, names::Kind,
-    [&total](Entry e, int) {
-      return std::string(&e == &total ? "total" : e.IsAssembly ? "assembly" : "part");
-    },
-    table);
-  AddColumn<vtkIntArray>(
-    lines, names::Level, [](Entry, int level) { return level; }, table);
-  AddColumn<vtkIntArray>(
-    lines, names::Count, [](Entry e, int) { return e.Count; }, table);
-  AddColumn<vtkIntArray>(
-    lines, names::CountInAll, [](Entry e, int) { return e.CountInAll; }, table);
-  AddColumn<vtkIntArray>(
-    lines, names::Solids, [](Entry e, int) { return e.Solids; }, table);
-  AddColumn<vtkIntArray>(
-    lines, names::SolidsWithVolume, [](Entry e, int) { return e.Each.Volume.Terms; }, table);
-  AddColumn<vtkStringArray>(
-    lines, names::Status, [](Entry e, int) { return std::string(GetText(e.Status)); }, table);
+  columns::Writer writer(arrays, table->GetRowData(), lines.size(), 32);
+  const auto fill = [&lines](auto* values, const auto& get)
+  { std::transform(lines.begin(), lines.end(), values, [&get](const auto& l) { return get(*l.first); }); };
+  const auto addCount = [&](const char* name, const auto& get) { fill(writer.AddIntegers(name), get); };
+  const auto addText = [&](const char* name, const auto& get) { fill(writer.AddStrings(name), get); };
+  const auto addSum = [&](const std::string& name, const auto& get)
+  {
+    fill(writer.AddDoubles(name), [&get](Entry e) { return get(e).GetValue(); });
+    fill(writer.AddDoubles(name + names::BoundSuffix), [&get](Entry e) { return get(e).GetBound(); });
+  };
+  std::transform(lines.begin(), lines.end(), writer.AddStrings(names::Name),
+    [](const auto& line)
+    { return std::string(4 * static_cast<std::size_t>(line.second - 1), ' ') + line.first->Name; });
+  addText(
+    names::Kind, [&total](Entry e) { return &e == &total ? "total"
+                                       : e.IsAssembly    ? "assembly"
+                                                         : "part"; });
+  std::transform(lines.begin(), lines.end(), writer.AddIntegers(names::Level),
+    [](const auto& line) { return line.second; });
+  addCount(names::Count, [](Entry e) { return e.Count; });
+  addCount(names::CountInAll, [](Entry e) { return e.CountInAll; });
+  addCount(names::Solids, [](Entry e) { return e.Solids; });
+  addCount(names::SolidsWithVolume, [](Entry e) { return e.Each.Volume.Terms; });
+  addText(names::Status, [](Entry e) { return GetText(e.Status); });
   if (std::any_of(lines.begin(), lines.end(), [](const auto& line) { return !line.first->Layer.empty(); }))
   {
-    AddColumn<vtkStringArray>(
-      lines, names::Layer, [](Entry e, int) { return e.Layer; }, table);
+    addText(names::Layer, [](Entry e) { return e.Layer; });
   }
   if (withMass)
   {
-    AddColumn<vtkStringArray>(
-      lines, names::Material, [](Entry e, int) { return e.Material; }, table);
-    AddColumn<vtkDoubleArray>(
-      lines, names::Density, [](Entry e, int) { return e.Density; }, table);
-    AddSum(
-      lines, names::Mass, [](Entry e) { return GetWholeMass(e.Each); }, table);
-    AddSum(
-      lines, names::KnownMass, [](Entry e) { return e.Each.Mass; }, table);
-    AddSum(
-      lines, names::MassInAll, [](Entry e) { return GetWholeMass(e.InAll); }, table);
-    AddSum(
-      lines, names::KnownMassInAll, [](Entry e) { return e.InAll.Mass; }, table);
-    AddColumn<vtkIntArray>(
-      lines, names::SolidsWithMass, [](Entry e, int) { return e.Each.Mass.Terms; }, table);
+    addText(names::Material, [](Entry e) { return e.Material; });
+    fill(writer.AddDoubles(names::Density), [](Entry e) { return e.Density; });
+    addSum(names::Mass, [](Entry e) { return GetWholeMass(e.Each); });
+    addSum(names::KnownMass, [](Entry e) { return e.Each.Mass; });
+    addSum(names::MassInAll, [](Entry e) { return GetWholeMass(e.InAll); });
+    addSum(names::KnownMassInAll, [](Entry e) { return e.InAll.Mass; });
+    addCount(names::SolidsWithMass, [](Entry e) { return e.Each.Mass.Terms; });
   }
-  AddSum(
-    lines, names::Volume, [](Entry e) { return e.Each.Volume; }, table);
-  AddSum(
-    lines, names::SurfaceArea, [](Entry e) { return e.Each.Area; }, table);
-  AddColumn<vtkStringArray>(
-    lines, names::LengthUnit, [&unit](Entry, int) { return unit; }, table);
+  addSum(names::Volume, [](Entry e) { return e.Each.Volume; });
+  addSum(names::SurfaceArea, [](Entry e) { return e.Each.Area; });
+  addText(names::LengthUnit, [&unit](Entry) { return unit; });
 }
 }

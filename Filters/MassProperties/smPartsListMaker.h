@@ -14,6 +14,10 @@ class vtkTable;
 
 namespace sm
 {
+namespace columns
+{
+class KeptArrays;
+}
 struct BodyIntegrals;
 struct MassRow;
 struct ProductTreeNode;
@@ -28,8 +32,8 @@ std::vector<PartsListEntry> MakePartsList(
 /// Material, Density, SolidsWithMass, Mass and KnownMass of one, MassInAll and KnownMassInAll of all, each with its bound, and LengthUnit.
 /// If there are several entries at the top level, a row of the kind "total" precedes them.
 /// Mass and MassInAll are NaN where a solid with a volume has no density; known masses are those of the solids that have one.
-void FillPartsTable(
-  const std::vector<PartsListEntry>& entries, const std::string& unit, bool withMass, vtkTable* table);
+void FillPartsTable(columns::KeptArrays& arrays, const std::vector<PartsListEntry>& entries,
+  const std::string& unit, bool withMass, vtkTable* table);
 }
 
 #endif

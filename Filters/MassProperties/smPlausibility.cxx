@@ -16,37 +16,72 @@ namespace
 constexpr double ResolvedVolume = 1e-9;
 }
 
-std::array<double, 6> GetHullBox(const vtkTrimmedNURBSModel& model)
+namespace
 {
-  const double largest = std::numeric_limits<double>::max();
-  std::array<double, 6> box = { largest, -largest, largest, -largest, largest, -largest };
-  const auto add = [&box](const double* p, double weight)
+using Box = std::array<double, 6>;
+constexpr double Largest = std::numeric_limits<double>::max();
+constexpr Box NoBox = { Largest, -Largest, Largest, -Largest, Largest, -Largest };
+
+void AddPoint(const double* p, double weight, Box& box)
+{
+  for (int d = 0; d < 3; ++d)
   {
-    for (int d = 0; d < 3; ++d)
-    {
-      box[2 * d] = std::min(box[2 * d], p[d] / weight);
-      box[2 * d + 1] = std::max(box[2 * d + 1], p[d] / weight);
-    }
-  };
+    const double x = p[d] / weight;
+    box[2 * d] = std::min(box[2 * d], x);
+    box[2 * d + 1] = std::max(box[2 * d + 1], x);
+  }
+}
+
+bool Contains(const Box& box, const std::array<double, 3>& p)
+{
+  return p[0] > box[0] && p[0] < box[1] && p[1] > box[2] && p[1] < box[3] && p[2] > box[4] && p[2] < box[5];
+}
+
+/// Calls `use` with every edge, once for each of its uses.
+template <typename Use>
+void VisitEdges(const vtkTrimmedNURBSModel& model, const Use& use)
+{
   for (const FacePointer& face : model.GetFaces())
   {
-    for (const std::array<double, 4>& p : face->Surface.ControlPoints)
-    {
-      add(p.data(), p[3]);
-    }
     for (const Loop& loop : face->Loops)
     {
       for (const Coedge& coedge : loop.Coedges)
       {
-        for (const EdgeCurve::Point& p : coedge.Use->Curve.Coefficients)
-        {
-          add(p.data(), 1.0);
-        }
-        add(coedge.Use->StartVertex.data(), 1.0);
-        add(coedge.Use->EndVertex.data(), 1.0);
+        use(*coedge.Use);
       }
     }
   }
+}
+}
+
+Box GetHullBox(const vtkTrimmedNURBSModel& model, const std::array<double, 3>* inside)
+{
+  Box box = NoBox;
+  VisitEdges(model,
+    [&box](const Edge& edge)
+    {
+      AddPoint(edge.StartVertex.data(), 1.0, box);
+      AddPoint(edge.EndVertex.data(), 1.0, box);
+    });
+  if (inside && Contains(box, *inside))
+  {
+    return box;
+  }
+  for (const FacePointer& face : model.GetFaces())
+  {
+    for (const std::array<double, 4>& p : face->Surface.ControlPoints)
+    {
+      AddPoint(p.data(), p[3], box);
+    }
+  }
+  VisitEdges(model,
+    [&box](const Edge& edge)
+    {
+      for (const EdgeCurve::Point& p : edge.Curve.Coefficients)
+      {
+        AddPoint(p.data(), 1.0, box);
+      }
+    });
   return box;
 }
 

@@ -20,9 +20,11 @@ namespace sm
  * Returns xmin, xmax, ymin … about the model's origin of the control points of all surfaces and edge curves. Weights are
  * positive, so that this box contains every point of a face or an edge inside its domain. The solid, and with it its centre of
  * mass, lies in the convex hull of its boundary. The box of the display mesh is not sufficient: a face without triangles is
- * missing in it, so that the check could reject a correct solid.
+ * missing in it, so that the check could reject a correct solid. If the vertices' box contains the point `inside`, that box is
+ * returned, which takes less time.
  */
-SMFILTERSMASSPROPERTIES_EXPORT std::array<double, 6> GetHullBox(const vtkTrimmedNURBSModel& model);
+SMFILTERSMASSPROPERTIES_EXPORT std::array<double, 6> GetHullBox(
+  const vtkTrimmedNURBSModel& model, const std::array<double, 3>* inside = nullptr);
 
 /**
  * Returns one sentence for each of these facts that the result violates by more than its bounds allow:

@@ -44,7 +44,7 @@ struct SelfCrossing
  * the triangle may be from its surface (smWindingTree.h), plus the widest gap of the body: about such a point mesh and surface have the
  * same winding number. Crossings that are narrower than that, or lie between the points, are not found.
  *
- * The bodies are closed, and have the integrals of MakeMassIntegrands(). Unchecked has a reason if the mesh lacks a face, or the area or
+ * The bodies are closed, and have the integrals of GetMassIntegrands(). Unchecked has a reason if the mesh lacks a face, or the area or
  * vector area of a face on it differs from the exact one by more than a quarter of the area. Runs on the threads of vtkSMPTools, with
  * the same result for any number of them. `shouldContinue` is called now and then by the calling thread; once it returns false, Unchecked
  * says so.

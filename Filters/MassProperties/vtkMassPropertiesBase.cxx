@@ -15,17 +15,20 @@
 #include "smSelfCrossing.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkFieldData.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
+
+namespace
+{
+/// Columns of a row with masses and a reference frame.
+constexpr int MostColumns = 64;
+}
 
 vtkMassPropertiesBase::vtkMassPropertiesBase()
   : Analysis(new sm::MassAnalysis)
@@ -266,48 +269,41 @@ void vtkMassPropertiesBase::WriteOutputs(
   const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
 {
   const sm::MassAnalysis& analysis = *this->Analysis;
-  vtkFieldData* totals = outputs.Totals->GetFieldData();
   const bool hasMass = analysis.HasMass || this->Density > 0.0;
-  sm::MassColumns totalColumns(hasMass, this->Frame->IsGiven);
-  totalColumns.Append(analysis.Total);
-  totalColumns.AddTo(totals);
+  sm::columns::Writer totals(outputs.Arrays, outputs.Totals->GetFieldData(), 1, MostColumns);
+  sm::WriteMassRows(&analysis.Total, 1, hasMass, this->Frame->IsGiven, totals);
   if (hasMass)
   {
-    const std::string bound = std::string(sm::names::KnownMass) + sm::names::BoundSuffix;
-    sm::columns::SetDoubles(totals, sm::names::KnownMass, &analysis.Total.KnownMass, 1);
-    sm::columns::SetDoubles(totals, bound, &analysis.Total.KnownMassBound, 1);
-    sm::columns::SetInteger(totals, sm::names::SolidsWithVolume, analysis.Weighable);
-    sm::columns::SetInteger(totals, sm::names::SolidsWithMass, analysis.Weighed);
+    totals.SetDouble(sm::names::KnownMass, analysis.Total.KnownMass);
+    totals.SetDouble(
+      std::string(sm::names::KnownMass) + sm::names::BoundSuffix, analysis.Total.KnownMassBound);
+    totals.SetInteger(sm::names::SolidsWithVolume, analysis.Weighable);
+    totals.SetInteger(sm::names::SolidsWithMass, analysis.Weighed);
   }
-  sm::columns::SetString(totals, sm::names::LengthUnit, analysis.Unit);
-  sm::columns::SetInteger(totals, sm::names::OpenEdges, analysis.OpenEdges);
-  sm::columns::SetInteger(totals, sm::names::FlippedShells, analysis.FlippedShells);
-  sm::MassColumns columns(hasMass, this->Frame->IsGiven);
-  vtkNew<vtkStringArray> materials;
-  materials->SetName(sm::names::Material);
-  bool hasMaterial = hasMass;
-  for (const sm::MassRow& row : analysis.Rows)
-  {
-    columns.Append(row);
-    materials->InsertNextValue(row.Material);
-    hasMaterial = hasMaterial || !row.Material.empty();
-  }
-  columns.AddTo(outputs.Solids->GetRowData());
+  totals.SetString(sm::names::LengthUnit, analysis.Unit);
+  totals.SetInteger(sm::names::OpenEdges, analysis.OpenEdges);
+  totals.SetInteger(sm::names::FlippedShells, analysis.FlippedShells);
+  const std::vector<sm::MassRow>& rows = analysis.Rows;
+  sm::columns::Writer solids(outputs.Arrays, outputs.Solids->GetRowData(), rows.size(), MostColumns);
+  sm::WriteMassRows(rows.data(), rows.size(), hasMass, this->Frame->IsGiven, solids);
+  const bool hasMaterial = hasMass ||
+    std::any_of(rows.begin(), rows.end(), [](const sm::MassRow& row) { return !row.Material.empty(); });
   if (hasMaterial)
   {
-    outputs.Solids->GetRowData()->AddArray(materials);
+    std::transform(rows.begin(), rows.end(), solids.AddStrings(sm::names::Material),
+      [](const sm::MassRow& row) { return row.Material; });
   }
-  sm::FillPartsTable(analysis.Parts, analysis.Unit, hasMaterial, outputs.Parts);
+  sm::FillPartsTable(outputs.Arrays, analysis.Parts, analysis.Unit, hasMaterial, outputs.Parts);
   const sm::Status status = this->GetEngine().GetReport().Status;
   std::string summary = this->FormatStatus(bodies) +
     sm::FormatSummary(
       analysis.Total, analysis.Unit, static_cast<int>(bodies.size()), analysis.Weighed, analysis.Weighable);
   this->WriteMoreOutputs(bodies, outputs, summary);
-  sm::columns::AddBodyColumns(bodies, outputs.Solids);
-  sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);
-  sm::columns::AddFaceRows(bodies, sm::MakeMassIntegrands(), outputs.Faces, { sm::MassVolume, sm::MassArea });
+  sm::columns::Writer(outputs.Arrays, outputs.Text->GetRowData()).SetString(sm::names::Text, summary);
+  sm::columns::AddFaceRows(
+    outputs.Arrays, bodies, sm::GetMassIntegrands(), outputs.Faces, { sm::MassVolume, sm::MassArea });
   this->Glyphs->Make(bodies, analysis, status,
-    { this->GlyphScale, this->ShowPrincipalAxes, this->GlyphPerSolid }, outputs.Totals);
+    { this->GlyphScale, this->ShowPrincipalAxes, this->GlyphPerSolid }, outputs.Arrays, outputs.Totals);
 }
 
 void vtkMassPropertiesBase::WriteMoreOutputs(

@@ -7,11 +7,7 @@
 #include "smSchemeNames.h"
 
 #include "vtkComputeContext.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkFieldData.h"
 #include "vtkLongLongArray.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <limits>
@@ -142,30 +138,24 @@ SchemeTotals SchemeRun::GetTotals(const std::vector<BodyIntegrals>& bodies) cons
 }
 
 void SchemeRun::AddColumns(const std::string& scheme, const std::vector<BodyIntegrals>& bodies,
-  const SchemeTotals& total, vtkFieldData* totals, vtkTable* solids) const
+  const SchemeTotals& total, columns::Writer totals, columns::Writer solids) const
 {
-  columns::SetString(totals, names::Scheme, scheme);
-  columns::SetDoubles(totals, names::PaperErrorEstimate, &total.Estimate, 1);
-  columns::SetDoubles(totals, names::PaperErrorEstimateWithBoundary, &total.EstimateWithBoundary, 1);
-  columns::SetInteger(totals, names::SubPatches, total.SubPatches);
-  vtkNew<vtkStringArray> name;
-  name->SetName(names::Scheme);
-  columns::Column estimate(names::PaperErrorEstimate, 1);
-  columns::Column withBoundary(names::PaperErrorEstimateWithBoundary, 1);
-  vtkNew<vtkLongLongArray> subPatches;
-  subPatches->SetName(names::SubPatches);
+  totals.SetString(names::Scheme, scheme);
+  totals.SetDouble(names::PaperErrorEstimate, total.Estimate);
+  totals.SetDouble(names::PaperErrorEstimateWithBoundary, total.EstimateWithBoundary);
+  totals.SetInteger(names::SubPatches, total.SubPatches);
+  vtkStdString* name = solids.AddStrings(names::Scheme);
+  double* estimate = solids.AddDoubles(names::PaperErrorEstimate);
+  double* withBoundary = solids.AddDoubles(names::PaperErrorEstimateWithBoundary);
+  auto* subPatches = solids.Add<vtkLongLongArray>(names::SubPatches);
   for (const BodyIntegrals& body : bodies)
   {
     const SchemeTotals own = this->GetTotals(body.Model);
-    name->InsertNextValue(scheme);
-    estimate.Append(&own.Estimate);
-    withBoundary.Append(&own.EstimateWithBoundary);
-    subPatches->InsertNextValue(own.SubPatches);
+    *name++ = scheme;
+    *estimate++ = own.Estimate;
+    *withBoundary++ = own.EstimateWithBoundary;
+    *subPatches++ = own.SubPatches;
   }
-  solids->AddColumn(name);
-  estimate.AddTo(solids->GetRowData());
-  withBoundary.AddTo(solids->GetRowData());
-  solids->AddColumn(subPatches);
 }
 
 void SchemeRun::Forget()

@@ -20,11 +20,13 @@
 #include <vector>
 
 class vtkComputeContext;
-class vtkFieldData;
-class vtkTable;
 
 namespace sm
 {
+namespace columns
+{
+class Writer;
+}
 /// Sums over faces of the paper's estimates (lengths cubed; NaN if not computed) and of the numbers of sub-patches.
 struct SchemeTotals
 {
@@ -68,7 +70,7 @@ public:
   /// Adds Scheme, PaperErrorEstimate, PaperErrorEstimateWithBoundary and SubPatches of every body to `solids` and those of
   /// `total` to `totals`.
   void AddColumns(const std::string& scheme, const std::vector<BodyIntegrals>& bodies,
-    const SchemeTotals& total, vtkFieldData* totals, vtkTable* solids) const;
+    const SchemeTotals& total, columns::Writer totals, columns::Writer solids) const;
   const std::vector<NamedTexture>& GetTextures() const { return this->Textures; }
   const SchemeIntegrator& GetIntegrator() const { return *this->Integrator; }
 

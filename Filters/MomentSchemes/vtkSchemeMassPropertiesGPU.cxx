@@ -6,6 +6,7 @@
 #include "smMassIntegrands.h"
 #include "smSchemeRun.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -78,7 +79,7 @@ void vtkSchemeMassPropertiesGPU::ReleaseKept()
 sm::IntegralRequest vtkSchemeMassPropertiesGPU::MakeRequest() const
 {
   sm::IntegralRequest request;
-  request.Integrands = sm::MakeMassIntegrands();
+  request.Integrands = sm::GetMassIntegrands();
   request.UsePlacements = false;
   return request;
 }
@@ -153,7 +154,9 @@ void vtkSchemeMassPropertiesGPU::WriteMoreOutputs(
 {
   const sm::SchemeTotals& total = this->Implementation->Estimates;
   const std::string scheme = sm::GetSchemeName(this->Scheme);
-  this->Implementation->Run.AddColumns(scheme, bodies, total, outputs.Totals->GetFieldData(), outputs.Solids);
+  this->Implementation->Run.AddColumns(scheme, bodies, total,
+    sm::columns::Writer(outputs.Arrays, outputs.Totals->GetFieldData()),
+    sm::columns::Writer(outputs.Arrays, outputs.Solids->GetRowData(), bodies.size()));
   const std::string texels = std::to_string(this->TrimTextureFactor);
   summary += "Scheme: " + scheme + ", " + std::to_string(total.SubPatches) + " sub-patches\n" +
     "k = " + std::to_string(this->SubPatchFactor) + ", " + texels + " x " + texels +

@@ -112,19 +112,6 @@ Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, do
 
   std::array<double, 4> cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
   const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
-  surface.ExtractBezier(u0, u1, v0, v1, cell);
-  for (int c = 0; c < 3; ++c)
-  {
-    double low = cell[0][c] / cell[0][3];
-    double high = low;
-    for (int i = 1; i < count; ++i)
-    {
-      low = std::min(low, cell[i][c] / cell[i][3]);
-      high = std::max(high, cell[i][c] / cell[i][3]);
-    }
-    patch.Center[c] = 0.5 * (low + high);
-  }
-  // Extracted a second time, relative to the centre that the first points gave.
   const Point3 moved = surface.ExtractBezier(u0, u1, v0, v1, cell, patch.Center);
   points.insert(points.end(), cell, cell + count);
   std::copy(moved.begin(), moved.end(), patch.Displacement);
@@ -142,33 +129,42 @@ void EvaluatePatch(const Patch& patch, const std::array<double, 4>* points, doub
   FillBernsteinBasis(q - 1, r, across);
   FillBernsteinBasis(p - 1, s, along);
   // The sums of smCollapse and smEvaluateRow in one: all differences are taken before anything else.
-  double h[4] = {};
-  double hs[4] = {};
-  double hr[4] = {};
-  for (int i = 0; i < p; ++i)
+  double column[MaximumDegree + 1][4];
+  double columnTurn[MaximumDegree + 1][4];
+  double step[MaximumDegree + 1][4];
+  for (int i = 0; i <= p; ++i)
   {
-    double low[4] = {};
-    double high[4] = {};
-    double step[4] = {};
-    double lowTurn[4] = {};
-    double highTurn[4] = {};
+    for (int c = 0; c < 4; ++c)
+    {
+      column[i][c] = columnTurn[i][c] = step[i][c] = 0.0;
+    }
     for (int j = 0; j < q; ++j)
     {
       const std::array<double, 4>* at = points + i + static_cast<std::ptrdiff_t>(j) * (p + 1);
       for (int c = 0; c < 4; ++c)
       {
-        low[c] += across[j] * ((1.0 - r) * at[0][c] + r * at[p + 1][c]);
-        high[c] += across[j] * ((1.0 - r) * at[1][c] + r * at[p + 2][c]);
-        step[c] += across[j] * ((1.0 - r) * (at[1][c] - at[0][c]) + r * (at[p + 2][c] - at[p + 1][c]));
-        lowTurn[c] += across[j] * (at[p + 1][c] - at[0][c]);
-        highTurn[c] += across[j] * (at[p + 2][c] - at[1][c]);
+        column[i][c] += across[j] * ((1.0 - r) * at[0][c] + r * at[p + 1][c]);
+        columnTurn[i][c] += across[j] * (at[p + 1][c] - at[0][c]);
+      }
+      if (i < p)
+      {
+        for (int c = 0; c < 4; ++c)
+        {
+          step[i][c] += across[j] * ((1.0 - r) * (at[1][c] - at[0][c]) + r * (at[p + 2][c] - at[p + 1][c]));
+        }
       }
     }
+  }
+  double h[4] = {};
+  double hs[4] = {};
+  double hr[4] = {};
+  for (int i = 0; i < p; ++i)
+  {
     for (int c = 0; c < 4; ++c)
     {
-      h[c] += along[i] * ((1.0 - s) * low[c] + s * high[c]);
-      hs[c] += along[i] * step[c];
-      hr[c] += along[i] * ((1.0 - s) * lowTurn[c] + s * highTurn[c]);
+      h[c] += along[i] * ((1.0 - s) * column[i][c] + s * column[i + 1][c]);
+      hs[c] += along[i] * step[i][c];
+      hr[c] += along[i] * ((1.0 - s) * columnTurn[i][c] + s * columnTurn[i + 1][c]);
     }
   }
   for (int c = 0; c < 3; ++c)

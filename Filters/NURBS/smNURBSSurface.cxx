@@ -107,10 +107,10 @@ void Blossom(const std::vector<double>& knots, int degree, int k, double a, doub
   }
 }
 
-/// Bézier points on [u0,u1] x [v0,v1], relative to `center` (null: as they are), for spans ku and kv.
+/// Bézier points on [u0,u1] x [v0,v1] for spans ku and kv.
 template <class Number>
 void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[2], const double (&v)[2],
-  const double* center, std::array<Number, 4>* cell)
+  std::array<Number, 4>* cell)
 {
   const int p = surface.Degree[0];
   const int q = surface.Degree[1];
@@ -124,11 +124,7 @@ void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[
       static_cast<std::size_t>(kv - q + j) * surface.NumberOfControlPoints[0];
     for (int i = 0; i <= p; ++i)
     {
-      for (int c = 0; c < 4; ++c)
-      {
-        active[i + j * (p + 1)][c] =
-          row[i][c] - (center && c < 3 ? static_cast<Number>(center[c]) * row[i][3] : Number(0));
-      }
+      std::copy(row[i].begin(), row[i].end(), active[i + j * (p + 1)].begin());
     }
   }
   Blossom(surface.Knots[0], p, ku, u[0], u[1], active, partial, { q + 1, 1, p + 1 });
@@ -222,14 +218,14 @@ std::string NURBSSurface::Check() const
 }
 
 std::array<double, 3> NURBSSurface::ExtractBezier(
-  double u0, double u1, double v0, double v1, std::array<double, 4>* points, const double center[3]) const
+  double u0, double u1, double v0, double v1, std::array<double, 4>* points, double center[3]) const
 {
   const int p = this->Degree[0];
   const int q = this->Degree[1];
   const int ku = FindSpan(this->Knots[0], p, 0.5 * (u0 + u1));
   const int kv = FindSpan(this->Knots[1], q, 0.5 * (v0 + v1));
   std::array<Wide, 4> cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
-  ExtractCell(*this, ku, kv, { u0, u1 }, { v0, v1 }, center, cell);
+  ExtractCell(*this, ku, kv, { u0, u1 }, { v0, v1 }, cell);
   double farthest = 0.0;
   double heaviest = 0.0;
   double lightest = std::numeric_limits<double>::max();
@@ -244,22 +240,42 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
       lightest = std::min(lightest, point[3]);
     }
   }
-  std::array<double, 3> largest{};
-  for (int i = 0; i < (p + 1) * (q + 1); ++i)
+  const bool isPlain = heaviest == lightest;
+  const int count = (p + 1) * (q + 1);
+  for (int i = 0; i < count; ++i)
   {
+    cell[i][3] = isPlain ? heaviest : cell[i][3];
     std::copy(cell[i].begin(), cell[i].end(), points[i].begin());
-    points[i][3] = heaviest == lightest ? heaviest : points[i][3];
+  }
+  for (int c = 0; c < 3 && center; ++c)
+  {
+    double low = points[0][c] / points[0][3];
+    double high = low;
+    for (int i = 1; i < count; ++i)
+    {
+      low = std::min(low, points[i][c] / points[i][3]);
+      high = std::max(high, points[i][c] / points[i][3]);
+    }
+    center[c] = 0.5 * (low + high);
+    for (int i = 0; i < count; ++i)
+    {
+      points[i][c] = static_cast<double>(cell[i][c] - center[c] * cell[i][3]);
+    }
+  }
+  std::array<double, 3> largest{};
+  for (int i = 0; i < count; ++i)
+  {
     for (int c = 0; c < 3; ++c)
     {
       largest[c] = std::max(largest[c], std::abs(points[i][c]) / points[i][3]);
     }
   }
-  // The rounding of the result, of w x and where weights differ of w. Before it, centring rounds once, and a level of blossoming,
-  // a convex sum of neighbours, two products, a sum, and factors of three roundings that shift weight between neighbours: at
-  // most 9 u of the largest, of w x and of w alike. There are p + q levels; on a whole Bézier span the factors are 0 and 1,
-  // exactly. For these u is that of the wider numbers (where there are none, that of double).
+  // The rounding of the result, of w x and where weights differ of w. Before it, a level of blossoming rounds a convex sum of
+  // neighbours, two products, a sum, and factors of three roundings that shift weight between neighbours: at most 9 u of the
+  // largest, of w x and of w alike. There are p + q levels; on a whole Bézier span the factors are 0 and 1, exactly. Centring rounds
+  // twice, and multiplies the error of w by the centre. For these u is that of the wider numbers (where there are none, that of
+  // double).
   const double distance = farthest + (center ? std::hypot(center[0], center[1], center[2]) : 0.0);
-  const bool isPlain = heaviest == lightest;
   int levels = 0;
   for (int d = 0; d < 2; ++d)
   {
@@ -293,7 +309,7 @@ void NURBSSurface::Walker::Evaluate(double u, double v, double position[3], doub
   if (ku != this->Span[0] || kv != this->Span[1])
   {
     this->Cell.resize(static_cast<std::size_t>(p + 1) * (q + 1));
-    ExtractCell(this->Surface, ku, kv, { u0, u1 }, { v0, v1 }, nullptr, this->Cell.data());
+    ExtractCell(this->Surface, ku, kv, { u0, u1 }, { v0, v1 }, this->Cell.data());
     this->Span[0] = ku;
     this->Span[1] = kv;
   }

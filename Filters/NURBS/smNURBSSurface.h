@@ -54,12 +54,12 @@ struct SMFILTERSNURBS_EXPORT NURBSSurface
 
   /**
    * Control points of the Bézier patch on [u0,u1] x [v0,v1], which lies in one span of each direction, by blossoming:
-   * (Degree[0]+1) x (Degree[1]+1) homogeneous points, u index fastest, relative to `center` (null: as the surface). The
-   * center is subtracted first, so that the distance from it is rounded. Returns how far rounding may have moved
-   * a point in x, y and z, lengths.
+   * (Degree[0]+1) x (Degree[1]+1) homogeneous points, u index fastest. A `center` that is not null becomes the middle of the box of these
+   * points, and they are relative to it; it is subtracted before they are rounded to double. Returns how far rounding may
+   * have moved a point in x, y and z, lengths.
    */
   std::array<double, 3> ExtractBezier(double u0, double u1, double v0, double v1,
-    std::array<double, 4>* points, const double center[3] = nullptr) const;
+    std::array<double, 4>* points, double center[3] = nullptr) const;
 
   /// Evaluates points one after another, the bits of Evaluate(); common terms of neighbours in one cell are computed once.
   class Walker;

@@ -12,43 +12,70 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace
 {
-/// A hash of the coordinates, bit by bit. Four lanes, because a multiplication has to wait for the one before it.
-std::uint64_t HashCoordinates(vtkPoints* points)
+/// A hash of a point's coordinates, bit by bit, and of its index.
+template <typename Bits>
+std::uint64_t HashPoint(const void* coordinates, vtkIdType point)
 {
-  vtkDataArray* data = points->GetData();
-  const auto* bytes = static_cast<const unsigned char*>(data->GetVoidPointer(0));
-  const std::size_t size = static_cast<std::size_t>(data->GetNumberOfValues()) * data->GetDataTypeSize();
-  std::uint64_t lanes[4] = { 1, 2, 3, size };
-  std::uint64_t words[4];
-  const auto add = [&lanes, &words]()
+  const Bits* bits = static_cast<const Bits*>(coordinates) + 3 * point;
+  std::uint64_t hash = static_cast<std::uint64_t>(point);
+  for (int c = 0; c < 3; ++c)
   {
-    for (int lane = 0; lane < 4; ++lane)
-    {
-      lanes[lane] = (lanes[lane] ^ words[lane]) * 0x9E3779B97F4A7C15u;
-      lanes[lane] ^= lanes[lane] >> 32;
-    }
-  };
-  std::size_t i = 0;
-  for (; i + sizeof(words) <= size; i += sizeof(words))
-  {
-    std::memcpy(words, bytes + i, sizeof(words));
-    add();
-  }
-  // The other bytes, and zeros.
-  std::fill_n(words, 4, 0);
-  std::memcpy(words, bytes + i, size - i);
-  add();
-  std::uint64_t hash = 0;
-  for (const std::uint64_t value : lanes)
-  {
-    hash = (hash ^ value) * 0x9E3779B97F4A7C15u;
+    hash = (hash ^ bits[c]) * 0x9E3779B97F4A7C15u;
     hash ^= hash >> 32;
   }
   return hash;
+}
+
+/// Calls `use` with the hash of points by their indices.
+template <typename Use>
+void UseHash(vtkPoints* points, const Use& use)
+{
+  const void* coordinates = points->GetVoidPointer(0);
+  const auto visit = [&](auto zero)
+  { use([coordinates](vtkIdType point) { return HashPoint<decltype(zero)>(coordinates, point); }); };
+  switch (points->GetData()->GetDataTypeSize())
+  {
+    case 8:
+      return visit(std::uint64_t{});
+    case 4:
+      return visit(std::uint32_t{});
+    case 2:
+      return visit(std::uint16_t{});
+    default:
+      return visit(std::uint8_t{});
+  }
+}
+
+/// The sum of the hashes of all points, so that the change by a few of them can be added.
+std::uint64_t HashPoints(vtkPoints* points)
+{
+  std::uint64_t sum = 0;
+  UseHash(points,
+    [&](const auto& hash)
+    {
+      for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+      {
+        sum += hash(i);
+      }
+    });
+  return sum;
+}
+
+std::uint64_t HashPoints(vtkPoints* points, const std::vector<vtkIdType>& chosen)
+{
+  std::uint64_t sum = 0;
+  UseHash(points,
+    [&](const auto& hash)
+    {
+      for (const vtkIdType i : chosen)
+      {
+        sum += hash(i);
+      }
+    });
+  return sum;
 }
 }
 
@@ -77,7 +104,20 @@ void vtkNURBSDataSet::SetModel(vtkTrimmedNURBSModel* model)
   this->Model = model;
   this->ModelPoints = model ? this->GetPoints() : nullptr;
   this->ModelPointsTime = this->ModelPoints ? this->ModelPoints->GetMTime() : 0;
-  this->ModelPointsHash = this->ModelPoints ? HashCoordinates(this->ModelPoints) : 0;
+  this->ModelPointsHash = this->ModelPoints ? HashPoints(this->ModelPoints) : 0;
+  this->Modified();
+}
+
+void vtkNURBSDataSet::SetModelAndPoints(
+  vtkTrimmedNURBSModel* model, vtkPoints* points, const std::vector<vtkIdType>& moved)
+{
+  const std::uint64_t hash =
+    this->ModelPointsHash - HashPoints(this->ModelPoints, moved) + HashPoints(points, moved);
+  this->SetPoints(points);
+  this->Model = model;
+  this->ModelPoints = points;
+  this->ModelPointsTime = points->GetMTime();
+  this->ModelPointsHash = hash;
   this->Modified();
 }
 
@@ -90,7 +130,7 @@ bool vtkNURBSDataSet::ArePointsOriginal()
   }
   // Filters such as vtkTableBasedClipDataSet call Modified() on points of their input that they only read.
   const vtkMTimeType time = points->GetMTime();
-  const bool areEqual = HashCoordinates(points) == this->ModelPointsHash;
+  const bool areEqual = HashPoints(points) == this->ModelPointsHash;
   this->ModelPointsTime = areEqual ? time : this->ModelPointsTime;
   return areEqual;
 }

@@ -35,6 +35,7 @@
 #include "vtkSmartPointer.h" // for the model
 
 #include <cstdint>
+#include <vector>
 
 class vtkInformationIntegerKey;
 class vtkMatrix4x4;
@@ -56,6 +57,10 @@ public:
 
   /** Sets the exact geometry of the points that are there now. Set the points first. */
   void SetModel(vtkTrimmedNURBSModel* model);
+
+  /** Sets an edited model and its points, which differ from those of GetModel(), which there must be, at most in `moved`. Does not read the
+   * others, as SetModel() does. */
+  void SetModelAndPoints(vtkTrimmedNURBSModel* model, vtkPoints* points, const std::vector<vtkIdType>& moved);
 
   /** The exact geometry, or null: none was set, or the points are no longer the ones it came with. */
   vtkTrimmedNURBSModel* GetModel();

@@ -19,7 +19,9 @@ vtkObjectFactoryNewMacro(vtkNURBSPointEvaluator);
 
 namespace
 {
-constexpr std::size_t PointsPerTask = 512;
+// A thread costs as much as some thousand points.
+constexpr std::size_t PointsPerTask = 2048;
+constexpr std::size_t FacesPerTask = 4;
 
 /// The rows of a mesh's placement about the model's origin.
 struct Frame
@@ -75,23 +77,27 @@ void EvaluateOnCPU(const sm::PointLayout& layout, const std::vector<Range>& rang
     });
 }
 
-/// Puts the results, which are in the model's frame, into copies of the mesh's points and normals. A point where the surface has no
-/// normal keeps the old one.
+/// A copy of an array, of which a run changes a few tuples.
+vtkSmartPointer<vtkDataArray> Copy(vtkDataArray* array)
+{
+  vtkSmartPointer<vtkDataArray> copy;
+  copy.TakeReference(array->NewInstance());
+  copy->DeepCopy(array);
+  return copy;
+}
+
+/// Puts the results, which are in the model's frame, into copies of the mesh's points and normals, and the edited model into the mesh. A
+/// point where the surface has no normal keeps the old one.
 void MovePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited, const sm::PointLayout& layout,
   const std::vector<Range>& ranges, const std::vector<sm::PointAndNormal>& results)
 {
   const std::vector<sm::FacePointer>& is = edited->GetFaces();
   const Frame frame(mesh, edited);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->DeepCopy(mesh->GetPoints());
-  vtkSmartPointer<vtkDataArray> normals;
-  if (vtkDataArray* old = mesh->GetPointData()->GetNormals())
-  {
-    normals.TakeReference(old->NewInstance());
-    normals->DeepCopy(old);
-  }
-  sm::ParallelFor(ranges.size(), 1,
+  vtkDataArray* oldNormals = mesh->GetPointData()->GetNormals();
+  const vtkSmartPointer<vtkDataArray> coordinates = Copy(mesh->GetPoints()->GetData());
+  const vtkSmartPointer<vtkDataArray> normals = oldNormals ? Copy(oldNormals) : nullptr;
+  std::vector<vtkIdType> ids(results.size());
+  sm::ParallelFor(ranges.size(), FacesPerTask,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t k = begin; k < end; ++k)
@@ -102,9 +108,10 @@ void MovePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited, const sm::P
         {
           const sm::PointAndNormal& result = results[range.First + i];
           const std::int64_t id = layout.GetIds()[layout.GetFirst(range.Face) + i];
+          ids[range.First + i] = id;
           double moved[3];
           frame.Apply(result.data(), 1.0, moved);
-          points->SetPoint(id, moved);
+          coordinates->SetTuple(id, moved);
           const double normal[3] = { side * result[3], side * result[4], side * result[5] };
           if (normals && (normal[0] != 0.0 || normal[1] != 0.0 || normal[2] != 0.0))
           {
@@ -114,11 +121,13 @@ void MovePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited, const sm::P
         }
       }
     });
-  mesh->SetPoints(points);
   if (normals)
   {
     mesh->GetPointData()->SetNormals(normals);
   }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  mesh->SetModelAndPoints(edited, points, ids);
 }
 }
 
@@ -175,7 +184,7 @@ struct vtkNURBSPointEvaluator::Internals
       }
     }
     work.Patches.resize(work.Faces.size());
-    sm::ParallelFor(work.Faces.size(), 1,
+    sm::ParallelFor(work.Faces.size(), FacesPerTask,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
@@ -264,6 +273,5 @@ bool vtkNURBSPointEvaluator::UpdatePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBS
   this->NumberOfEvaluations = static_cast<vtkTypeInt64>(results.size());
 
   MovePoints(mesh, edited, layout, ranges, results);
-  mesh->SetModel(edited);
   return true;
 }

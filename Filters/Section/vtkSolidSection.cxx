@@ -33,22 +33,23 @@ namespace
 {
 constexpr int MeshPort = 7;
 
-/// Columns of the quantities of rows and of their bounds.
-class Columns
+/// Adds a column for every quantity and for its bound; none without rows.
+void WriteRows(const sm::SectionRow* rows, std::size_t count, sm::columns::Writer writer)
 {
-public:
-  void Append(const sm::SectionRow& row)
+  std::vector<double*> columns;
+  for (std::size_t row = 0; row < count; ++row)
   {
-    std::size_t i = 0;
+    std::size_t next = 0;
     const auto append = [&](const std::string& name, const double* values, int components)
     {
-      if (i == this->All.size())
+      if (row == 0)
       {
-        this->All.push_back(std::make_unique<sm::columns::Column>(name, components));
+        columns.push_back(writer.AddDoubles(name, components));
       }
-      this->All[i++]->Append(values);
+      double*& column = columns[next++];
+      column = std::copy_n(values, components, column);
     };
-    row.Visit(
+    rows[row].Visit(
       [&append](const std::string& name, const double* values, int components, const double* bound)
       {
         append(name, values, components);
@@ -58,17 +59,7 @@ public:
         }
       });
   }
-  void AddTo(vtkFieldData* data) const
-  {
-    for (const auto& column : this->All)
-    {
-      column->AddTo(data);
-    }
-  }
-
-private:
-  std::vector<std::unique_ptr<sm::columns::Column>> All;
-};
+}
 
 /// Returns the density of a body in kg per cubic length unit; NaN without one.
 double GetDensityPerVolume(const sm::BodyIntegrals& body, double density)
@@ -446,21 +437,16 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
 void vtkSolidSection::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
 {
   const Internals& self = *this->Implementation;
-  Columns totals;
-  totals.Append(self.Total);
-  totals.AddTo(outputs.Totals->GetFieldData());
-  Columns solids;
-  for (const sm::SectionRow& row : self.Rows)
-  {
-    solids.Append(row);
-  }
-  solids.AddTo(outputs.Solids->GetRowData());
+  sm::columns::Writer totals(outputs.Arrays, outputs.Totals->GetFieldData());
+  WriteRows(&self.Total, 1, totals);
+  WriteRows(self.Rows.data(), self.Rows.size(),
+    sm::columns::Writer(outputs.Arrays, outputs.Solids->GetRowData(), self.Rows.size()));
   this->DrawSection(bodies);
   const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
-  sm::columns::SetString(outputs.Totals->GetFieldData(), sm::names::LengthUnit, unit);
-  sm::columns::AddBodyColumns(bodies, outputs.Solids);
-  sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, this->WriteSummary(bodies));
-  sm::columns::AddFaceRows(bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
+  totals.SetString(sm::names::LengthUnit, unit);
+  sm::columns::Writer(outputs.Arrays, outputs.Text->GetRowData())
+    .SetString(sm::names::Text, this->WriteSummary(bodies));
+  sm::columns::AddFaceRows(outputs.Arrays, bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
 }
 
 std::vector<sm::MeshArray> vtkSolidSection::GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const

@@ -445,16 +445,19 @@ void vtkSolidStability::FillOutputs(const sm::GroundDirections& ground,
   const auto worst = std::max_element(supported.begin(), supported.end(),
     [](const sm::SupportedBody& a, const sm::SupportedBody& b)
     { return GetBadness(a.Result.Decision) < GetBadness(b.Result.Decision); });
+  sm::columns::KeptArrays arrays;
   if (worst != supported.end())
   {
-    Internals::AddColumns({ *worst }, ground, this->GravityStrength, drawing->GetFieldData());
+    Internals::AddColumns(arrays, { *worst }, ground, this->GravityStrength, drawing->GetFieldData());
   }
-  sm::columns::SetString(drawing->GetFieldData(), names::Status, self.Status);
-  sm::columns::SetString(drawing->GetFieldData(), names::Backend, self.Mass->GetBackendName());
+  sm::columns::Writer fields(arrays, drawing->GetFieldData());
+  fields.SetString(names::Status, self.Status);
+  fields.SetString(names::Backend, self.Mass->GetBackendName());
   Internals::AddColumns(
-    supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 1)->GetRowData());
-  sm::columns::SetString(vtkTable::GetData(outputVector, 2)->GetRowData(), names::Text,
-    sm::FormatStatus(self.Status, self.Messages.empty() ? "" : self.Messages.front(), self.Messages) +
-      Internals::GetSummary(supported, this->GravityStrength));
-  Internals::AddSides(supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 3));
+    arrays, supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 1)->GetRowData());
+  sm::columns::Writer(arrays, vtkTable::GetData(outputVector, 2)->GetRowData())
+    .SetString(names::Text,
+      sm::FormatStatus(self.Status, self.Messages.empty() ? "" : self.Messages.front(), self.Messages) +
+        Internals::GetSummary(supported, this->GravityStrength));
+  Internals::AddSides(arrays, supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 3));
 }

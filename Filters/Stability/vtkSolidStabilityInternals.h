@@ -21,6 +21,10 @@ class vtkTable;
 
 namespace sm
 {
+namespace columns
+{
+class KeptArrays;
+}
 const char* GetName(Verdict verdict);
 const char* GetName(SupportKind support);
 constexpr double DegreesPerRadian = 57.295779513082321;
@@ -38,10 +42,10 @@ struct vtkSolidStability::Internals
   void KeepChosen(std::vector<sm::BodyIntegrals>& bodies) const;
   std::vector<sm::SupportedBody> Collect(const std::vector<sm::BodyIntegrals>& bodies, bool together);
   static double GetEnergy(const sm::SupportedBody& body, double rise, double strength);
-  static void AddColumns(const std::vector<sm::SupportedBody>& bodies, const sm::GroundDirections& ground,
-    double strength, vtkFieldData* data);
-  static void AddSides(const std::vector<sm::SupportedBody>& bodies, const sm::GroundDirections& ground,
-    double strength, vtkTable* sides);
+  static void AddColumns(sm::columns::KeptArrays& arrays, const std::vector<sm::SupportedBody>& bodies,
+    const sm::GroundDirections& ground, double strength, vtkFieldData* data);
+  static void AddSides(sm::columns::KeptArrays& arrays, const std::vector<sm::SupportedBody>& bodies,
+    const sm::GroundDirections& ground, double strength, vtkTable* sides);
   static std::string GetSummary(const std::vector<sm::SupportedBody>& bodies, double strength);
 };
 

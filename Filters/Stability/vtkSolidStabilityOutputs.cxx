@@ -10,7 +10,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
-#include "vtkIntArray.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -220,39 +219,17 @@ double vtkSolidStability::Internals::GetEnergy(const sm::SupportedBody& body, do
   return body.Mass * strength * rise * body.Metres;
 }
 
-void vtkSolidStability::Internals::AddColumns(const std::vector<sm::SupportedBody>& bodies,
-  const sm::GroundDirections& ground, double strength, vtkFieldData* data)
+void vtkSolidStability::Internals::AddColumns(sm::columns::KeptArrays& arrays,
+  const std::vector<sm::SupportedBody>& bodies, const sm::GroundDirections& ground, double strength,
+  vtkFieldData* data)
 {
+  sm::columns::Writer writer(arrays, data, bodies.size());
   const auto texts = [&](const char* name, const auto& get)
-  {
-    vtkNew<vtkStringArray> array;
-    array->SetName(name);
-    for (const sm::SupportedBody& body : bodies)
-    {
-      array->InsertNextValue(get(body));
-    }
-    data->AddArray(array);
-  };
+  { std::transform(bodies.begin(), bodies.end(), writer.AddStrings(name), get); };
   const auto numbers = [&](const std::string& name, const auto& get)
-  {
-    sm::columns::Column column(name, 1);
-    for (const sm::SupportedBody& body : bodies)
-    {
-      const double value = get(body);
-      column.Append(&value);
-    }
-    column.AddTo(data);
-  };
+  { std::transform(bodies.begin(), bodies.end(), writer.AddDoubles(name), get); };
   const auto counts = [&](const char* name, const auto& get)
-  {
-    vtkNew<vtkIntArray> array;
-    array->SetName(name);
-    for (const sm::SupportedBody& body : bodies)
-    {
-      array->InsertNextValue(get(body));
-    }
-    data->AddArray(array);
-  };
+  { std::transform(bodies.begin(), bodies.end(), writer.AddIntegers(name), get); };
   using Body = sm::SupportedBody;
   const std::string bound = names::BoundSuffix;
   texts(names::Name, [](const Body& b) { return b.Name; });
@@ -276,15 +253,14 @@ void vtkSolidStability::Internals::AddColumns(const std::vector<sm::SupportedBod
   numbers(names::RollingRadius, [](const Body& b) { return b.Result.RollingRadius; });
   numbers(names::RollingMargin, [](const Body& b) { return b.Result.RollingMargin; });
   numbers(names::RollingMargin + bound, [](const Body& b) { return b.Result.RollingMarginBound; });
-  sm::columns::Column projected(names::ProjectedCenterOfMass, 3);
-  sm::columns::Column centers(names::CenterOfMass, 3);
+  double* projected = writer.AddDoubles(names::ProjectedCenterOfMass, 3);
+  double* center = writer.AddDoubles(names::CenterOfMass, 3);
   for (const Body& body : bodies)
   {
-    projected.Append(body.ToWorld(ground, body.Result.ProjectedCenter, body.GroundHeight).data());
-    centers.Append(body.Center.data());
+    projected =
+      std::copy_n(body.ToWorld(ground, body.Result.ProjectedCenter, body.GroundHeight).data(), 3, projected);
+    center = std::copy_n(body.Center.data(), 3, center);
   }
-  projected.AddTo(data);
-  centers.AddTo(data);
   numbers(names::CenterOfMass + bound, [](const Body& b) { return b.CenterBound; });
   counts(names::ContactFaces, [](const Body& b) { return b.ContactFaces; });
   counts(names::ContactEdges, [](const Body& b) { return b.ContactEdges; });
@@ -292,45 +268,43 @@ void vtkSolidStability::Internals::AddColumns(const std::vector<sm::SupportedBod
   texts(names::Status, [](const Body& b) { return b.Status; });
 }
 
-void vtkSolidStability::Internals::AddSides(const std::vector<sm::SupportedBody>& bodies,
-  const sm::GroundDirections& ground, double strength, vtkTable* sides)
+void vtkSolidStability::Internals::AddSides(sm::columns::KeptArrays& arrays,
+  const std::vector<sm::SupportedBody>& bodies, const sm::GroundDirections& ground, double strength,
+  vtkTable* sides)
 {
-  vtkNew<vtkIntArray> solid;
-  solid->SetName(names::Solid);
-  sm::columns::Column from(names::SideFrom, 3);
-  sm::columns::Column to(names::SideTo, 3);
+  std::size_t rows = 0;
+  for (const sm::SupportedBody& body : bodies)
+  {
+    rows += body.Result.Sides.size();
+  }
+  sm::columns::Writer writer(arrays, sides->GetRowData(), rows);
+  int* solid = writer.AddIntegers(names::Solid);
+  double* from = writer.AddDoubles(names::SideFrom, 3);
+  double* to = writer.AddDoubles(names::SideTo, 3);
   const std::string bound = names::BoundSuffix;
-  std::vector<sm::columns::Column> columns;
+  std::vector<double*> columns;
   for (const std::string& name : { std::string(names::StabilityMargin), names::StabilityMargin + bound,
          std::string(names::TipAngle), names::TipAngle + bound, std::string(names::CenterOfMassRise),
          names::CenterOfMassRise + bound, std::string(names::TipEnergy) })
   {
-    columns.emplace_back(name, 1);
+    columns.push_back(writer.AddDoubles(name));
   }
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
     const sm::SupportedBody& body = bodies[i];
     for (const sm::StabilitySide& side : body.Result.Sides)
     {
-      solid->InsertNextValue(static_cast<int>(i));
-      from.Append(body.ToWorld(ground, side.From, body.GroundHeight).data());
-      to.Append(body.ToWorld(ground, side.To, body.GroundHeight).data());
+      *solid++ = static_cast<int>(i);
+      from = std::copy_n(body.ToWorld(ground, side.From, body.GroundHeight).data(), 3, from);
+      to = std::copy_n(body.ToWorld(ground, side.To, body.GroundHeight).data(), 3, to);
       const double values[7] = { side.StabilityMargin, side.StabilityMarginBound,
         side.TipAngle * sm::DegreesPerRadian, side.TipAngleBound * sm::DegreesPerRadian,
         side.CenterOfMassRise, side.CenterOfMassRiseBound, GetEnergy(body, side.CenterOfMassRise, strength) };
       for (std::size_t k = 0; k < columns.size(); ++k)
       {
-        columns[k].Append(&values[k]);
+        *columns[k]++ = values[k];
       }
     }
-  }
-  vtkFieldData* data = sides->GetRowData();
-  data->AddArray(solid);
-  from.AddTo(data);
-  to.AddTo(data);
-  for (const sm::columns::Column& column : columns)
-  {
-    column.AddTo(data);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "smIntegralNames.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkLongLongArray.h"
@@ -12,91 +13,82 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace sm
 {
 namespace columns
 {
-Column::Column(const std::string& name, int components)
+Writer::Writer(KeptArrays& arrays, vtkFieldData* data, std::size_t rows, int columns)
+  : Arrays(arrays)
+  , Data(data)
+  , Rows(static_cast<vtkIdType>(rows))
 {
-  this->Array->SetName(name.c_str());
-  this->Array->SetNumberOfComponents(components);
+  // Field data has room for one array more than it holds, and moves all of them to add the next.
+  data->AllocateArrays(data->GetNumberOfArrays() + columns);
 }
 
-void Column::AddTo(vtkFieldData* data) const
+void Writer::AddArray(vtkAbstractArray* array)
 {
-  data->AddArray(this->Array);
+  this->Data->AddArray(array);
 }
 
-void SetDoubles(vtkFieldData* data, const std::string& name, const double* values, int components)
+double* Writer::AddDoubles(const std::string& name, int components)
 {
-  Column column(name, components);
-  column.Append(values);
-  column.AddTo(data);
+  return this->Add<vtkDoubleArray>(name, components);
 }
 
-void SetInteger(vtkFieldData* data, const std::string& name, vtkTypeInt64 value)
+int* Writer::AddIntegers(const std::string& name)
 {
-  vtkNew<vtkLongLongArray> array;
-  array->SetName(name.c_str());
-  array->InsertNextValue(value);
-  data->AddArray(array);
+  return this->Add<vtkIntArray>(name);
 }
 
-void SetString(vtkFieldData* data, const std::string& name, const std::string& value)
+vtkStdString* Writer::AddStrings(const std::string& name)
 {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name.c_str());
-  array->InsertNextValue(value);
-  data->AddArray(array);
+  return this->Add<vtkStringArray>(name);
 }
 
-void AddBodyColumns(const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
+void Writer::SetInteger(const std::string& name, vtkTypeInt64 value)
 {
-  vtkNew<vtkStringArray> name;
-  vtkNew<vtkStringArray> id;
-  vtkNew<vtkStringArray> status;
-  vtkNew<vtkStringArray> unit;
-  vtkNew<vtkIntArray> open;
-  vtkNew<vtkIntArray> flipped;
-  vtkNew<vtkIntArray> estimated;
-  vtkNew<vtkIntArray> faces;
-  name->SetName(names::Name);
-  id->SetName(names::Id);
-  status->SetName(names::Status);
-  unit->SetName(names::LengthUnit);
-  open->SetName(names::OpenEdges);
-  flipped->SetName(names::FlippedShells);
-  estimated->SetName(names::BoundsEstimated);
-  faces->SetName(names::Faces);
+  *this->Add<vtkLongLongArray>(name) = value;
+}
+
+void Writer::SetString(const std::string& name, const std::string& value)
+{
+  *this->AddStrings(name) = value;
+}
+
+void AddBodyLabels(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
+{
+  Writer writer(arrays, solids->GetRowData(), bodies.size());
+  vtkStdString* name = writer.AddStrings(names::Name);
+  vtkStdString* id = writer.AddStrings(names::Id);
+  vtkStdString* status = writer.AddStrings(names::Status);
   for (const BodyIntegrals& body : bodies)
   {
-    name->InsertNextValue(body.Name);
-    id->InsertNextValue(body.Id);
-    status->InsertNextValue(GetText(body.Status));
-    unit->InsertNextValue(body.Model->GetLengthUnit());
-    open->InsertNextValue(body.OpenEdges);
-    flipped->InsertNextValue(body.FlippedShells);
-    estimated->InsertNextValue(body.IsEstimated() ? 1 : 0);
-    faces->InsertNextValue(static_cast<int>(body.Model->GetNumberOfFaces()));
+    *name++ = body.Name;
+    *id++ = body.Id;
+    *status++ = GetText(body.Status);
   }
-  // The columns of labels are the first ones in a spreadsheet.
-  vtkNew<vtkDataSetAttributes> values;
-  values->ShallowCopy(solids->GetRowData());
-  solids->GetRowData()->Initialize();
-  solids->AddColumn(name);
-  solids->AddColumn(id);
-  solids->AddColumn(status);
-  for (int i = 0; i < values->GetNumberOfArrays(); ++i)
+}
+
+void AddBodyCounts(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* solids)
+{
+  Writer writer(arrays, solids->GetRowData(), bodies.size());
+  vtkStdString* unit = writer.AddStrings(names::LengthUnit);
+  int* open = writer.AddIntegers(names::OpenEdges);
+  int* flipped = writer.AddIntegers(names::FlippedShells);
+  int* estimated = writer.AddIntegers(names::BoundsEstimated);
+  int* faces = writer.AddIntegers(names::Faces);
+  for (const BodyIntegrals& body : bodies)
   {
-    solids->AddColumn(values->GetAbstractArray(i));
+    *unit++ = body.Model->GetLengthUnit();
+    *open++ = body.OpenEdges;
+    *flipped++ = body.FlippedShells;
+    *estimated++ = body.IsEstimated() ? 1 : 0;
+    *faces++ = static_cast<int>(body.Model->GetNumberOfFaces());
   }
-  solids->AddColumn(unit);
-  solids->AddColumn(open);
-  solids->AddColumn(flipped);
-  solids->AddColumn(estimated);
-  solids->AddColumn(faces);
 }
 
 void AppendTotalRow(vtkFieldData* totals, const std::string& name, vtkTable* solids)
@@ -131,61 +123,51 @@ bool IsTotalRow(vtkTable* solids, vtkIdType row)
   return ids && row >= 0 && row < ids->GetNumberOfValues() && ids->GetValue(row).empty();
 }
 
-void AddFaceRows(const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands,
-  vtkTable* faces, const std::vector<int>& wanted)
+void AddFaceRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies,
+  const std::vector<Integrand>& integrands, vtkTable* faces, const std::vector<int>& wanted)
 {
-  vtkNew<vtkIntArray> solid;
-  vtkNew<vtkIntArray> index;
-  vtkNew<vtkIntArray> id;
-  vtkNew<vtkIntArray> estimated;
-  solid->SetName(names::Solid);
-  index->SetName(vtkNURBSDataSet::FaceIndexArrayName());
-  id->SetName(names::FaceId);
-  estimated->SetName(names::BoundsEstimated);
-  Column widest(names::MaxGap, 1);
-  std::vector<Column> values;
+  std::size_t rows = 0;
+  for (const BodyIntegrals& body : bodies)
+  {
+    rows += body.Model->GetFaces().size();
+  }
+  Writer writer(arrays, faces->GetRowData(), rows);
+  int* solid = writer.AddIntegers(names::Solid);
+  int* index = writer.AddIntegers(vtkNURBSDataSet::FaceIndexArrayName());
+  int* id = writer.AddIntegers(names::FaceId);
+  std::vector<std::array<double*, 2>> values;
   for (const int k : wanted)
   {
-    values.emplace_back(integrands[k].Name, 1);
-    values.emplace_back(integrands[k].Name + names::BoundSuffix, 1);
+    double* value = writer.AddDoubles(integrands[k].Name);
+    values.push_back({ value, writer.AddDoubles(integrands[k].Name + names::BoundSuffix) });
   }
-  for (std::size_t row = 0; row < bodies.size(); ++row)
+  double* widest = writer.AddDoubles(names::MaxGap);
+  int* estimated = writer.AddIntegers(names::BoundsEstimated);
+  for (std::size_t body = 0; body < bodies.size(); ++body)
   {
-    const std::vector<FacePointer>& sources = bodies[row].Model->GetFaces();
+    const double bodySign = bodies[body].InsideOut ? -1.0 : 1.0;
+    const std::vector<FacePointer>& sources = bodies[body].Model->GetFaces();
     for (std::size_t i = 0; i < sources.size(); ++i)
     {
-      solid->InsertNextValue(static_cast<int>(row));
-      index->InsertNextValue(static_cast<int>(i));
-      id->InsertNextValue(sources[i]->FileId);
-      const FaceIntegrals* result = bodies[row].Faces ? &(*bodies[row].Faces)[i] : nullptr;
+      *solid++ = static_cast<int>(body);
+      *index++ = static_cast<int>(i);
+      *id++ = sources[i]->FileId;
+      const FaceIntegrals* result = bodies[body].Faces ? &(*bodies[body].Faces)[i] : nullptr;
       const bool known = result && result->Error.empty();
-      estimated->InsertNextValue(known && result->Estimated ? 1 : 0);
-      const double gap = known && !result->Skipped ? result->MaxGap : vtkMath::Nan();
-      widest.Append(&gap);
+      *estimated++ = known && result->Estimated ? 1 : 0;
+      *widest++ = known && !result->Skipped ? result->MaxGap : vtkMath::Nan();
       for (std::size_t column = 0; column < wanted.size(); ++column)
       {
         const int k = wanted[column];
-        const double bodySign = bodies[row].InsideOut ? -1.0 : 1.0;
-        const double side = integrands[k].ClosedChain ? bodySign * bodies[row].GetSide(i) : 1.0;
-        const double value = known ? side * (result->Face[k] + result->Closing[k]) : vtkMath::Nan();
-        const double bound = known ? result->GetBound(k) : vtkMath::Nan();
-        values[2 * column].Append(&value);
-        values[2 * column + 1].Append(&bound);
+        const double side = integrands[k].ClosedChain ? bodySign * bodies[body].GetSide(i) : 1.0;
+        *values[column][0]++ = known ? side * (result->Face[k] + result->Closing[k]) : vtkMath::Nan();
+        *values[column][1]++ = known ? result->GetBound(k) : vtkMath::Nan();
       }
     }
   }
-  faces->AddColumn(solid);
-  faces->AddColumn(index);
-  faces->AddColumn(id);
-  for (const Column& column : values)
-  {
-    column.AddTo(faces->GetRowData());
-  }
-  widest.AddTo(faces->GetRowData());
-  faces->AddColumn(estimated);
 }
 
-void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges)
+void AddEdgeRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* edges)
 {
   std::vector<std::pair<int, const EdgeGap*>> rows;
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -200,42 +182,28 @@ void AddEdgeRows(const std::vector<BodyIntegrals>& bodies, vtkTable* edges)
   }
   std::stable_sort(
     rows.begin(), rows.end(), [](const auto& a, const auto& b) { return IsWider(*a.second, *b.second); });
-  vtkNew<vtkIntArray> solid;
-  vtkNew<vtkIntArray> index;
-  vtkNew<vtkIntArray> id;
-  vtkNew<vtkStringArray> name;
-  vtkNew<vtkIntArray> uses;
-  vtkNew<vtkIntArray> open;
-  solid->SetName(names::Solid);
-  index->SetName(names::EdgeIndex);
-  id->SetName(names::EdgeId);
-  name->SetName(names::Name);
-  uses->SetName(names::Uses);
-  open->SetName(names::Open);
-  Column widest(names::MaxGap, 1);
-  Column area(names::GapArea, 1);
-  Column squared(names::GapSquared, 1);
-  for (const auto& [row, edge] : rows)
+  Writer writer(arrays, edges->GetRowData(), rows.size());
+  int* solid = writer.AddIntegers(names::Solid);
+  int* index = writer.AddIntegers(names::EdgeIndex);
+  int* id = writer.AddIntegers(names::EdgeId);
+  vtkStdString* name = writer.AddStrings(names::Name);
+  int* uses = writer.AddIntegers(names::Uses);
+  int* open = writer.AddIntegers(names::Open);
+  double* widest = writer.AddDoubles(names::MaxGap);
+  double* area = writer.AddDoubles(names::GapArea);
+  double* squared = writer.AddDoubles(names::GapSquared);
+  for (const auto& [body, edge] : rows)
   {
-    solid->InsertNextValue(row);
-    index->InsertNextValue(edge->Index);
-    id->InsertNextValue(edge->Source->FileId);
-    name->InsertNextValue(edge->Source->Name);
-    uses->InsertNextValue(edge->Uses);
-    open->InsertNextValue(edge->IsOpen() ? 1 : 0);
-    widest.Append(&edge->MaxGap);
-    area.Append(&edge->GapArea);
-    squared.Append(&edge->GapSquared);
+    *solid++ = body;
+    *index++ = edge->Index;
+    *id++ = edge->Source->FileId;
+    *name++ = edge->Source->Name;
+    *uses++ = edge->Uses;
+    *open++ = edge->IsOpen() ? 1 : 0;
+    *widest++ = edge->MaxGap;
+    *area++ = edge->GapArea;
+    *squared++ = edge->GapSquared;
   }
-  edges->AddColumn(solid);
-  edges->AddColumn(index);
-  edges->AddColumn(id);
-  edges->AddColumn(name);
-  edges->AddColumn(uses);
-  edges->AddColumn(open);
-  widest.AddTo(edges->GetRowData());
-  area.AddTo(edges->GetRowData());
-  squared.AddTo(edges->GetRowData());
 }
 }
 }

@@ -53,16 +53,16 @@ void RunReport::SetReason(const std::string& message)
   this->Reason = this->Reason.empty() ? message : this->Reason;
 }
 
-void RunReport::FillFieldData(vtkFieldData* data) const
+void RunReport::FillFieldData(columns::Writer data) const
 {
-  columns::SetString(data, names::Status, GetText(this->Status));
-  columns::SetString(data, names::Backend, this->Backend);
-  columns::SetString(data, names::Renderer, this->Renderer);
-  columns::SetInteger(data, names::Evaluations, this->Evaluations);
-  columns::SetInteger(data, names::Dispatches, this->Dispatches);
-  columns::SetInteger(data, names::Faces, this->Faces);
-  columns::SetInteger(data, names::Ranks, this->Ranks);
-  columns::SetInteger(data, names::BoundsEstimated, this->Estimated ? 1 : 0);
+  data.SetString(names::Status, GetText(this->Status));
+  data.SetString(names::Backend, this->Backend);
+  data.SetString(names::Renderer, this->Renderer);
+  data.SetInteger(names::Evaluations, this->Evaluations);
+  data.SetInteger(names::Dispatches, this->Dispatches);
+  data.SetInteger(names::Faces, this->Faces);
+  data.SetInteger(names::Ranks, this->Ranks);
+  data.SetInteger(names::BoundsEstimated, this->Estimated ? 1 : 0);
 }
 
 void RunReport::AddFile(const FileState& file, bool hasBodies, bool isChosen)

@@ -15,10 +15,12 @@
 #include <string>
 #include <vector>
 
-class vtkFieldData;
-
 namespace sm
 {
+namespace columns
+{
+class Writer;
+}
 /// Report of a run, with the values of the getters and of the field data.
 struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
 {
@@ -64,7 +66,7 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   /// Returns a sentence with the reason for the status; empty if none is known.
   std::string FindReason(const std::vector<BodyIntegrals>& bodies) const;
   /// Adds the arrays Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated.
-  void FillFieldData(vtkFieldData* data) const;
+  void FillFieldData(columns::Writer data) const;
 };
 
 /// Returns the first lines of a summary: the status, its reason in lines of at most 64 characters, the number of other messages, and, where

@@ -1,6 +1,7 @@
 #include "vtkSurfaceIntegralBase.h"
 
 #include "smAbortFlag.h"
+#include "smColumns.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMeshDemand.h"
@@ -18,6 +19,7 @@ VTK_MODULE_INIT(smRenderingNURBS)
 
 vtkSurfaceIntegralBase::vtkSurfaceIntegralBase()
   : Engine(new sm::IntegralEngine)
+  , Arrays(new sm::columns::KeptArrays)
 {
   sm::ClearAbortAtStart(this);
   this->SetNumberOfInputPorts(1);
@@ -206,6 +208,7 @@ vtkMultiProcessController* vtkSurfaceIntegralBase::GetController()
 void vtkSurfaceIntegralBase::ReleaseMemory()
 {
   this->Engine->ReleaseMemory();
+  this->Arrays->Clear();
   this->ReleaseKept();
 }
 

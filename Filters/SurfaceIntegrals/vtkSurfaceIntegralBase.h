@@ -29,6 +29,7 @@
  * |      |          | (smFlaggedPlaces.h), repeated on each of its cells                                                  |
  * Ports 5 and 6 show the display mesh of the input. A reader makes it only where one is needed: by a view or filter that is connected to
  * port 5 or to the reader, or by Update(5). Otherwise the meshes of port 5 are empty; values are the same.
+ * A run fills the arrays of the outputs of the run before again, except those to which something else refers: hold an array to keep its values.
  * The names are in smIntegralNames.h. A value that could not be computed is NaN, never 0, and Status gives the reason.
  *
  * Status is the worst status of all solids and of the file. In ascending order: ok; tolerance-not-met (a bound is above the
@@ -65,6 +66,10 @@ struct IntegralLimits;
 struct IntegralRequest;
 struct MeshArray;
 class IntegralEngine;
+namespace columns
+{
+class KeptArrays;
+}
 }
 
 class SMFILTERSSURFACEINTEGRALS_EXPORT vtkSurfaceIntegralBase : public vtkPolyDataAlgorithm
@@ -232,9 +237,10 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 #ifndef __VTK_WRAP__
-  /** The outputs of ports 0 to 3. */
+  /** The outputs of ports 0 to 3, and where their arrays are from. */
   struct Outputs
   {
+    sm::columns::KeptArrays& Arrays;
     vtkPolyData* Totals;
     vtkTable* Solids;
     vtkTable* Text;
@@ -337,6 +343,7 @@ private:
   void Fail(const std::exception_ptr& failure, vtkInformationVector* outputVector);
 
   std::unique_ptr<sm::IntegralEngine> Engine;
+  std::unique_ptr<sm::columns::KeptArrays> Arrays;
   std::vector<std::string> Selectors;
   std::string AssemblyName = "Assembly";
   bool IsCompiling = false;

@@ -170,18 +170,24 @@ void vtkSurfaceIntegralBase::Write(
 {
   const std::vector<sm::MeshArray> arrays = this->GetMeshArrays(bodies);
   CheckOutputMemory(bodies, arrays.size());
-  const Outputs outputs{ vtkPolyData::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
-    vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3),
+  this->Arrays->Restart();
+  const Outputs outputs{ *this->Arrays, vtkPolyData::GetData(outputVector, 0),
+    vtkTable::GetData(outputVector, 1), vtkTable::GetData(outputVector, 2),
+    vtkTable::GetData(outputVector, 3),
     this->GetNumberOfOutputPorts() > 7 ? vtkTable::GetData(outputVector, 7) : nullptr };
+  sm::columns::AddBodyLabels(outputs.Arrays, bodies, outputs.Solids);
   this->WriteOutputs(bodies, outputs);
-  sm::columns::SetString(outputs.Text->GetFieldData(), sm::names::Status, this->GetStatus());
+  sm::columns::AddBodyCounts(outputs.Arrays, bodies, outputs.Solids);
+  sm::columns::Writer(outputs.Arrays, outputs.Text->GetFieldData())
+    .SetString(sm::names::Status, this->GetStatus());
   AddPlaceholderPoint(bodies, outputs.Totals);
-  sm::columns::AddEdgeRows(bodies, vtkTable::GetData(outputVector, 4));
+  sm::columns::AddEdgeRows(outputs.Arrays, bodies, vtkTable::GetData(outputVector, 4));
   sm::MakeBodyMeshes(bodies, arrays, input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
   const std::vector<sm::FlaggedPlace> places = sm::FindFlaggedPlaces(bodies);
   sm::DrawFlaggedPlaces(places, bodies, vtkPolyData::GetData(outputVector, 6));
   AppendText(sm::ListFlaggedPlaces(places, bodies, MostPlacesOfText), outputs.Text);
-  this->Engine->GetReport().FillFieldData(outputs.Totals->GetFieldData());
+  this->Engine->GetReport().FillFieldData(
+    sm::columns::Writer(outputs.Arrays, outputs.Totals->GetFieldData()));
 }
 
 void vtkSurfaceIntegralBase::WriteTotalRow(
@@ -361,10 +367,10 @@ void vtkSurfaceIntegralBase::Fail(const std::exception_ptr& failure, vtkInformat
       (reason == sm::InsufficientMemory ? reason : "an error of the program: " + reason));
     vtkPolyData* totals = vtkPolyData::GetData(outputVector, 0);
     AddPlaceholderPoint({}, totals);
-    report.FillFieldData(totals->GetFieldData());
+    report.FillFieldData(sm::columns::Writer(*this->Arrays, totals->GetFieldData()));
     vtkTable* text = vtkTable::GetData(outputVector, 2);
-    sm::columns::SetString(text->GetRowData(), sm::names::Text, this->FormatStatus({}));
-    sm::columns::SetString(text->GetFieldData(), sm::names::Status, this->GetStatus());
+    sm::columns::Writer(*this->Arrays, text->GetRowData()).SetString(sm::names::Text, this->FormatStatus({}));
+    sm::columns::Writer(*this->Arrays, text->GetFieldData()).SetString(sm::names::Status, this->GetStatus());
     vtkWarningMacro("Status " << this->GetStatus() << ": " << report.Reason);
   }
   catch (const std::bad_alloc&)

@@ -145,28 +145,27 @@ void vtkSurfaceIntegralGPU::WriteOutputs(
 {
   const std::vector<sm::Integrand>& integrands = this->Implementation->Integrated;
   std::string summary = this->FormatStatus(bodies);
+  sm::columns::Writer solids(outputs.Arrays, outputs.Solids->GetRowData(), bodies.size());
+  sm::columns::Writer totals(outputs.Arrays, outputs.Totals->GetFieldData());
   for (std::size_t k = 0; k < integrands.size(); ++k)
   {
     const std::string& name = integrands[k].Name;
     const auto& [total, bound] = this->Implementation->Totals.at(name);
-    sm::columns::Column values(name, 1);
-    sm::columns::Column bounds(name + sm::names::BoundSuffix, 1);
+    double* values = solids.AddDoubles(name);
+    double* bounds = solids.AddDoubles(name + sm::names::BoundSuffix);
     for (const sm::BodyIntegrals& body : bodies)
     {
-      values.Append(&body.Value[k]);
-      bounds.Append(&body.Bound[k]);
+      *values++ = body.Value[k];
+      *bounds++ = body.Bound[k];
     }
-    values.AddTo(outputs.Solids->GetRowData());
-    bounds.AddTo(outputs.Solids->GetRowData());
-    sm::columns::SetDoubles(outputs.Totals->GetFieldData(), name, &total, 1);
-    sm::columns::SetDoubles(outputs.Totals->GetFieldData(), name + sm::names::BoundSuffix, &bound, 1);
+    totals.SetDouble(name, total);
+    totals.SetDouble(name + sm::names::BoundSuffix, bound);
     summary += name + " = " + sm::FormatWithBound(total, bound, "") + "\n";
   }
-  sm::columns::AddBodyColumns(bodies, outputs.Solids);
-  sm::columns::SetString(outputs.Text->GetRowData(), sm::names::Text, summary);
+  sm::columns::Writer(outputs.Arrays, outputs.Text->GetRowData()).SetString(sm::names::Text, summary);
   std::vector<int> all(integrands.size());
   std::iota(all.begin(), all.end(), 0);
-  sm::columns::AddFaceRows(bodies, integrands, outputs.Faces, all);
+  sm::columns::AddFaceRows(outputs.Arrays, bodies, integrands, outputs.Faces, all);
 }
 
 std::vector<sm::MeshArray> vtkSurfaceIntegralGPU::GetMeshArrays(

@@ -39,6 +39,7 @@ EditSession::EditSession(vtkNURBSDataSet* leaf, int backend, double tolerance)
   , Points(vtkSmartPointer<vtkNURBSPointEvaluator>::New())
 {
   this->Leaf->ShallowCopy(leaf);
+  this->Mass->SetInputData(this->Leaf);
   this->Mass->SetBackend(backend);
   this->Mass->SetRelativeTolerance(tolerance);
   this->Mass->CheckEditedSolidsOff();
@@ -145,7 +146,6 @@ UpdateCost EditSession::Update(EditKind kind, int number)
       break;
   }
   const double start = Now();
-  this->Mass->SetInputData(this->Leaf);
   this->Mass->Update();
   cost.Mass = Now() - start;
   cost.Prepare = this->Mass->GetPrepareSeconds();

@@ -4,8 +4,12 @@
 #include "smTestPipeline.h"
 
 #include <vtkComputeContext.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNURBSDeform.h>
 #include <vtkNURBSTransform.h>
+#include <vtkPoints.h>
+#include <vtkTable.h>
 
 namespace
 {
@@ -156,6 +160,55 @@ void CheckContexts()
   CheckEqual("in the next context anew", evaluations, mass->GetEvaluations());
 }
 
+/// A run fills arrays of the one before again, but not those that somebody holds.
+void CheckHeldOutputs(int backend)
+{
+  std::printf("--- outputs that are held\n");
+  LatticeBody body;
+  const auto leaf = body.Make();
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetBackend(backend);
+  mass->SetInputData(leaf);
+  mass->Update();
+  const auto getArray = [&mass](const std::string& name)
+  { return mass->GetOutput()->GetFieldData()->GetArray(name.c_str()); };
+  const auto getTable = [&mass]() { return vtkTable::SafeDownCast(mass->GetOutputDataObject(1)); };
+  const double volume = mass->GetVolume();
+  const double area = mass->GetSurfaceArea();
+  const double x = mass->GetOutput()->GetPoint(0)[0];
+  const vtkSmartPointer<vtkDataArray> held = getArray(names::Volume);
+  CheckTrue("the range of an area", getArray(names::SurfaceArea)->GetRange()[1] == area);
+  getArray(names::SurfaceArea)->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "mm^2");
+  getArray(names::CenterOfMass)->SetComponentName(0, "x");
+  vtkNew<vtkTable> table;
+  table->ShallowCopy(getTable());
+  const vtkSmartPointer<vtkPoints> glyph = mass->GetOutput()->GetPoints();
+  const vtkAbstractArray* const unheld = getArray(std::string(names::Volume) + names::BoundSuffix);
+  const vtkMTimeType time = mass->GetOutput()->GetFieldData()->GetMTime();
+
+  const sm::ModelEdit edit = sm::MoveControlPoints(
+    leaf->GetModel(), 5, { { 2, 2 } }, { 0.1, 0.2, 0.3 }, sm::EditRule::MoveSharedBoundary);
+  Weigh(mass, leaf, edit.Model);
+  CheckTrue("another volume", mass->GetVolume() != volume);
+  Check("in an array of its own", mass->GetVolume(), getArray(names::Volume)->GetTuple1(0), 0.0);
+  Check("the held array", volume, held->GetTuple1(0), 0.0);
+  Check("the held table", volume,
+    vtkDataArray::SafeDownCast(table->GetColumnByName(names::Volume))->GetTuple1(0), 0.0);
+  Check("the new table", mass->GetVolume(),
+    vtkDataArray::SafeDownCast(getTable()->GetColumnByName(names::Volume))->GetTuple1(0), 0.0);
+  Check("the held glyph", x, glyph->GetPoint(0)[0], 0.0);
+  CheckTrue("the new glyph", mass->GetOutput()->GetPoint(0)[0] != x);
+  Check(
+    "the range of the new area", mass->GetSurfaceArea(), getArray(names::SurfaceArea)->GetRange()[1], 0.0);
+  CheckTrue("no information stays",
+    !getArray(names::SurfaceArea)->GetInformation()->Has(vtkDataArray::UNITS_LABEL()));
+  CheckTrue("nor names of components", !getArray(names::CenterOfMass)->HasAComponentName());
+  CheckTrue("an array that nobody holds is filled again",
+    getArray(std::string(names::Volume) + names::BoundSuffix) == unheld);
+  CheckTrue(
+    "and is newer", unheld && getArray(std::string(names::Volume) + names::BoundSuffix)->GetMTime() > time);
+}
+
 void CheckFilters(int backend)
 {
   std::printf("--- moved and deformed\n");
@@ -228,6 +281,7 @@ int TestMassPropertiesEdits(int argc, char* argv[])
   const int backend = name == "cpu" ? vtkMassPropertiesGPU::CPU : vtkMassPropertiesGPU::OPENGL;
   CheckVolumes(backend);
   CheckCost(backend);
+  CheckHeldOutputs(backend);
   CheckFilters(backend);
   if (backend == vtkMassPropertiesGPU::OPENGL)
   {

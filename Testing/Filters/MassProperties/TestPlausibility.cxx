@@ -118,6 +118,7 @@ int TestPlausibility(int, char*[])
   face->Surface.ControlPoints = { { 2.0, 0.0, 0.0, 2.0 }, { -3.0, 4.0, 0.5, 0.5 } };
   auto edge = std::make_shared<sm::Edge>();
   edge->StartVertex = { 0.0, 0.0, 9.0 };
+  edge->EndVertex = { 1.0, 2.0, 0.0 };
   edge->Curve.Coefficients = { { 0.0, -5.0, 0.0 } };
   sm::Coedge coedge;
   coedge.Use = edge;
@@ -131,5 +132,10 @@ int TestPlausibility(int, char*[])
   {
     smtest::Check("hull box " + std::to_string(i), expected[i], box[i], 0.0);
   }
+  const std::array<double, 3> within = { 0.5, 1.0, 2.0 };
+  CheckTrue("the vertices suffice for a point among them",
+    sm::GetHullBox(*model, &within) == std::array<double, 6>{ 0.0, 1.0, 0.0, 2.0, 0.0, 9.0 });
+  const std::array<double, 3> beyond = { -1.0, 1.0, 2.0 };
+  CheckTrue("but not for another", sm::GetHullBox(*model, &beyond) == box);
   return smtest::Finish();
 }

@@ -68,6 +68,30 @@ int TestNURBSDataSet(int, char*[])
   replaced->Initialize();
   smtest::CheckTrue("Initialize forgets it", !replaced->IsModelWithheld());
 
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkNew<vtkPoints> before;
+    before->SetDataType(type);
+    vtkNew<vtkPoints> after;
+    after->SetDataType(type);
+    for (int i = 0; i < 5; ++i)
+    {
+      before->InsertNextPoint(i, 0.0, 0.0);
+      after->InsertNextPoint(i, i == 1 || i == 3 ? 1.0 : 0.0, 0.0);
+    }
+    vtkNew<vtkNURBSDataSet> leaf;
+    leaf->SetPoints(before);
+    leaf->SetModel(model);
+    vtkNew<vtkTrimmedNURBSModel> next;
+    leaf->SetModelAndPoints(next, after, { 1, 3 });
+    smtest::CheckTrue("edited: model and points", leaf->GetModel() == next && leaf->GetPoints() == after);
+    after->Modified();
+    smtest::CheckTrue("a new time alone keeps the edited model", leaf->GetModel() == next);
+    after->SetPoint(2, 2.0, 0.0, 1e-6);
+    after->Modified();
+    smtest::CheckTrue("another point that moves withholds it", leaf->IsModelWithheld());
+  }
+
   vtkNew<vtkTrimmedNURBSModel> edited;
   edited->ShallowCopy(model);
   auto newFace = std::make_shared<sm::Face>(*face);
