@@ -134,6 +134,17 @@ void CheckOthers()
       "#70=ITEM_DEFINED_TRANSFORMATION('','',#23,#71);\n#71=AXIS2_PLACEMENT_3D('',#72,#21,#22);\n"
       "#72=CARTESIAN_POINT('',(0.,0.));\n",
     "#71 (value out of range, location without three coordinates)");
+  // A half disc, whose edges lead from a point on a curve to another point.
+  const std::string half =
+    "#29=ADVANCED_FACE('',(#80),#81,.T.);\n#80=FACE_BOUND('',#82,.T.);\n#81=PLANE('',#23);\n"
+    "#82=EDGE_LOOP('',(#83,#84));\n#83=ORIENTED_EDGE('',*,*,#85,.T.);\n#84=ORIENTED_EDGE('',*,*,#86,.T.);\n"
+    "#85=EDGE_CURVE('',#87,#88,#89,.T.);\n#86=EDGE_CURVE('',#88,#87,#90,.T.);\n#89=CIRCLE('',#23,5.);\n"
+    "#90=LINE('',#91,#93);\n#91=CARTESIAN_POINT('',(-5.,0.,0.));\n#93=VECTOR('',#22,1.);\n"
+    "#88=VERTEX_POINT('',#91);\n#87=VERTEX_POINT('',#94);\n";
+  const std::string disc = Replace(ball, "#29=ADVANCED_FACE('',(#28),#24,.T.);\n", half);
+  CheckTrue("a half disc", ReadText(disc + "#94=CARTESIAN_POINT('',(5.,0.,0.));\n").Bodies > 0);
+  CheckRefused("a point on a curve", disc + "#94=POINT_ON_CURVE('',#89,0.);\n",
+    "#87 (wrong type, a point that is not read)");
   // The shape of an aspect that has a validation property, with an item that is not there.
   const std::string aspect =
     "#70=SHAPE_ASPECT('','',#45,.T.);\n#71=PROPERTY_DEFINITION('','Shape for Validation Properties',#70);\n"
