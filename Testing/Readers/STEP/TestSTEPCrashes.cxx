@@ -120,6 +120,20 @@ void CheckCycles()
   const std::string cycle = "#64 (assembly contains itself, the placed product contains this one)";
   CheckRefused("the ball's shape is the box's", Replace(ball, "'','',#44)", "'','',#52)"), cycle);
   CheckRefused("the box placed in itself", Replace(ball, "'','',#32,#54)", "'','',#54,#54)"), cycle);
+  CheckRefused("a mapped item of its own shape",
+    Replace(ball, "(#23,#31)", "(#23,#31,#70)") +
+      "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#32);\n",
+    "#70 (assembly contains itself, contains itself)");
+  CheckRefused("mapped items of each other's shapes",
+    Replace(ball, "(#23,#31)", "(#23,#31,#70)") +
+      "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#72);\n#72=SHAPE_REPRESENTATION('',(#23,#73),"
+      "#6);\n"
+      "#73=MAPPED_ITEM('',#74,#23);\n#74=REPRESENTATION_MAP(#23,#32);\n",
+    "(assembly contains itself, contains itself)");
+  const Reading unused = ReadText(ball +
+    "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#72);\n#72=SHAPE_REPRESENTATION('',(#23,#70),#"
+    "6);\n");
+  CheckEqual("one that no product has", "ok", unused.Status);
   CheckRefused("the first owner counts",
     Replace(ball, "#46=", "#39=SHAPE_DEFINITION_REPRESENTATION(#53,#32);\n#46="), cycle);
   CheckEqual("the second owner does not", "ok",
