@@ -39,9 +39,9 @@ struct ShellOrientation
  * by edges, within a shell of the file, and across shells if they are closed only together.
  *
  * The depth is determined from `mesh`, triangles with the cell array FaceIndex in any placement of the model. Sides remains
- * empty, and Uncertainty has the reason, if shells cross, the nesting cannot be determined or is
- * not that of the model's NumberOfOuterShells, the volume of a shell is zero
- * within its bound, or a model of several shells has no mesh. The model must be closed. A model of one shell is returned
+ * empty, and Uncertainty has the reason, if shells cross, the nesting cannot be determined or is not that of the model's
+ * NumberOfOuterShells, shells would be reversed and the first one, of one outer shell, is a void, the volume of a shell is zero within its
+ * bound, or a model of several shells has no mesh. The model must be closed. A model of one shell is returned
  * unchanged, and its mesh is not read.
  */
 ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,

@@ -81,6 +81,7 @@ private:
   /// Marks groups with a body of one of these kinds, and what they are part of; `intoAssemblies`: assemblies, too.
   std::vector<bool> FindAbove(const std::vector<CensusBodyKind>& kinds, bool intoAssemblies) const;
   void ReportCycles();
+  std::vector<bool> FindRead() const;
   void SetInstances();
 
   // smSTEPComponents.cxx: what products declare besides their bodies

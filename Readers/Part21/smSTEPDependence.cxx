@@ -1,5 +1,6 @@
 // The entities that the bodies of a census depend on, and their damage.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPTopologyAttributes.h"
 
 #include <algorithm>
 
@@ -151,6 +152,16 @@ void STEPCensusTaker::Visit(Index i, bool flat)
     {
       this->CheckRecord(i, this->File.GetParameters(i, k), signature, flat);
     }
+  }
+  // OpenCASCADE takes any point of a vertex for a CARTESIAN_POINT.
+  std::string_view record;
+  const Index point = this->Entities.FindRecord(i, PointOfVertex.Record, record)
+    ? this->Entities.Follow(this->Entities.Get(i, PointOfVertex))
+    : None;
+  if (this->Entities.Has(point, STEPRole::Point) &&
+    !this->Entities.FindRecord(point, "CARTESIAN_POINT", record))
+  {
+    this->AddPeril(CensusDefect::WrongType, i, this->File.GetId(point), "a point that is not read");
   }
   if (!flat && this->Entities.Has(i, STEPRole::Placement))
   {

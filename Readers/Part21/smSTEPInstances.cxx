@@ -85,8 +85,31 @@ void STEPCensusTaker::CountAll()
   this->ReportCycles();
 }
 
-/// Reports the cycles of the product structure. A cycle through a product that an occurrence does not name is one of OpenCASCADE's, which
-/// would follow it for ever.
+/// Marks the products, and the shapes in them; in a file without products all shapes.
+std::vector<bool> STEPCensusTaker::FindRead() const
+{
+  std::vector<bool> isRead(this->File.GetNumberOfInstances(), this->Census.WithoutProducts);
+  std::vector<Index> open = this->Products;
+  while (!open.empty())
+  {
+    const Index from = open.back();
+    open.pop_back();
+    if (isRead[from])
+    {
+      continue;
+    }
+    isRead[from] = true;
+    for (auto arc = std::lower_bound(this->Arcs.begin(), this->Arcs.end(), Arc{ from, 0, 0 });
+         arc != this->Arcs.end() && arc->From == from; ++arc)
+    {
+      open.push_back(arc->To);
+    }
+  }
+  return isRead;
+}
+
+/// Reports the cycles of the product structure. OpenCASCADE follows mapped items in a cycle for ever. So it
+/// does with a product that an occurrence does not name but places.
 void STEPCensusTaker::ReportCycles()
 {
   std::vector<Arc> arcs = this->Arcs;
@@ -131,9 +154,14 @@ void STEPCensusTaker::ReportCycles()
   }
   std::sort(arcs.begin(), arcs.end(),
     [](const Arc& a, const Arc& b) { return a.To != b.To ? a.To < b.To : a.From < b.From; });
+  const std::vector<bool> isRead = arcs.empty() ? std::vector<bool>() : this->FindRead();
   for (const Arc& arc : arcs)
   {
-    if (arc.OfKernel)
+    if (this->Entities.Has(arc.By, STEPRole::MappedItem) && isRead[arc.From])
+    {
+      this->AddPeril(CensusDefect::AssemblyCycle, arc.By, this->File.GetId(arc.To), "contains itself");
+    }
+    else if (arc.OfKernel)
     {
       this->AddPeril(CensusDefect::AssemblyCycle, this->Placements.at(arc.By), this->File.GetId(arc.To),
         "the placed product contains this one");

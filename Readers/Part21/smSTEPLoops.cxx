@@ -14,7 +14,6 @@ namespace sm
 namespace
 {
 constexpr STEPAttribute Orientation = { "ORIENTED_EDGE", 1, 4, "orientation" };
-constexpr STEPAttribute PointOfVertex = { "VERTEX_POINT", 0, 1, "point" };
 
 constexpr STEPAttribute VertexOfLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
 constexpr STEPAttribute SurfaceOfFace = { "FACE_SURFACE", 0, 2, "surface" };

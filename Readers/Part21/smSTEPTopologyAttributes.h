@@ -14,6 +14,7 @@ constexpr STEPAttribute EdgesOfLoop = { "PATH", 0, 1, "edges" };
 constexpr STEPAttribute EdgeOfOriented = { "ORIENTED_EDGE", 0, 3, "edge" };
 constexpr STEPAttribute StartOfEdge = { "EDGE", 0, 1, "start" };
 constexpr STEPAttribute EndOfEdge = { "EDGE", 1, 2, "end" };
+constexpr STEPAttribute PointOfVertex = { "VERTEX_POINT", 0, 1, "point" };
 constexpr STEPAttribute CurveOfEdge = { "EDGE_CURVE", 0, 3, "geometry" };
 constexpr STEPAttribute CurveInSpace = { "SURFACE_CURVE", 0, 1, "3D curve" };
 }

@@ -2,7 +2,11 @@
 
 #include "smFormat.h"
 
+#include <BRep_Tool.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_TShape.hxx>
 
 #include <algorithm>
 #include <map>
@@ -40,6 +44,16 @@ std::string Name(const CensusBody& body)
 std::string Count(CensusCount count)
 {
   return count == CensusMaximum ? "more than " + std::to_string(count - 1) : std::to_string(count);
+}
+
+/// Returns true for a face whose boundary and surface need nothing of the file's entity: it has an edge, and its surface is no spline that
+/// OpenCASCADE made periodic.
+bool IsPlainFace(const TopoDS_Face& face)
+{
+  TopLoc_Location location;
+  const auto spline = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
+  return TopExp_Explorer(face, TopAbs_EDGE).More() &&
+    (spline.IsNull() || (!spline->IsUPeriodic() && !spline->IsVPeriodic()));
 }
 
 class Reconciliation
@@ -299,19 +313,43 @@ private:
     }
   }
 
+  /// Returns true for a face in the shells of several bodies.
+  bool IsShared(std::uint32_t face)
+  {
+    if (this->FaceUses.empty())
+    {
+      this->FaceUses.assign(this->Census.Faces.size(), 0);
+      for (const CensusShellUse& use : this->Census.ShellUses)
+      {
+        const CensusShell& shell = this->Census.Shells[use.Shell];
+        for (std::uint32_t f = shell.FirstFace; f < shell.FirstFace + shell.NumberOfFaces; ++f)
+        {
+          ++this->FaceUses[this->Census.FaceUses[f]];
+        }
+      }
+    }
+    return this->FaceUses[face] > 1;
+  }
+
   void CheckFaces(const CensusBody& body, const std::vector<std::size_t>& parts)
   {
     std::set<std::uint64_t> present;
+    std::set<const TopoDS_TShape*> unnamed;
     for (const std::size_t i : parts)
     {
       for (TopExp_Explorer it(this->Result.Bodies[i].Shape, TopAbs_FACE); it.More(); it.Next())
       {
         const auto info = this->Result.Table.find(it.Current().TShape().get());
-        present.insert(
-          info == this->Result.Table.end() ? 0 : static_cast<std::uint64_t>(info->second.FileId));
+        const int id = info == this->Result.Table.end() ? 0 : info->second.FileId;
+        present.insert(static_cast<std::uint64_t>(id));
+        if (id == 0 && IsPlainFace(TopoDS::Face(it.Current())))
+        {
+          unnamed.insert(it.Current().TShape().get());
+        }
       }
     }
     std::vector<std::uint64_t> missing;
+    std::size_t shared = 0;
     for (std::uint32_t s = body.FirstShell; s < body.FirstShell + body.NumberOfShells; ++s)
     {
       const CensusShell& shell = this->Census.Shells[this->Census.ShellUses[s].Shell];
@@ -321,10 +359,13 @@ private:
         if (present.count(id) == 0)
         {
           missing.push_back(id);
+          shared += this->IsShared(this->Census.FaceUses[f]) ? 1 : 0;
         }
       }
     }
-    if (missing.empty())
+    // Of a face of two bodies OpenCASCADE makes two, and only the second one has a number.
+    const bool isShared = shared == missing.size() && unnamed.size() >= missing.size();
+    if (missing.empty() || isShared)
     {
       return;
     }
@@ -379,6 +420,8 @@ private:
   std::map<std::uint64_t, std::vector<std::size_t>> Read;
   std::vector<CensusCount> Instances;
   bool HasMappedItems;
+  /// Number of shells of bodies that have each face of the census.
+  std::vector<int> FaceUses;
 };
 }
 

@@ -25,6 +25,7 @@ struct Case
   bool Solid = true;
   bool WithMesh = true;
   bool OneShell = false;
+  int OuterShells = 0;
 };
 
 void CheckCase(const Case& c)
@@ -36,6 +37,7 @@ void CheckCase(const Case& c)
     body.Add(box);
   }
   const auto leaf = body.Make(c.Solid, c.WithMesh, c.OneShell);
+  leaf->GetModel()->SetNumberOfOuterShells(c.OuterShells);
   vtkNew<vtkMassPropertiesGPU> mass;
   MessageTrap trap(mass);
   mass->SetInputData(leaf);
@@ -218,6 +220,16 @@ int TestMassPropertiesShells(int argc, char* argv[])
     "so near each other" });
   CheckCase({ "no mesh to tell by", { outer, reversed(middle) }, v0 + v1, 0, names::StatusSuspect,
     "no display mesh", true, false });
+  const std::string swapped =
+    "the file's outer shell lies inside a void of it; its shells are taken as the file orients them";
+  CheckCase({ "an outer shell in its void, both outwards", { reversed(middle), outer }, v1 + v0, 0,
+    names::StatusSuspect, swapped, true, true, false, 1 });
+  CheckCase({ "an outer shell in its void", { reversed(middle), reversed(outer) }, v0 - v1, 2,
+    names::StatusSuspect, swapped, true, true, false, 1 });
+  CheckCase({ "a void first, oriented rightly", { middle, outer }, v0 - v1, 0, names::StatusOk, "", true,
+    true, false, 1 });
+  CheckCase({ "both inside out, one of them the outer shell", { reversed(outer), reversed(middle) }, v0 - v1,
+    2, names::StatusOk, whole, true, true, false, 1 });
   CheckMoments();
   CheckCoincidences();
   const Manifest manifest(argv[1]);

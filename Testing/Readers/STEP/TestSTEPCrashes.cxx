@@ -120,6 +120,20 @@ void CheckCycles()
   const std::string cycle = "#64 (assembly contains itself, the placed product contains this one)";
   CheckRefused("the ball's shape is the box's", Replace(ball, "'','',#44)", "'','',#52)"), cycle);
   CheckRefused("the box placed in itself", Replace(ball, "'','',#32,#54)", "'','',#54,#54)"), cycle);
+  CheckRefused("a mapped item of its own shape",
+    Replace(ball, "(#23,#31)", "(#23,#31,#70)") +
+      "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#32);\n",
+    "#70 (assembly contains itself, contains itself)");
+  CheckRefused("mapped items of each other's shapes",
+    Replace(ball, "(#23,#31)", "(#23,#31,#70)") +
+      "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#72);\n#72=SHAPE_REPRESENTATION('',(#23,#73),"
+      "#6);\n"
+      "#73=MAPPED_ITEM('',#74,#23);\n#74=REPRESENTATION_MAP(#23,#32);\n",
+    "(assembly contains itself, contains itself)");
+  const Reading unused = ReadText(ball +
+    "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#72);\n#72=SHAPE_REPRESENTATION('',(#23,#70),#"
+    "6);\n");
+  CheckEqual("one that no product has", "ok", unused.Status);
   CheckRefused("the first owner counts",
     Replace(ball, "#46=", "#39=SHAPE_DEFINITION_REPRESENTATION(#53,#32);\n#46="), cycle);
   CheckEqual("the second owner does not", "ok",
@@ -134,6 +148,17 @@ void CheckOthers()
       "#70=ITEM_DEFINED_TRANSFORMATION('','',#23,#71);\n#71=AXIS2_PLACEMENT_3D('',#72,#21,#22);\n"
       "#72=CARTESIAN_POINT('',(0.,0.));\n",
     "#71 (value out of range, location without three coordinates)");
+  // A half disc, whose edges lead from a point on a curve to another point.
+  const std::string half =
+    "#29=ADVANCED_FACE('',(#80),#81,.T.);\n#80=FACE_BOUND('',#82,.T.);\n#81=PLANE('',#23);\n"
+    "#82=EDGE_LOOP('',(#83,#84));\n#83=ORIENTED_EDGE('',*,*,#85,.T.);\n#84=ORIENTED_EDGE('',*,*,#86,.T.);\n"
+    "#85=EDGE_CURVE('',#87,#88,#89,.T.);\n#86=EDGE_CURVE('',#88,#87,#90,.T.);\n#89=CIRCLE('',#23,5.);\n"
+    "#90=LINE('',#91,#93);\n#91=CARTESIAN_POINT('',(-5.,0.,0.));\n#93=VECTOR('',#22,1.);\n"
+    "#88=VERTEX_POINT('',#91);\n#87=VERTEX_POINT('',#94);\n";
+  const std::string disc = Replace(ball, "#29=ADVANCED_FACE('',(#28),#24,.T.);\n", half);
+  CheckTrue("a half disc", ReadText(disc + "#94=CARTESIAN_POINT('',(5.,0.,0.));\n").Bodies > 0);
+  CheckRefused("a point on a curve", disc + "#94=POINT_ON_CURVE('',#89,0.);\n",
+    "#87 (wrong type, a point that is not read)");
   // The shape of an aspect that has a validation property, with an item that is not there.
   const std::string aspect =
     "#70=SHAPE_ASPECT('','',#45,.T.);\n#71=PROPERTY_DEFINITION('','Shape for Validation Properties',#70);\n"

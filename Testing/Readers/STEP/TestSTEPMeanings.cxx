@@ -282,6 +282,16 @@ void CheckProducts()
   two.Add("#960=ADVANCED_BREP_SHAPE_REPRESENTATION('',(" + two.Find("MANIFOLD_SOLID_BREP") + ")," +
     two.FindContext() + ");\n#961=SHAPE_DEFINITION_REPRESENTATION(" + property + ",#960);\n");
   check("two_shapes", two, repeated);
+  // Two solids of one shell: OpenCASCADE numbers the faces of the second one only.
+  BoxText shared;
+  const std::string first = shared.Find("MANIFOLD_SOLID_BREP");
+  shared.Exchange("," + first + ")", "," + first + ",#970)")
+    .Add("#970=MANIFOLD_SOLID_BREP('second'," + shared.Find("CLOSED_SHELL") + ");\n");
+  Pipeline pipeline(Make("meanings_shared_shell.step", shared.Text));
+  pipeline.Mass->SetBackend(vtkMassPropertiesGPU::CPU);
+  pipeline.Mass->Update();
+  CheckEqual("two solids of one shell", names::StatusOk, std::string(pipeline.Mass->GetStatus()));
+  Check("  volume", 12.0, pipeline.Mass->GetVolume(), 1e-12, "planes: rounding");
 }
 }
 
