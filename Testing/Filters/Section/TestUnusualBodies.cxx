@@ -113,6 +113,20 @@ void CheckPlacement(const std::string& what, int row, int column, double value, 
     { CheckEqual(what + ", " + name, name == "mass" ? status : elsewhere, filter->GetStatus()); });
 }
 
+/// A length unit that has no metres leaves a solid without a mass, which is said.
+void CheckUnknownUnit()
+{
+  const auto box = MakeBox(0.0);
+  box->GetModel()->SetLengthUnit("parsec");
+  Filters without(box);
+  CheckTrue("no density, nothing said", !HasMessage(without.Mass, "parsec"));
+  box->GetModel()->SetDensity(1000.0);
+  Filters filters(box);
+  Check("unknown unit, volume", 6.0, filters.Mass->GetVolume(), filters.Mass->GetVolumeBound());
+  CheckTrue("unknown unit, no mass", std::isnan(filters.Mass->GetMass()));
+  CheckTrue("unknown unit, said", HasMessage(filters.Mass, "\"parsec\""));
+}
+
 /// A solid without faces, alone and beside a box: what is not there has no section.
 void CheckEmptyBody()
 {
@@ -152,6 +166,7 @@ int TestUnusualBodies(int, char*[])
   placement->SetElement(0, 3, 1e300);
   far->SetPlacement(placement);
   CheckEqual("1e300 away", "tolerance-not-met", Filters(far).Mass->GetStatus());
+  CheckUnknownUnit();
   CheckEmptyBody();
   return Finish();
 }
