@@ -120,6 +120,24 @@ void CheckSelectors(const Manifest& manifest)
   CheckEqual("nothing chosen: no error", 0, trap.NumberOfErrors);
 
   CheckChoice(mass, "Hierarchy", { "/Root/aball" }, ball.Volume, 1);
+  // The ball once more, the same object, elsewhere: each place is chosen for itself.
+  input->SetPartition(2, 0, input->GetPartition(1, 0));
+  const int again = assembly->AddNode("Again");
+  assembly->AddDataSetIndex(again, 2);
+  input->Modified();
+  CheckChoice(mass, "Assembly", {}, sum + ball.Volume, 3);
+  for (const std::string place : { "//Ball", "//Again" })
+  {
+    CheckChoice(mass, "Assembly", { place }, ball.Volume, 1);
+    table = vtkTable::SafeDownCast(mass->GetOutputDataObject(1));
+    CheckEqual("its id", place == "//Ball" ? "2" : "3", table->GetValueByName(0, names::Id).ToString());
+    kept = GetBodies(mass)->GetDataAssembly();
+    CheckEqual("its place in the assembly of the meshes", 1,
+      static_cast<long long>(kept->GetDataSetIndices(kept->SelectNodes({ place })).size()));
+  }
+  CheckChoice(mass, "Assembly", { "//Ball", "//Again" }, 2 * ball.Volume, 2);
+  input->SetNumberOfPartitionedDataSets(2);
+  assembly->RemoveNode(again);
   mass->SetAssemblyName("Elsewhere");
   mass->Update(5);
   CheckTrue("an unknown assembly is told", HasMessage(mass, "no assembly \"Elsewhere\""));
