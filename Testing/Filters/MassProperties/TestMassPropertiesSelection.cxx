@@ -1,5 +1,6 @@
 // TestMassPropertiesSelection FOLDER: solids chosen by nodes of an assembly and by blocks; the meshes that come with their results,
 // and the glyph's colour.
+#include "smPartsList.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -65,6 +66,44 @@ void CheckChoice(vtkMassPropertiesGPU* mass, const std::string& assembly,
   CheckEqual(what + ", solids", solids, mass->GetNumberOfSolids());
   Check(what + ", volume", volume, mass->GetVolume(), 1e-9 * volume);
   CheckEqual(what + ", meshes", solids, GetBodies(mass)->GetNumberOfPartitionedDataSets());
+}
+
+/// Solids in the parts list, and their volume.
+void CheckParts(vtkMassPropertiesGPU* mass, const std::string& what, int solids, double volume)
+{
+  mass->Update();
+  int listed = 0;
+  double sum = 0.0;
+  for (const sm::PartsListEntry& entry : mass->GetPartsList())
+  {
+    listed += entry.CountInAll * entry.Solids;
+    sum += entry.InAll.Volume.GetValue();
+  }
+  CheckEqual(what + ", solids in the parts list", solids, listed);
+  Check(what + ", their volume", volume, sum, 1e-9 * volume);
+  Check(what + ", all solids", volume, mass->GetVolume(), 1e-9 * volume);
+}
+
+/// An assembly that has a body in two nodes, and one that leaves a body out: each body is listed once.
+void CheckPartsList(const Manifest& manifest)
+{
+  const Expected box = manifest.GetSolid("box", "plain").front();
+  const Expected ball = manifest.GetSolid("sphere", "plain").front();
+  vtkNew<vtkPartitionedDataSetCollection> input;
+  input->SetPartition(0, 0, ReadLeaf(box));
+  input->SetPartition(1, 0, ReadLeaf(ball));
+  vtkNew<vtkDataAssembly> assembly;
+  const int left = assembly->AddNode("Left");
+  const int right = assembly->AddNode("Right");
+  assembly->AddDataSetIndex(left, 0);
+  input->SetDataAssembly(assembly);
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputDataObject(input);
+  CheckParts(mass, "a body in no node", 2, box.Volume + ball.Volume);
+  assembly->AddDataSetIndex(right, 0);
+  assembly->AddDataSetIndex(right, 1);
+  mass->Modified();
+  CheckParts(mass, "a body in two nodes", 2, box.Volume + ball.Volume);
 }
 
 void CheckSelectors(const Manifest& manifest)
@@ -291,6 +330,7 @@ int TestMassPropertiesSelection(int argc, char* argv[])
     return 1;
   }
   const Manifest manifest(argv[1]);
+  CheckPartsList(Manifest(argv[1]));
   CheckSelectors(manifest);
   CheckShared(manifest);
   CheckMeshes(manifest);
