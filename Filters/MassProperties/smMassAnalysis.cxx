@@ -435,6 +435,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   }
   AnalyzeTotal(bodies, parts, options, analysis);
   RemoveLeftOut(bodies, options, analysis);
+  NoteUnknownUnits(bodies, options, analysis);
   NoteUnusedRules(bodies, options, analysis);
   NoteCoincidences(bodies, analysis);
   // Bounds add up but scales need not, for example for parts on opposite sides of the origin.

@@ -42,14 +42,16 @@ std::vector<Bodies> GroupBodies(vtkPartitionedDataSetCollection* collection)
   return groups;
 }
 
+/// Moves bodies from `groups` into a product and those below it: a body that several nodes have counts in the first.
 void AddNode(
-  vtkDataAssembly* assembly, int node, int level, const std::vector<Bodies>& groups, ProductTreeNode& product)
+  vtkDataAssembly* assembly, int node, int level, std::vector<Bodies>& groups, ProductTreeNode& product)
 {
   for (const unsigned int index : assembly->GetDataSetIndices(node, false))
   {
     if (index < groups.size())
     {
       product.Bodies.insert(product.Bodies.end(), groups[index].begin(), groups[index].end());
+      groups[index].clear();
     }
   }
   bool isUnnamed = false; // the last child
@@ -79,7 +81,16 @@ void AddNode(
   }
 }
 
-/// Adds a product for each body, with the name of its model.
+/// Adds a product of one body, with the name of its model.
+void AddBody(const ProductTreeNode::Body& body, ProductTreeNode& root)
+{
+  ProductTreeNode product;
+  product.Name = body.Model->GetName();
+  product.Bodies.push_back(body);
+  root.Children.push_back(std::move(product));
+}
+
+/// Adds a product for each body.
 void AddBodies(vtkDataObject* input, ProductTreeNode& root)
 {
   const auto add = [&root](vtkDataObject* object, std::size_t number)
@@ -89,10 +100,7 @@ void AddBodies(vtkDataObject* input, ProductTreeNode& root)
     {
       return number;
     }
-    ProductTreeNode product;
-    product.Name = leaf->GetModel()->GetName();
-    product.Bodies.push_back(MakeBody(++number, leaf));
-    root.Children.push_back(std::move(product));
+    AddBody(MakeBody(++number, leaf), root);
     return number;
   };
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -117,7 +125,16 @@ ProductTreeNode MakeProductTree(vtkDataObject* input)
   vtkDataAssembly* assembly = collection ? collection->GetDataAssembly() : nullptr;
   if (assembly)
   {
-    AddNode(assembly, vtkDataAssembly::GetRootNode(), 0, GroupBodies(collection), root);
+    std::vector<Bodies> groups = GroupBodies(collection);
+    AddNode(assembly, vtkDataAssembly::GetRootNode(), 0, groups, root);
+    // Nobody has to put every body into the assembly.
+    for (const Bodies& left : groups)
+    {
+      for (const ProductTreeNode::Body& body : left)
+      {
+        AddBody(body, root);
+      }
+    }
   }
   else
   {

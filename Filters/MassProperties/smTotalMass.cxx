@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace sm
 {
@@ -224,6 +225,24 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   if (std::isfinite(total.Mass))
   {
     total.MassUncertainty = uncertainty;
+  }
+}
+
+void NoteUnknownUnits(
+  const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis)
+{
+  std::set<std::string> units;
+  for (const BodyIntegrals& body : bodies)
+  {
+    const std::string unit = body.Model->GetLengthUnit();
+    if (ChooseMaterial(body, options).Density > 0.0 && !(GetMetres(unit) > 0.0))
+    {
+      units.insert(unit);
+    }
+  }
+  for (const std::string& unit : units)
+  {
+    analysis.Messages.push_back("there is no mass in the length unit \"" + unit + "\", which is not known");
   }
 }
 

@@ -21,6 +21,10 @@ void SetMass(MassRow& row, const Material& material, const std::string& unit);
 void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Moments>& parts,
   const Moments& sum, const MassAnalysisOptions& options, MassAnalysis& analysis);
 
+/// Adds a message about each length unit that is not known, where it leaves bodies with a density without a mass.
+void NoteUnknownUnits(
+  const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis);
+
 /// Adds a message about each rule that no body matches.
 void NoteUnusedRules(
   const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis);

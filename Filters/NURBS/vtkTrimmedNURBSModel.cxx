@@ -157,6 +157,22 @@ vtkIdType vtkTrimmedNURBSModel::GetNumberOfEdges() const
   return static_cast<vtkIdType>(edges.size());
 }
 
+void vtkTrimmedNURBSModel::SetDensity(double density)
+{
+  if (!std::isfinite(density) || density < 0.0)
+  {
+    vtkErrorMacro(
+      "SetDensity: " << sm::FormatDigits(density, 6)
+                     << " is no density; give kg/m^3, for example 7850 for steel, or 0 for none.");
+    return;
+  }
+  if (density != this->Density)
+  {
+    this->Density = density;
+    this->Modified();
+  }
+}
+
 void vtkTrimmedNURBSModel::SetFaces(std::vector<sm::FacePointer> faces)
 {
   this->Faces = std::move(faces);

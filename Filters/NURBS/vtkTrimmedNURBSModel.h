@@ -60,11 +60,14 @@ public:
   vtkSetMacro(FileUnit, std::string);
   vtkGetMacro(FileUnit, std::string);
 
-  /** Material name and density (kg/m^3) the file states; empty and 0 when it states none. */
+  ///@{
+  /** Material name and density (kg/m^3) the file states; empty and 0 when it states none. A density that is negative or not finite is an
+   * error, and changes nothing. */
   vtkSetMacro(Material, std::string);
   vtkGetMacro(Material, std::string);
-  vtkSetMacro(Density, double);
+  void SetDensity(double density);
   vtkGetMacro(Density, double);
+  ///@}
 
   /** Volume (LengthUnit^3) and area (LengthUnit^2) that the originating CAD system wrote into the file; NaN if it wrote none. */
   vtkSetMacro(FileVolume, double);

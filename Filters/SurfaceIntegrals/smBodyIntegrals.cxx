@@ -5,6 +5,7 @@
 #include "smCompensatedSum.h"
 #include "smFormat.h"
 #include "smMeshTriangles.h"
+#include "smOpenEdges.h"
 #include "smShellOrientation.h"
 #include "smVector.h"
 
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <unordered_map>
 
 namespace sm
 {
@@ -82,17 +82,6 @@ void Collect(
   }
 }
 
-/// Lists the first five entity numbers.
-std::string ListIds(const std::vector<int>& ids)
-{
-  std::string list;
-  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
-  {
-    list += (i > 0 ? ", #" : "#") + std::to_string(ids[i]);
-  }
-  return list + (ids.size() > 5 ? ", ..." : "");
-}
-
 bool IsRigid(const std::array<double, 16>& m)
 {
   bool rigid = m[12] == 0.0 && m[13] == 0.0 && m[14] == 0.0 && m[15] == 1.0 && std::isfinite(m[3]) &&
@@ -106,51 +95,6 @@ bool IsRigid(const std::array<double, 16>& m)
     }
   }
   return rigid;
-}
-
-void CountOpenEdges(BodyIntegrals& body)
-{
-  // The signed uses of an edge add up to 0 at a seam or a 2+2 non-manifold edge, but not at a border.
-  std::unordered_map<const Edge*, int> uses;
-  for (const FacePointer& face : body.Model->GetFaces())
-  {
-    for (const Loop& loop : face->Loops)
-    {
-      for (const Coedge& coedge : loop.Coedges)
-      {
-        if (!coedge.Use->Degenerate)
-        {
-          uses[coedge.Use.get()] += face->Reversed == coedge.Reversed ? 1 : -1;
-        }
-      }
-    }
-  }
-  std::vector<int> open;
-  for (const auto& [edge, sum] : uses)
-  {
-    if (sum != 0)
-    {
-      open.push_back(edge->FileId);
-    }
-  }
-  body.OpenEdges = static_cast<int>(open.size());
-  if (open.empty())
-  {
-    if (!body.IsSolid())
-    {
-      body.Messages.push_back("a closed shell that the file does not call a solid; its volume is given");
-    }
-    return;
-  }
-  if (!body.IsSolid())
-  {
-    body.Flag(Status::Open, "a surface, not a solid: it has an area and no volume");
-    return;
-  }
-  std::sort(open.begin(), open.end());
-  body.Flag(Status::Open,
-    FormatCount(open.size(), "edge is", "edges are") + " not shared by two faces (" + ListIds(open) +
-      "): the volume depends on the origin, see the closure residual");
 }
 }
 

@@ -10,9 +10,9 @@
 #include "vtkPartitionedDataSetCollection.h"
 
 #include <cstring>
-#include <deque>
 #include <limits>
 #include <map>
+#include <string>
 
 namespace sm
 {
@@ -67,23 +67,27 @@ void KeepAssembly(
   {
     return;
   }
-  // A leaf may occur at several places, and a partitioned dataset may have several bodies.
-  std::map<vtkDataObject*, std::deque<unsigned int>> numbers;
+  // A leaf may occur at several places, of which some may be chosen: the ids count the places.
+  std::map<std::string, unsigned int> numbers;
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
-    numbers[bodies[i].Mesh].push_back(static_cast<unsigned int>(i));
+    numbers[bodies[i].Id] = static_cast<unsigned int>(i);
   }
+  int places = 0;
   std::map<unsigned int, std::vector<unsigned int>> renumbered;
   for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
   {
     vtkPartitionedDataSet* partitions = collection->GetPartitionedDataSet(i);
     for (unsigned int j = 0; partitions && j < partitions->GetNumberOfPartitions(); ++j)
     {
-      const auto found = numbers.find(partitions->GetPartitionAsDataObject(j));
-      if (found != numbers.end() && !found->second.empty())
+      auto* leaf = vtkNURBSDataSet::SafeDownCast(partitions->GetPartitionAsDataObject(j));
+      if (leaf && leaf->GetModel())
       {
-        renumbered[i].push_back(found->second.front());
-        found->second.pop_front();
+        const auto found = numbers.find(std::to_string(++places));
+        if (found != numbers.end())
+        {
+          renumbered[i].push_back(found->second);
+        }
       }
     }
   }

@@ -7,11 +7,32 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkSmartPointer.h"
 
+#include <map>
+
 namespace sm
 {
+namespace
+{
+/// Returns the leaves of every partitioned dataset of a collection.
+std::vector<std::vector<LeafPlace>> ListPlaces(vtkPartitionedDataSetCollection& collection)
+{
+  std::map<vtkDataObject*, int> occurrences;
+  std::vector<std::vector<LeafPlace>> places(collection.GetNumberOfPartitionedDataSets());
+  for (unsigned int i = 0; i < collection.GetNumberOfPartitionedDataSets(); ++i)
+  {
+    vtkPartitionedDataSet* partitions = collection.GetPartitionedDataSet(i);
+    for (unsigned int k = 0; partitions && k < partitions->GetNumberOfPartitions(); ++k)
+    {
+      vtkDataObject* leaf = partitions->GetPartitionAsDataObject(k);
+      places[i].emplace_back(leaf, occurrences[leaf]++);
+    }
+  }
+  return places;
+}
+}
+
 std::string SelectLeaves(vtkDataObject* input, const std::string& assemblyName,
-  const std::vector<std::string>& selectors, std::set<vtkDataObject*>& leaves,
-  std::vector<std::string>& unmatched)
+  const std::vector<std::string>& selectors, std::set<LeafPlace>& leaves, std::vector<std::string>& unmatched)
 {
   auto* tree = vtkCompositeDataSet::SafeDownCast(input);
   vtkSmartPointer<vtkPartitionedDataSetCollection> collection =
@@ -37,16 +58,16 @@ std::string SelectLeaves(vtkDataObject* input, const std::string& assemblyName,
   {
     return "the input has no assembly \"" + assemblyName + "\" to choose from";
   }
+  const std::vector<std::vector<LeafPlace>> places = ListPlaces(*collection);
   for (const std::string& selector : selectors)
   {
     bool found = false;
     for (const unsigned int index : assembly->GetDataSetIndices(assembly->SelectNodes({ selector })))
     {
-      vtkPartitionedDataSet* partitions = collection->GetPartitionedDataSet(index);
-      for (unsigned int i = 0; partitions && i < partitions->GetNumberOfPartitions(); ++i)
+      if (index < places.size())
       {
-        leaves.insert(partitions->GetPartitionAsDataObject(i));
-        found = true;
+        leaves.insert(places[index].begin(), places[index].end());
+        found = found || !places[index].empty();
       }
     }
     if (!found)

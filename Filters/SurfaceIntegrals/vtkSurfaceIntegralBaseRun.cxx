@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <new>
 #include <set>
 
@@ -129,7 +130,7 @@ void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::
     return;
   }
   std::vector<std::string>& messages = this->Engine->GetReport().Messages;
-  std::set<vtkDataObject*> chosen;
+  std::set<sm::LeafPlace> chosen;
   std::vector<std::string> unmatched;
   const std::string problem = sm::SelectLeaves(input, this->AssemblyName, this->Selectors, chosen, unmatched);
   if (!problem.empty())
@@ -140,9 +141,17 @@ void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::
   {
     messages.push_back("the selector \"" + selector + "\" names no solid");
   }
-  bodies.erase(std::remove_if(bodies.begin(), bodies.end(),
-                 [&chosen](const sm::BodyIntegrals& body) { return chosen.count(body.Mesh) == 0; }),
-    bodies.end());
+  // Bodies have the order of the leaves.
+  std::map<vtkDataObject*, int> occurrences;
+  std::vector<sm::BodyIntegrals> kept;
+  for (sm::BodyIntegrals& body : bodies)
+  {
+    if (chosen.count({ body.Mesh, occurrences[body.Mesh]++ }) > 0)
+    {
+      kept.push_back(std::move(body));
+    }
+  }
+  bodies = std::move(kept);
 }
 
 int vtkSurfaceIntegralBase::RejectInput(bool isWithheld)

@@ -1,5 +1,6 @@
 // TestMassPropertiesSelection FOLDER: solids chosen by nodes of an assembly and by blocks; the meshes that come with their results,
 // and the glyph's colour.
+#include "smPartsList.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -67,6 +68,44 @@ void CheckChoice(vtkMassPropertiesGPU* mass, const std::string& assembly,
   CheckEqual(what + ", meshes", solids, GetBodies(mass)->GetNumberOfPartitionedDataSets());
 }
 
+/// Solids in the parts list, and their volume.
+void CheckParts(vtkMassPropertiesGPU* mass, const std::string& what, int solids, double volume)
+{
+  mass->Update();
+  int listed = 0;
+  double sum = 0.0;
+  for (const sm::PartsListEntry& entry : mass->GetPartsList())
+  {
+    listed += entry.CountInAll * entry.Solids;
+    sum += entry.InAll.Volume.GetValue();
+  }
+  CheckEqual(what + ", solids in the parts list", solids, listed);
+  Check(what + ", their volume", volume, sum, 1e-9 * volume);
+  Check(what + ", all solids", volume, mass->GetVolume(), 1e-9 * volume);
+}
+
+/// An assembly that has a body in two nodes, and one that leaves a body out: each body is listed once.
+void CheckPartsList(const Manifest& manifest)
+{
+  const Expected box = manifest.GetSolid("box", "plain").front();
+  const Expected ball = manifest.GetSolid("sphere", "plain").front();
+  vtkNew<vtkPartitionedDataSetCollection> input;
+  input->SetPartition(0, 0, ReadLeaf(box));
+  input->SetPartition(1, 0, ReadLeaf(ball));
+  vtkNew<vtkDataAssembly> assembly;
+  const int left = assembly->AddNode("Left");
+  const int right = assembly->AddNode("Right");
+  assembly->AddDataSetIndex(left, 0);
+  input->SetDataAssembly(assembly);
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputDataObject(input);
+  CheckParts(mass, "a body in no node", 2, box.Volume + ball.Volume);
+  assembly->AddDataSetIndex(right, 0);
+  assembly->AddDataSetIndex(right, 1);
+  mass->Modified();
+  CheckParts(mass, "a body in two nodes", 2, box.Volume + ball.Volume);
+}
+
 void CheckSelectors(const Manifest& manifest)
 {
   const Expected box = manifest.GetSolid("box", "plain").front();
@@ -120,6 +159,24 @@ void CheckSelectors(const Manifest& manifest)
   CheckEqual("nothing chosen: no error", 0, trap.NumberOfErrors);
 
   CheckChoice(mass, "Hierarchy", { "/Root/aball" }, ball.Volume, 1);
+  // The ball once more, the same object, elsewhere: each place is chosen for itself.
+  input->SetPartition(2, 0, input->GetPartition(1, 0));
+  const int again = assembly->AddNode("Again");
+  assembly->AddDataSetIndex(again, 2);
+  input->Modified();
+  CheckChoice(mass, "Assembly", {}, sum + ball.Volume, 3);
+  for (const std::string place : { "//Ball", "//Again" })
+  {
+    CheckChoice(mass, "Assembly", { place }, ball.Volume, 1);
+    table = vtkTable::SafeDownCast(mass->GetOutputDataObject(1));
+    CheckEqual("its id", place == "//Ball" ? "2" : "3", table->GetValueByName(0, names::Id).ToString());
+    kept = GetBodies(mass)->GetDataAssembly();
+    CheckEqual("its place in the assembly of the meshes", 1,
+      static_cast<long long>(kept->GetDataSetIndices(kept->SelectNodes({ place })).size()));
+  }
+  CheckChoice(mass, "Assembly", { "//Ball", "//Again" }, 2 * ball.Volume, 2);
+  input->SetNumberOfPartitionedDataSets(2);
+  assembly->RemoveNode(again);
   mass->SetAssemblyName("Elsewhere");
   mass->Update(5);
   CheckTrue("an unknown assembly is told", HasMessage(mass, "no assembly \"Elsewhere\""));
@@ -273,6 +330,7 @@ int TestMassPropertiesSelection(int argc, char* argv[])
     return 1;
   }
   const Manifest manifest(argv[1]);
+  CheckPartsList(Manifest(argv[1]));
   CheckSelectors(manifest);
   CheckShared(manifest);
   CheckMeshes(manifest);

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTrimmedNURBSModel.h"
 
+#include <cmath>
 #include <functional>
 #include <initializer_list>
 #include <limits>
@@ -202,6 +203,23 @@ void CheckCurveErrors()
   whole->InsertNextValue(1);
   CheckTrue("any type of numbers", s.Model->AddCoedge(0, 0, 0, false, whole, s.Trim));
 }
+
+void CheckDensity()
+{
+  Square s;
+  s.Model->SetDensity(2700.0);
+  for (const double density : { -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
+  {
+    CheckRefused("a density that is none", "SetDensity", s,
+      [&]()
+      {
+        s.Model->SetDensity(density);
+        return s.Model->GetDensity() != 2700.0;
+      });
+  }
+  s.Model->SetDensity(0.0);
+  smtest::Check("no density", 0.0, s.Model->GetDensity(), 0.0);
+}
 }
 
 int TestTrimmedNURBSModelArrays(int, char*[])
@@ -210,5 +228,6 @@ int TestTrimmedNURBSModelArrays(int, char*[])
   CheckSharing();
   CheckFaceErrors();
   CheckCurveErrors();
+  CheckDensity();
   return smtest::Finish();
 }

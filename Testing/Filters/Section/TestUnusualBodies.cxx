@@ -12,9 +12,14 @@
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 
+#include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -113,6 +118,86 @@ void CheckPlacement(const std::string& what, int row, int column, double value, 
     { CheckEqual(what + ", " + name, name == "mass" ? status : elsewhere, filter->GetStatus()); });
 }
 
+/// A surface of revolution without loops, of a profile of (radius, height) with weights.
+vtkSmartPointer<vtkNURBSDataSet> MakeRevolved(
+  const std::vector<std::array<double, 3>>& profile, int degree, const std::vector<double>& knots)
+{
+  const double h = std::sqrt(0.5);
+  const int x[9] = { 1, 1, 0, -1, -1, -1, 0, 1, 1 };
+  const int y[9] = { 0, 1, 1, 1, 0, -1, -1, -1, 0 };
+  auto face = std::make_shared<sm::Face>();
+  face->Id = sm::NewId();
+  face->Surface.Degree[0] = 2;
+  face->Surface.Degree[1] = degree;
+  face->Surface.Knots[0] = { 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4 };
+  face->Surface.Knots[1] = knots;
+  face->Surface.NumberOfControlPoints[0] = 9;
+  face->Surface.NumberOfControlPoints[1] = static_cast<int>(profile.size());
+  face->Surface.Rational = true;
+  for (const auto& [radius, height, weight] : profile)
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      const double w = weight * (i % 2 == 0 ? 1.0 : h);
+      face->Surface.ControlPoints.push_back({ w * radius * x[i], w * radius * y[i], w * height, w });
+    }
+  }
+  vtkNew<vtkTrimmedNURBSModel> model;
+  model->SetFaces({ face });
+  auto leaf = vtkSmartPointer<vtkNURBSDataSet>::New();
+  leaf->SetModel(model);
+  return leaf;
+}
+
+/// Faces without loops: a ball and a ring are closed by themselves, a tube and a cone are not, although the vector area of the tube is 0.
+void CheckWithoutLoops()
+{
+  const double h = std::sqrt(0.5);
+  const double pi = std::acos(-1.0);
+  const std::vector<double> quarters = { 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4 };
+  Filters ball(MakeRevolved(
+    { { 0, -2, 1 }, { 2, -2, h }, { 2, 0, 1 }, { 2, 2, h }, { 0, 2, 1 } }, 2, { 0, 0, 0, 1, 1, 2, 2, 2 }));
+  CheckEqual("ball", "ok", ball.Mass->GetStatus());
+  Check("ball, volume", 32.0 / 3.0 * pi, ball.Mass->GetVolume(), ball.Mass->GetVolumeBound() + 1e-14);
+  Check(
+    "ball, section", 3.0 * pi, ball.Section->GetSectionArea(), ball.Section->GetSectionAreaBound() + 1e-14);
+  Filters ring(MakeRevolved({ { 4, 0, 1 }, { 4, 1, h }, { 3, 1, 1 }, { 2, 1, h }, { 2, 0, 1 }, { 2, -1, h },
+                              { 3, -1, 1 }, { 4, -1, h }, { 4, 0, 1 } },
+    2, quarters));
+  CheckEqual("ring", "ok", ring.Mass->GetStatus());
+  Check("ring, volume", 6.0 * pi * pi, ring.Mass->GetVolume(), ring.Mass->GetVolumeBound() + 1e-13);
+  const std::pair<std::string, vtkSmartPointer<vtkNURBSDataSet>> surfaces[] = {
+    { "tube", MakeRevolved({ { 1, 0, 1 }, { 1, 2, 1 } }, 1, { 0, 0, 1, 1 }) },
+    { "cone", MakeRevolved({ { 1, 0, 1 }, { 0, 2, 1 } }, 1, { 0, 0, 1, 1 }) }
+  };
+  for (const auto& [name, surface] : surfaces)
+  {
+    Filters filters(surface);
+    filters.Visit([what = name](const std::string& filter, vtkSurfaceIntegralBase* integral, double)
+      { CheckEqual(what + ", " + filter, "open", integral->GetStatus()); });
+    CheckTrue(name + ", said", HasMessage(filters.Mass, name == "tube" ? "2 borders" : "1 border"));
+    CheckTrue(name + ", no section", std::isnan(filters.Section->GetSectionArea()));
+    surface->GetModel()->SetBody(vtkTrimmedNURBSModel::SHELL);
+    Filters shell(surface);
+    CheckTrue(name + " as a surface, no volume", std::isnan(shell.Mass->GetVolume()));
+    CheckEqual(name + " as a surface", "open", shell.Mass->GetStatus());
+  }
+}
+
+/// A length unit that has no metres leaves a solid without a mass, which is said.
+void CheckUnknownUnit()
+{
+  const auto box = MakeBox(0.0);
+  box->GetModel()->SetLengthUnit("parsec");
+  Filters without(box);
+  CheckTrue("no density, nothing said", !HasMessage(without.Mass, "parsec"));
+  box->GetModel()->SetDensity(1000.0);
+  Filters filters(box);
+  Check("unknown unit, volume", 6.0, filters.Mass->GetVolume(), filters.Mass->GetVolumeBound());
+  CheckTrue("unknown unit, no mass", std::isnan(filters.Mass->GetMass()));
+  CheckTrue("unknown unit, said", HasMessage(filters.Mass, "\"parsec\""));
+}
+
 /// A solid without faces, alone and beside a box: what is not there has no section.
 void CheckEmptyBody()
 {
@@ -152,6 +237,8 @@ int TestUnusualBodies(int, char*[])
   placement->SetElement(0, 3, 1e300);
   far->SetPlacement(placement);
   CheckEqual("1e300 away", "tolerance-not-met", Filters(far).Mass->GetStatus());
+  CheckWithoutLoops();
+  CheckUnknownUnit();
   CheckEmptyBody();
   return Finish();
 }
