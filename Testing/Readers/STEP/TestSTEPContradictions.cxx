@@ -308,6 +308,10 @@ void CheckFoldedFace()
   CheckTrue("its torus with the wrong sense", Mentions(folded, "the sense contradicts its neighbours"),
     folded.Messages);
   CheckTrue("  is repaired", Mentions(folded, "its outer loop runs the wrong way"));
+  const Verdict repaired = JudgeText(wrong, vtkSTEPReader::ALWAYS);
+  CheckTrue("  said where all is repaired", Mentions(repaired, "the part outside its loops is meant"),
+    repaired.Messages);
+  CheckEqual("  a sound sector is not accused", "", JudgeText(text, vtkSTEPReader::ALWAYS).Messages);
   CheckRange("  volume", 0.0, std::abs(folded.Volume - good.Volume) / good.Volume, 1e-6);
 }
 
