@@ -90,7 +90,7 @@ FlatLoops::FlatLoops(const Face& face)
 {
   Point2 high{ -this->Low[0], -this->Low[1] };
   Point2 gap{};
-  std::vector<Point2> filled;
+  std::vector<Point2> corners;
   for (const Loop& loop : face.Loops)
   {
     for (std::size_t i = 0; i < loop.Coedges.size(); ++i)
@@ -99,13 +99,13 @@ FlatLoops::FlatLoops(const Face& face)
       const Coedge& next = loop.Coedges[(i + 1) % loop.Coedges.size()];
       const Point2 end = coedge.Reversed ? coedge.Curve.GetStartPoint() : coedge.Curve.GetEndPoint();
       const Point2 start = next.Reversed ? next.Curve.GetEndPoint() : next.Curve.GetStartPoint();
+      corners.push_back({ std::abs(end[0] - start[0]), std::abs(end[1] - start[1]) });
       if (coedge.Use->Degenerate)
       {
-        filled.push_back(this->GetFilledGap(coedge));
+        corners.push_back(this->GetFilledGap(coedge));
       }
       for (int d = 0; d < 2; ++d)
       {
-        gap[d] = std::max(gap[d], std::abs(end[d] - start[d]));
         for (const Point2& c : coedge.Curve.Coefficients)
         {
           this->Low[d] = std::min(this->Low[d], c[d]);
@@ -119,7 +119,8 @@ FlatLoops::FlatLoops(const Face& face)
   {
     return;
   }
-  for (const Point2& corner : filled)
+  // A wider gap is no want of accuracy: it runs along a pole, or is said elsewhere.
+  for (const Point2& corner : corners)
   {
     if (corner[0] <= LargestCorner * this->Size[0] && corner[1] <= LargestCorner * this->Size[1])
     {

@@ -46,12 +46,14 @@ bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face)
   return true;
 }
 
-bool IsConicCurve(Handle(StepGeom_Curve) curve)
+/// Returns the radius of a circle, the first one of an ellipse; 0 for other curves.
+double GetRadius(Handle(StepGeom_Curve) curve)
 {
   const auto onSurface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
   curve = onSurface.IsNull() ? curve : onSurface->Curve3d();
-  return !Handle(StepGeom_Circle)::DownCast(curve).IsNull() ||
-    !Handle(StepGeom_Ellipse)::DownCast(curve).IsNull();
+  const auto circle = Handle(StepGeom_Circle)::DownCast(curve);
+  const auto ellipse = Handle(StepGeom_Ellipse)::DownCast(curve);
+  return !circle.IsNull() ? circle->Radius() : !ellipse.IsNull() ? ellipse->SemiAxis1() : 0.0;
 }
 
 bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position)
@@ -95,7 +97,8 @@ void CheckSpindleTori(const Handle(StepData_StepModel) & model, std::vector<std:
   }
 }
 
-void CheckShortArcs(const Handle(StepData_StepModel) & model, double unit, std::vector<std::string>& messages)
+void CheckShortArcs(const Handle(StepData_StepModel) & model, double unit, std::vector<std::string>& messages,
+  std::vector<std::string>& defects)
 {
   std::string first;
   int others = 0;
@@ -104,12 +107,18 @@ void CheckShortArcs(const Handle(StepData_StepModel) & model, double unit, std::
     const auto edge = Handle(StepShape_EdgeCurve)::DownCast(model->Value(i));
     gp_Pnt start;
     gp_Pnt end;
-    if (edge.IsNull() || !IsConicCurve(edge->EdgeGeometry()) || !GetPoint(edge->EdgeStart(), start) ||
-      !GetPoint(edge->EdgeEnd(), end))
+    const double radius = edge.IsNull() ? 0.0 : GetRadius(edge->EdgeGeometry());
+    if (radius == 0.0 || !GetPoint(edge->EdgeStart(), start) || !GetPoint(edge->EdgeEnd(), end))
     {
       continue;
     }
     const double distance = start.Distance(end);
+    if (distance * unit > Precision::Confusion() && distance <= Precision::PConfusion() * radius)
+    {
+      defects.push_back("Edge #" + std::to_string(model->IdentLabel(edge)) +
+        " of the file is an arc of less than 1e-9 of its radius: OpenCASCADE takes the whole curve.");
+      continue;
+    }
     if (distance * unit <= Precision::Confusion() &&
       distance > Rounding * (start.XYZ().Modulus() + end.XYZ().Modulus()))
     {

@@ -25,9 +25,10 @@ Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & fa
 void CheckSpindleTori(const Handle(StepData_StepModel) & model, std::vector<std::string>& defects);
 
 /// Reports edges on circles and ellipses between two different points that are closer to each other than OpenCASCADE's tolerance, which takes
-/// the whole curve. `unit` is the file's length unit in mm.
-void CheckShortArcs(
-  const Handle(StepData_StepModel) & model, double unit, std::vector<std::string>& messages);
+/// the whole curve. `unit` is the file's length unit in mm. It takes the whole curve, too, where the arc is that short relative to its
+/// radius, however far the points are apart, which is a defect.
+void CheckShortArcs(const Handle(StepData_StepModel) & model, double unit, std::vector<std::string>& messages,
+  std::vector<std::string>& defects);
 
 /// Returns a sentence if loops that cover `box` in the parameters lead beyond the rectangular trimmed surface that the face is on, of which the
 /// basis surface is taken; else an empty text.

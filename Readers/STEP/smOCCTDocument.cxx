@@ -396,7 +396,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   SkipDamagedAttributes(model, reader, document);
   CheckSpindleTori(model, document.Defects);
-  CheckShortArcs(model, document.FileUnitInMillimetres, document.Messages);
+  CheckShortArcs(model, document.FileUnitInMillimetres, document.Messages, document.Defects);
   TurnNegativeTori(model);
   ForgetOtherFiles(model);
   ClearClosedFlags(model);

@@ -2,6 +2,7 @@
 
 #include "smPart21Cursor.h"
 
+#include <Standard_OutOfMemory.hxx>
 #include <StepData_FileRecognizer.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
@@ -9,6 +10,7 @@
 #include <StepSelect_WorkLibrary.hxx>
 
 #include <limits>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -61,6 +63,21 @@ public:
   Standard_Integer ReadStream(Standard_CString, std::istream&, Handle(Interface_InterfaceModel) & model,
     const Handle(Interface_Protocol) & general) const override
   {
+    try
+    {
+      return this->Load(model, general);
+    }
+    catch (const Standard_OutOfMemory&)
+    {
+      // The session takes OpenCASCADE's exceptions for damage of the file, and lets others pass.
+      throw std::bad_alloc();
+    }
+  }
+
+private:
+  Standard_Integer Load(
+    Handle(Interface_InterfaceModel) & model, const Handle(Interface_Protocol) & general) const
+  {
     const auto protocol = Handle(StepData_Protocol)::DownCast(general);
     auto step = Handle(StepData_StepModel)::DownCast(model);
     if (step.IsNull())
@@ -82,7 +99,6 @@ public:
     return 0;
   }
 
-private:
   const KernelRecords& Records;
 };
 }

@@ -30,13 +30,16 @@ bool IsSoundOutside(const TopoDS_Shape& face, const RepairLog& log)
 /// Keeps the sides of the faces, which a repair may turn.
 void KeepSides(const TopoDS_Shape& shape, RepairLog& log)
 {
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+  for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next())
   {
-    TopLoc_Location location;
-    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(TopoDS::Face(it.Current()), location);
-    const FaceSide side{ surface, it.Current().Orientation() == TopAbs_REVERSED, false };
-    const auto [known, isNew] = log.Sides.emplace(surface.get(), side);
-    known->second.Ambiguous = !isNew;
+    for (TopExp_Explorer it(shell.Current(), TopAbs_FACE); it.More(); it.Next())
+    {
+      TopLoc_Location location;
+      const Handle(Geom_Surface)& surface = BRep_Tool::Surface(TopoDS::Face(it.Current()), location);
+      const FaceSide side{ surface, shell.Current(), it.Current().Orientation() == TopAbs_REVERSED, false };
+      const auto [known, isNew] = log.Sides.emplace(surface.get(), side);
+      known->second.Ambiguous = !isNew;
+    }
   }
 }
 
@@ -152,6 +155,8 @@ RepairAlways::RepairAlways(RepairLog& log, ShapeLabel label)
   : Filter(
       [&log, label = std::move(label)](const TopoDS_Shape& shape, const FaceRepair&)
       {
+        KeepSides(shape, log);
+        // A face with the wrong sense lies outside its loops.
         AddOutsideFaces(shape, log, label);
         return false;
       })

@@ -17,10 +17,12 @@
 
 namespace sm
 {
-/// A surface that one face of a repaired body has, with the side that the face took before; ambiguous if several faces have it.
+/// A surface that one face of a repaired body has, with the side that the face took before, and the shell that it was in; ambiguous if
+/// several faces have it.
 struct FaceSide
 {
   Handle(Geom_Surface) Surface;
+  TopoDS_Shape Shell;
   bool Reversed = false;
   bool Ambiguous = false;
 };
@@ -70,7 +72,7 @@ private:
   TransferFilter Filter;
 };
 
-/// During the lifetime of this object all shapes are repaired, and faces outside their loops are added to the log.
+/// During the lifetime of this object all shapes are repaired. The sides of faces, and faces outside their loops, are added to the log.
 class RepairAlways
 {
 public:

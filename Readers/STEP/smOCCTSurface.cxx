@@ -3,7 +3,9 @@
 #include "smChebyshevFit.h"
 #include "smFormat.h"
 #include "smOCCTProfile.h"
+#include "smOCCTRounding.h"
 #include "smOCCTSpline.h"
+#include "smVector.h"
 
 #include <vtkMath.h>
 
@@ -451,7 +453,10 @@ ConvertedSurface ConvertSurface(
   {
     throw std::runtime_error("its surface is not usable: " + problem);
   }
-  const double allowed = 1e-10 * GetSize(result.Surface) + result.Surface.Residual;
+  // Rounding, of which there is more far from the frame of the surface, is charged to the bounds.
+  const double none[3] = { 0.0, 0.0, 0.0 };
+  const double allowed = 1e-10 * GetSize(result.Surface) + result.Surface.Residual +
+    Norm(GetReadingRounding(source, box, map, none, 0, result.Surface));
   double distance = MeasureDistance(surface, box, map, result);
   if (!(distance <= allowed))
   {

@@ -3,6 +3,10 @@
 #include "smStepText.h"
 #include "smTestPipeline.h"
 
+#include <fstream>
+#include <iterator>
+#include <regex>
+
 namespace
 {
 using namespace smtest;
@@ -12,11 +16,12 @@ using Point = StepText::Point;
 std::string Folder;
 
 /// The file is suspect, and it is said; or ok, without a message of the filter, and the reader says `read`.
-void CheckFile(
-  const std::string& name, double volume, const std::string& said, const std::string& read = std::string())
+void CheckFile(const std::string& name, double volume, const std::string& said,
+  const std::string& read = std::string(), bool repairAll = false)
 {
-  std::printf("--- %s\n", name.c_str());
+  std::printf("--- %s%s\n", name.c_str(), repairAll ? ", all repaired" : "");
   Pipeline pipeline(Folder + "/crossing_" + name + ".step");
+  pipeline.Reader->SetRepair(repairAll ? vtkSTEPReader::ALWAYS : vtkSTEPReader::ON_NEED);
   MessageTrap reader(pipeline.Reader);
   MessageTrap filter(pipeline.Mass);
   pipeline.Mass->Update();
@@ -205,6 +210,42 @@ void WriteSides(
   solid.Write(name);
 }
 
+/// The file says which shell is a void: it is one whatever its normals are, and if they are wrong that is said.
+void CheckDeclaredVoids(const std::array<Point, 2>& outer, const std::array<Point, 2>& inner)
+{
+  for (const bool isInsideOut : { false, true })
+  {
+    // ORIENTED_CLOSED_SHELL turns the shell of the void.
+    WriteSides("declared_void", { outer, inner }, { false, isInsideOut });
+    const std::string path = Folder + "/crossing_declared_void.step";
+    std::ifstream file(path);
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    const std::regex shell(R"((#\d+)=CLOSED_SHELL\('',\(((?:#\d+,){5}#\d+),([#\d,]+)\)\);)");
+    text = std::regex_replace(text, shell,
+      "$1=CLOSED_SHELL('',($2));\n#9001=CLOSED_SHELL('',($3));\n#9002=ORIENTED_CLOSED_SHELL('',*,#9001,.F.)"
+      ";");
+    text = std::regex_replace(
+      text, std::regex(R"(MANIFOLD_SOLID_BREP\('solid',(#\d+)\))"), "BREP_WITH_VOIDS('solid',$1,(#9002))");
+    std::ofstream(path) << text;
+    for (const bool repairAll : { false, true })
+    {
+      std::printf("--- a declared void, inside out: %d, all repaired: %d\n", isInsideOut, repairAll);
+      Pipeline pipeline(path);
+      pipeline.Reader->SetRepair(repairAll ? vtkSTEPReader::ALWAYS : vtkSTEPReader::ON_NEED);
+      pipeline.Mass->Update();
+      std::string messages = GetMessages(pipeline.Mass);
+      for (int i = 0; i < pipeline.Reader->GetNumberOfMessages(); ++i)
+      {
+        messages += std::string("\n") + pipeline.Reader->GetMessage(i);
+      }
+      CheckEqual("status", names::StatusOk, std::string(pipeline.Mass->GetStatus()));
+      Check("volume", 994.0, pipeline.Mass->GetVolume(), 1e-12 * 1000.0, "planes: rounding");
+      CheckTrue("it is said of a void that is inside out",
+        (messages.find("inside out") != std::string::npos) == isInsideOut, messages);
+    }
+  }
+}
+
 /// A plate of 10 x 10 with rectangular holes through it, wherever they lie.
 void WritePlate(const std::string& name, const std::vector<std::array<Point, 2>>& holes, double height,
   const std::string& uncertainty = "1.E-07")
@@ -336,16 +377,20 @@ int TestSelfCrossingFiles(int argc, char* argv[])
   const std::string turned = "OpenCASCADE turned it, against what the file says";
   const std::string insideOut = "1 solid is inside out in the file, and turned: #";
   WriteSides("void", { outer, inner }, { false, true });
-  CheckFile("void", 994.0, "");
   WriteSides("void_that_is_solid", { outer, inner }, { false, false });
-  CheckFile("void_that_is_solid", 994.0, turned);
   WriteSides("void_in_a_turned_box", { outer, inner }, { true, true });
-  CheckFile("void_in_a_turned_box", 994.0, turned);
   WriteSides("turned_with_its_void", { outer, inner }, { true, false });
-  CheckFile("turned_with_its_void", 994.0, "", insideOut);
   WriteSides("turned_box", { inner }, { true });
-  CheckFile("turned_box", 6.0, "", insideOut);
   WriteSides("turned_box_beside_another", { outer, beside }, { false, true });
-  CheckFile("turned_box_beside_another", 1001.0, "", insideOut);
+  for (const bool repairAll : { false, true })
+  {
+    CheckFile("void", 994.0, "", "", repairAll);
+    CheckFile("void_that_is_solid", 994.0, turned, "", repairAll);
+    CheckFile("void_in_a_turned_box", 994.0, turned, "", repairAll);
+    CheckFile("turned_with_its_void", 994.0, "", insideOut, repairAll);
+    CheckFile("turned_box", 6.0, "", insideOut, repairAll);
+    CheckFile("turned_box_beside_another", 1001.0, "", insideOut, repairAll);
+  }
+  CheckDeclaredVoids(outer, inner);
   return Finish();
 }

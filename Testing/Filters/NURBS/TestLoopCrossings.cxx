@@ -78,6 +78,18 @@ void CheckCorner()
   }
 }
 
+/// A loop without the edge along its upper side, as beside a pole: the gap hides no hole that leaves the face.
+void CheckWideGap()
+{
+  for (const double x : { 0.5, 1.0 })
+  {
+    sm::Face face =
+      MakePolygonFace({ { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, MakeCircle(x, 0.5, -0.2, 12) });
+    face.Loops[0].Coedges.erase(face.Loops[0].Coedges.begin() + 2);
+    CheckEqual("a hole beside a gap as wide as the face", x > 0.5, sm::HasWrongLoops(face));
+  }
+}
+
 void CheckCurves()
 {
   // Between two parabolas whose tops are at 0.1 and at half of `height`.
@@ -155,6 +167,7 @@ int TestLoopCrossings(int, char*[])
   CheckLoops("a strip whose ends cross by a ten-thousandth of its length", false,
     { { { 0, 0 }, { 9, 1e-3 }, { 9, 0 }, { 0, 1e-3 } } });
   CheckCorner();
+  CheckWideGap();
   CheckCurves();
   return Finish();
 }

@@ -336,6 +336,10 @@ void CheckFoldedFace()
   CheckTrue("its torus with the wrong sense", Mentions(folded, "the sense contradicts its neighbours"),
     folded.Messages);
   CheckTrue("  is repaired", Mentions(folded, "its outer loop runs the wrong way"));
+  const Verdict repaired = JudgeText(wrong, vtkSTEPReader::ALWAYS);
+  CheckTrue("  said where all is repaired", Mentions(repaired, "the part outside its loops is meant"),
+    repaired.Messages);
+  CheckEqual("  a sound sector is not accused", "", JudgeText(text, vtkSTEPReader::ALWAYS).Messages);
   CheckRange("  volume", 0.0, std::abs(folded.Volume - good.Volume) / good.Volume, 1e-6);
 }
 
@@ -402,6 +406,68 @@ void CheckOverruled()
   CheckEqual("a circle from a vertex to it", "", JudgeText(MakeCylinder(0.0, 0.0)).Messages);
 }
 
+/// A box of 10 x 20 x 30 of which one side is bent outwards, with a radius of many times its size.
+void CheckFlatArcs()
+{
+  for (const double radius : { 1e6, 1e9, 1e11 })
+  {
+    EntityText step;
+    const double corners[4][2] = { { 0, 0 }, { 10, 0 }, { 10, 20 }, { 0, 20 } };
+    // The height of the arc is that of a parabola, to rounding.
+    const double center = 10.0 - radius + 50.0 / radius;
+    int vertices[2][4];
+    int edges[2][4];
+    int uprights[4];
+    for (int top = 0; top < 2; ++top)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        vertices[top][i] = step.Vertex({ corners[i][0], corners[i][1], 30.0 * top });
+      }
+      for (int i = 0; i < 4; ++i)
+      {
+        const double* a = corners[i];
+        const double* b = corners[(i + 1) % 4];
+        const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+        const int frame = step.Frame({ center, 10, 30.0 * top }, { 0, 0, 1 }, { 1, 0, 0 });
+        const int curve = i == 1
+          ? step.On("CIRCLE", frame, { radius })
+          : step.Line({ a[0], a[1], 30.0 * top }, { (b[0] - a[0]) / length, (b[1] - a[1]) / length, 0 });
+        edges[top][i] = step.Edge(vertices[top][i], vertices[top][(i + 1) % 4], curve);
+      }
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      uprights[i] = step.Edge(
+        vertices[0][i], vertices[1][i], step.Line({ corners[i][0], corners[i][1], 0 }, { 0, 0, 1 }));
+    }
+    std::vector<int> faces;
+    for (int i = 0; i < 4; ++i)
+    {
+      const double* a = corners[i];
+      const double* b = corners[(i + 1) % 4];
+      const int surface = i == 1
+        ? step.On("CYLINDRICAL_SURFACE", step.Frame({ center, 10, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { radius })
+        : step.On("PLANE", step.Frame({ a[0], a[1], 0 }, { b[1] - a[1], a[0] - b[0], 0 }, { 0, 0, 1 }));
+      faces.push_back(step.Face(surface, { edges[0][i], uprights[(i + 1) % 4], -edges[1][i], -uprights[i] }));
+    }
+    faces.push_back(step.Face(step.On("PLANE", step.Frame({ 0, 0, 0 }, { 0, 0, -1 }, { 1, 0, 0 })),
+      { -edges[0][3], -edges[0][2], -edges[0][1], -edges[0][0] }));
+    faces.push_back(step.Face(step.On("PLANE", step.Frame({ 0, 0, 30 }, { 0, 0, 1 }, { 1, 0, 0 })),
+      { edges[1][0], edges[1][1], edges[1][2], edges[1][3] }));
+    const Verdict reading = JudgeText(step.Finish(faces));
+    if (radius > 1e10)
+    {
+      CheckTrue("an arc that is taken for its circle",
+        Mentions(reading, "an arc of less than 1e-9 of its radius"), reading.Messages);
+      continue;
+    }
+    const double volume = 6000.0 + 30.0 * 2.0 / 3.0 * 20.0 * 50.0 / radius;
+    CheckRange("a slightly bent side, its bound", 1e-12, reading.Bound, 1e-2);
+    Check("  volume", volume, reading.Volume, reading.Bound + 20.0 * 30.0 * 1e-15 * radius);
+  }
+}
+
 /// A sphere as so many trimmed surfaces of one another.
 std::string MakeNested(int levels)
 {
@@ -438,6 +504,7 @@ int TestSTEPContradictions(int argc, char* argv[])
   CheckFoldedFace();
   CheckSpindleTorus();
   CheckOverruled();
+  CheckFlatArcs();
   CheckNesting();
   return Finish();
 }
