@@ -217,6 +217,19 @@ void CheckGaps()
   }
 }
 
+/// An integral called like a column that the table of faces has, or like the bound of one, would stand in its place.
+void CheckNames()
+{
+  vtkNew<vtkSurfaceIntegralGPU> integral;
+  for (const char* name : { "MaxGap", "FaceId", "FaceIndex", "Solid" })
+  {
+    const MessageTrap trap(integral);
+    integral->AddAreaMoment(name, 0, 0, 0);
+    CheckEqual(std::string("an integral called ") + name, 1, trap.NumberOfErrors);
+  }
+  CheckEqual("no integral", 0, integral->GetNumberOfIntegrands());
+}
+
 /// A length unit that has no metres leaves a solid without a mass, which is said.
 void CheckUnknownUnit()
 {
@@ -272,6 +285,7 @@ int TestUnusualBodies(int, char*[])
   CheckEqual("1e300 away", "tolerance-not-met", Filters(far).Mass->GetStatus());
   CheckWithoutLoops();
   CheckGaps();
+  CheckNames();
   CheckUnknownUnit();
   CheckEmptyBody();
   return Finish();
