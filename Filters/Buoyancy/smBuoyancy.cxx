@@ -1,6 +1,7 @@
 #include "smBuoyancy.h"
 #include "smBodyScales.h"
 #include "smChainExtent.h"
+#include "smCoedgeGaps.h"
 #include "smParallelFor.h"
 #include "smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
@@ -66,6 +67,7 @@ void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
   }
   to.Estimated = to.Estimated || from.Estimated;
   to.Skipped = to.Skipped || from.Skipped;
+  AddGaps(from, to);
   to.CoverageDefects += from.CoverageDefects;
   to.Overlap = std::max(to.Overlap, from.Overlap);
   to.Outside.Add(from.Outside);

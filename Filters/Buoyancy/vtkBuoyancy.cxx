@@ -180,6 +180,7 @@ sm::IntegralRequest vtkBuoyancy::MakeRequest() const
   sm::IntegralRequest request;
   request.Integrands = this->MakeIntegrands();
   request.Integrands[0].Name = sm::names::DisplacedVolume;
+  request.ReportSmallGaps = false;
   return request;
 }
 

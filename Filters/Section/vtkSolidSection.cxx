@@ -2,6 +2,7 @@
 
 #include "smBodyMeshes.h"
 #include "smBodyScales.h"
+#include "smCoedgeGaps.h"
 #include "smColumns.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
@@ -67,6 +68,19 @@ double GetDensityPerVolume(const sm::BodyIntegrals& body, double density)
   const double own = density > 0.0 ? density : body.Model->GetDensity();
   const double metres = sm::GetMetres(body.Model->GetLengthUnit());
   return own > 0.0 && metres > 0.0 ? own * metres * metres * metres : vtkMath::Nan();
+}
+
+/// Adds to the findings about a face below the plane those about its part above; where it is cut, both have its defects.
+void AddFindings(const sm::FaceIntegrals& above, sm::FaceIntegrals& face)
+{
+  face.Skipped = face.Skipped || above.Skipped;
+  face.Estimated = face.Estimated || above.Estimated;
+  face.Error = face.Error.empty() ? above.Error : face.Error;
+  face.CoverageDefects = std::max(face.CoverageDefects, above.CoverageDefects);
+  face.Overlap = sm::GetLargerGap(face.Overlap, above.Overlap);
+  face.Outside = face.Outside.Distance >= above.Outside.Distance ? face.Outside : above.Outside;
+  face.IsContinued = face.IsContinued || above.IsContinued;
+  sm::AddGaps(above, face);
 }
 
 /// Flags a body with a shell that does not have its material inside: the volumes on the two sides of the plane then do not add up to the
@@ -257,6 +271,7 @@ sm::IntegralRequest vtkSolidSection::MakeRequest() const
   sm::IntegralRequest request;
   request.Integrands = this->MakeIntegrands();
   request.Integrands[0].Name = sm::names::VolumeBelow;
+  request.ReportSmallGaps = false;
   return request;
 }
 
@@ -276,8 +291,7 @@ bool vtkSolidSection::IntegrateBodies(
     std::vector<sm::FaceIntegrals> faces = self.Below[b].Faces;
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-      faces[i].Skipped = faces[i].Skipped || self.Above[b].Faces[i].Skipped;
-      faces[i].Estimated = faces[i].Estimated || self.Above[b].Faces[i].Estimated;
+      AddFindings(self.Above[b].Faces[i], faces[i]);
     }
     bodies[b].Faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(std::move(faces));
   }

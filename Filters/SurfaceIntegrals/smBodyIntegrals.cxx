@@ -348,7 +348,7 @@ void FlagUncertainty(const ShellOrientation& found, BodyIntegrals& body)
 }
 }
 
-void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
+void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit, bool reportSmall)
 {
   using Key = std::pair<vtkTrimmedNURBSModel*, const std::vector<FaceIntegrals>*>;
   std::map<Key, std::shared_ptr<const std::vector<EdgeGap>>> known;
@@ -387,7 +387,7 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit)
         (message.empty() ? "the widest gap between a face and its edge" : message) + ": " +
           FormatDigits(100.0 * widest / diagonal, 2) + " % of its size");
     }
-    else if (!message.empty())
+    else if (!message.empty() && reportSmall)
     {
       body.Messages.push_back(message);
     }

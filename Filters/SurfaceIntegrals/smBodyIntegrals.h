@@ -124,9 +124,10 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void SumFaces(BodyIntegrals& body, const std::v
 SMFILTERSSURFACEINTEGRALS_EXPORT void SumValues(
   BodyIntegrals& body, const std::vector<Integrand>& integrands);
 
-/// Collects the gaps of every body's edges (smEdgeGaps.h), and adds a message about the widest gap if it is significant. The body is
+/// Collects the gaps of every body's edges (smEdgeGaps.h), and adds a message about the widest gap if it is significant and `reportSmall`. The body is
 /// suspect if that gap, MaxOverhang or MaxOverlap is wider than `limit` times its diagonal and than the file excuses.
-SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit);
+SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(
+  std::vector<BodyIntegrals>& bodies, double limit, bool reportSmall);
 
 /// Returns the largest gap or change that does not make a body suspect: `limit` times `size`, or `excuse`, which follows from the
 /// uncertainty of the file, if that is larger, but at most ten times `limit` times `size`; infinity if `limit` is 1.

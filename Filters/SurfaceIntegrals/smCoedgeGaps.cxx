@@ -3,6 +3,9 @@
 #include "smFace.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
 
 namespace sm
 {
@@ -39,5 +42,30 @@ void CoedgeGaps::Add(int coedge, const CoedgeGap& measured)
   known.GapSquared += measured.GapSquared;
   known.GapArea += measured.GapArea;
   known.MaxGap = GetLargerGap(known.MaxGap, measured.MaxGap);
+}
+
+void AddGaps(const FaceIntegrals& part, FaceIntegrals& face)
+{
+  face.GapSquared += part.GapSquared;
+  face.GapArea += part.GapArea;
+  face.MaxGap = GetLargerGap(face.MaxGap, part.MaxGap);
+  std::map<std::pair<int, int>, std::size_t> places;
+  for (std::size_t i = 0; i < face.Gaps.size(); ++i)
+  {
+    places[{ face.Gaps[i].Loop, face.Gaps[i].Coedge }] = i;
+  }
+  for (const CoedgeGap& gap : part.Gaps)
+  {
+    const auto [place, isNew] = places.emplace(std::pair(gap.Loop, gap.Coedge), face.Gaps.size());
+    if (isNew)
+    {
+      face.Gaps.push_back(gap);
+      continue;
+    }
+    CoedgeGap& known = face.Gaps[place->second];
+    known.GapSquared += gap.GapSquared;
+    known.GapArea += gap.GapArea;
+    known.MaxGap = GetLargerGap(known.MaxGap, gap.MaxGap);
+  }
 }
 }

@@ -33,6 +33,9 @@ private:
   /// Index in Gaps of every coedge, counted through all loops; -1: not there yet.
   std::vector<int> Places;
 };
+
+/// Adds the gaps of a part of a face to those of the face.
+SMFILTERSSURFACEINTEGRALS_EXPORT void AddGaps(const FaceIntegrals& part, FaceIntegrals& face);
 }
 
 #endif

@@ -329,7 +329,7 @@ void IntegralEngine::Sum(
   }
   if (computed)
   {
-    MeasureEdges(bodies, gapLimit);
+    MeasureEdges(bodies, gapLimit, request.ReportSmallGaps);
   }
   this->Report.Status = this->Report.FileStatus;
 }

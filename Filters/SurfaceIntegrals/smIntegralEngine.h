@@ -45,6 +45,8 @@ struct IntegralRequest
   std::function<std::vector<double>(const BodyIntegrals&)> GetTolerances;
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
+  /// True: gaps that do not make a body suspect are messages, too, where they are wider than the file's tolerances.
+  bool ReportSmallGaps = true;
 
   /// Returns true if an integrand is an expression in GLSL.
   bool HasExpressions() const;

@@ -51,8 +51,8 @@ constexpr const char* AreaInDoubt =
 constexpr const char* VolumeInDoubt = "VolumeInDoubt"; // 1, L^3, likewise in the volume
 
 // Names of other columns in vtkSurfaceIntegralGPU's outputs, which integrands must not have.
-constexpr const char* ReservedColumnNames[] = { Name, Id, Solid, FaceId, Faces, Status, Backend, Renderer,
-  Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated, Ranks };
+constexpr const char* ReservedColumnNames[] = { Name, Id, Solid, FaceId, MaxGap, Faces, Status, Backend,
+  Renderer, Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated, Ranks };
 
 // Backends.
 constexpr const char* BackendOpenGL = "opengl";

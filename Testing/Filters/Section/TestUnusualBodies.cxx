@@ -7,6 +7,7 @@
 #include <vtkBuoyancy.h>
 #include <vtkMassPropertiesGPU.h>
 #include <vtkMatrix4x4.h>
+#include <vtkNURBSDeform.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkSolidSection.h>
 #include <vtkSurfaceIntegralGPU.h>
@@ -184,6 +185,51 @@ void CheckWithoutLoops()
   }
 }
 
+/// The top of a box, lifted off its edges: a wide gap is told by every filter whose values it changes.
+void CheckGaps()
+{
+  vtkNew<vtkNURBSDeform> lift;
+  lift->SetInputDataObject(MakeBox(0.0));
+  lift->AddFace(5);
+  lift->KeepClosedOff();
+  for (const double height : { 1.0, 1e-5 })
+  {
+    const std::string what = "lifted by " + std::to_string(height);
+    const std::string status = height > 0.01 ? "suspect" : "ok";
+    lift->SetDisplacement(0, 0, height);
+    lift->Update();
+    Filters filters(lift->GetOutputDataObject(0));
+    CheckEqual(what + ", mass", status, filters.Mass->GetStatus());
+    CheckEqual(what + ", section", status, filters.Section->GetStatus());
+    CheckEqual(what + ", nothing below", "ok", filters.Buoyancy->GetStatus());
+    filters.Buoyancy->SetPoint(0, 0, 9);
+    const MessageTrap trap(filters.Buoyancy);
+    filters.Buoyancy->Update();
+    CheckEqual(what + ", all below", status, filters.Buoyancy->GetStatus());
+    // A small gap is no news of these filters, but stands in their tables.
+    CheckTrue(what + ", said", HasMessage(filters.Section, "widest gap") == (status == "suspect"));
+    for (vtkSurfaceIntegralBase* filter : { static_cast<vtkSurfaceIntegralBase*>(filters.Section),
+           static_cast<vtkSurfaceIntegralBase*>(filters.Buoyancy) })
+    {
+      auto* edges = vtkTable::SafeDownCast(filter->GetOutputDataObject(4));
+      Check(what + ", in the table of edges", height, edges->GetValueByName(0, "MaxGap").ToDouble(), 1e-12);
+    }
+  }
+}
+
+/// An integral called like a column that the table of faces has, or like the bound of one, would stand in its place.
+void CheckNames()
+{
+  vtkNew<vtkSurfaceIntegralGPU> integral;
+  for (const char* name : { "MaxGap", "FaceId", "FaceIndex", "Solid" })
+  {
+    const MessageTrap trap(integral);
+    integral->AddAreaMoment(name, 0, 0, 0);
+    CheckEqual(std::string("an integral called ") + name, 1, trap.NumberOfErrors);
+  }
+  CheckEqual("no integral", 0, integral->GetNumberOfIntegrands());
+}
+
 /// A length unit that has no metres leaves a solid without a mass, which is said.
 void CheckUnknownUnit()
 {
@@ -238,6 +284,8 @@ int TestUnusualBodies(int, char*[])
   far->SetPlacement(placement);
   CheckEqual("1e300 away", "tolerance-not-met", Filters(far).Mass->GetStatus());
   CheckWithoutLoops();
+  CheckGaps();
+  CheckNames();
   CheckUnknownUnit();
   CheckEmptyBody();
   return Finish();
