@@ -149,6 +149,30 @@ void STEPCensusTaker::CheckAlternatives()
   }
 }
 
+void STEPCensusTaker::CheckVersions()
+{
+  std::vector<bool> isPart(this->Counts.size(), false);
+  for (const Arc& arc : this->Arcs)
+  {
+    isPart[arc.To] = isPart[arc.To] || this->IsOfAssembly(arc);
+  }
+  std::unordered_map<Index, Index> roots;
+  for (const Index definition : this->Products)
+  {
+    const Index formation = this->Entities.Follow(this->Entities.Get(definition, FormationOfPart));
+    const Index product = this->Entities.Follow(this->Entities.Get(formation, PartOfFormation));
+    if (isPart[definition] || !this->SolidsBelow[definition] || product == None)
+    {
+      continue;
+    }
+    const auto [root, isFirst] = roots.emplace(product, definition);
+    if (!isFirst)
+    {
+      this->Add(CensusDefect::RepeatedProduct, definition, this->File.GetId(root->second), "of one product");
+    }
+  }
+}
+
 std::string STEPCensusTaker::GetProductName(Index product) const
 {
   const Index formation = this->Entities.Follow(this->Entities.Get(product, FormationOfPart));

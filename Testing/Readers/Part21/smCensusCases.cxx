@@ -96,6 +96,15 @@ std::vector<CensusCase> GetBodyCases()
       "solids 1, instances 1, faces 1, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
       "0",
       "" },
+    { "two versions of the ball",
+      ExtendBall("ball", "ball",
+        second +
+          "#74=MANIFOLD_SOLID_BREP('',#73);\n#75=SHAPE_REPRESENTATION('',(#74),#6);\n"
+          "#76=PRODUCT_DEFINITION('','',#79,#43);\n#77=PRODUCT_DEFINITION_SHAPE('','',#76);\n"
+          "#78=SHAPE_DEFINITION_REPRESENTATION(#77,#75);\n#79=PRODUCT_DEFINITION_FORMATION('2','',#41);\n"),
+      Count(2, 2, 2),
+      "several definitions of one product, which are all counted: 1 (#76 PRODUCT_DEFINITION of one product "
+      "#44)" },
     { "a vertex off its sphere", ChangeBall("(0.,0.,5.)", "(0.,0.,5.05)"), OneBall,
       "a vertex is off the surface of its face: 1 (#27 VERTEX_LOOP vertex #24)" },
     { "a vertex near its sphere", ChangeBall("(0.,0.,5.)", "(0.,5.01,0.)"), OneBall, "" },
