@@ -18,6 +18,7 @@ STEPCensus STEPCensusTaker::Take()
   this->SolidsBelow = this->FindAbove({ CensusBodyKind::Solid }, true);
   this->SetInstances();
   this->CheckAlternatives();
+  this->CheckVersions();
   this->FindAlternatives();
   this->FindShapelessProducts();
   this->ReadQuantities();
@@ -121,6 +122,8 @@ const char* GetName(CensusDefect defect)
     "a curve does not pass through the vertices of its edge",
     "an edge runs against its loop or its curve, with the same points", "face twice in a shell",
     "item twice in a representation", "exact and faceted shapes of one product, which are both counted",
+    "several definitions of one product, which are all counted",
+    "a product of closed surfaces without a solid, whose volume is not counted beside solids",
     "used by nothing", "shell without faces", "assembly contains itself", "missing placement",
     "placement of other products", "in no product", "missing unit", "wrong unit", "absurd unit" };
   static_assert(

@@ -32,9 +32,11 @@ enum class CensusDefect : unsigned char
   RepeatedFace,     ///< a face twice in one shell
   RepeatedItem,     ///< a solid twice in one representation; it is counted once
   AlternativeShape, ///< one product has exact and faceted solids in different representations: both are counted
-  UnusedEntity,     ///< a face, bound, loop, shell or solid that nothing uses
-  EmptyShell,       ///< a shell without a face
-  AssemblyCycle,    ///< a product, or a representation, that contains itself
+  RepeatedProduct, ///< several definitions of one product that are parts of nothing: versions, of which each is counted
+  SurfaceProduct, ///< a product of closed surfaces without a solid, in a file with solids: its volume is not counted
+  UnusedEntity,      ///< a face, bound, loop, shell or solid that nothing uses
+  EmptyShell,        ///< a shell without a face
+  AssemblyCycle,     ///< a product, or a representation, that contains itself
   MissingPlacement,  ///< an occurrence in an assembly without a transformation
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses

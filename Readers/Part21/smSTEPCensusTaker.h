@@ -88,6 +88,8 @@ private:
   bool IsOfAssembly(const Arc& arc) const;
   void FindAlternatives();
   void CheckAlternatives();
+  void CheckVersions();
+  void CheckSurfaces(Index product, const std::vector<std::uint32_t>& bodies);
   void FindShapelessProducts();
   std::unordered_map<Index, std::string> FindFilesOfProducts() const;
   std::string GetProductName(Index product) const;

@@ -80,6 +80,31 @@ void STEPCensusTaker::FindAlternatives()
   }
 }
 
+/// Surfaces beside solids are left out, for most of them are none of a part. A product of nothing but closed ones is a part.
+void STEPCensusTaker::CheckSurfaces(Index product, const std::vector<std::uint32_t>& bodies)
+{
+  std::uint64_t closed = 0;
+  for (const std::uint32_t index : bodies)
+  {
+    const CensusBody& body = this->Census.Bodies[index];
+    if (body.Kind == CensusBodyKind::Solid || body.Kind == CensusBodyKind::OtherSolid)
+    {
+      return;
+    }
+    for (std::uint32_t s = body.FirstShell; s < body.FirstShell + body.NumberOfShells; ++s)
+    {
+      const CensusShell& shell = this->Census.Shells[this->Census.ShellUses[s].Shell];
+      closed = shell.Kind == CensusShellKind::Closed ? shell.Id : closed;
+    }
+  }
+  const auto isSolid = [](const CensusBody& body)
+  { return body.Kind == CensusBodyKind::Solid && body.Instances > 0; };
+  if (closed != 0 && std::any_of(this->Census.Bodies.begin(), this->Census.Bodies.end(), isSolid))
+  {
+    this->Add(CensusDefect::SurfaceProduct, product, closed, "closed shell");
+  }
+}
+
 /// Several representations of one product are its shape in other words, or its parts: the same solid in two of them is the former, as are
 /// exact and faceted solids.
 void STEPCensusTaker::CheckAlternatives()
@@ -108,6 +133,10 @@ void STEPCensusTaker::CheckAlternatives()
       this->Add(CensusDefect::AlternativeShape, product);
     }
     std::sort(bodies.begin(), bodies.end());
+    if (this->Counts[product] > 0)
+    {
+      this->CheckSurfaces(product, bodies);
+    }
     for (std::size_t k = 1; k < bodies.size(); ++k)
     {
       CensusBody& body = this->Census.Bodies[bodies[k]];
@@ -116,6 +145,30 @@ void STEPCensusTaker::CheckAlternatives()
         body.Instances -= this->Counts[product];
         this->Add(CensusDefect::RepeatedItem, product, body.Id, "two shapes of one product");
       }
+    }
+  }
+}
+
+void STEPCensusTaker::CheckVersions()
+{
+  std::vector<bool> isPart(this->Counts.size(), false);
+  for (const Arc& arc : this->Arcs)
+  {
+    isPart[arc.To] = isPart[arc.To] || this->IsOfAssembly(arc);
+  }
+  std::unordered_map<Index, Index> roots;
+  for (const Index definition : this->Products)
+  {
+    const Index formation = this->Entities.Follow(this->Entities.Get(definition, FormationOfPart));
+    const Index product = this->Entities.Follow(this->Entities.Get(formation, PartOfFormation));
+    if (isPart[definition] || !this->SolidsBelow[definition] || product == None)
+    {
+      continue;
+    }
+    const auto [root, isFirst] = roots.emplace(product, definition);
+    if (!isFirst)
+    {
+      this->Add(CensusDefect::RepeatedProduct, definition, this->File.GetId(root->second), "of one product");
     }
   }
 }

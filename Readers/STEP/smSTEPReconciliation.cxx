@@ -363,7 +363,7 @@ private:
         }
       }
     }
-    // Of a face of two bodies OpenCASCADE makes two, and only the second one has a number.
+    // OpenCASCADE makes two faces of one that two bodies have, and only the second one has a number.
     const bool isShared = shared == missing.size() && unnamed.size() >= missing.size();
     if (missing.empty() || isShared)
     {

@@ -72,6 +72,39 @@ std::vector<CensusCase> GetBodyCases()
         "#75=MANIFOLD_SOLID_BREP('',#73);\n" +
           second),
       Count(2, 2, 2), "" },
+    { "a product of a closed shell beside the ball",
+      ExtendBall("ball", "ball",
+        second +
+          "#74=SHELL_BASED_SURFACE_MODEL('',(#73));\n#75=SHAPE_REPRESENTATION('',(#74),#6);\n"
+          "#76=PRODUCT_DEFINITION('','',#42,#43);\n#77=PRODUCT_DEFINITION_SHAPE('','',#76);\n"
+          "#78=SHAPE_DEFINITION_REPRESENTATION(#77,#75);\n"),
+      "solids 1, instances 1, faces 1, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
+      "0",
+      "a product of closed surfaces without a solid, whose volume is not counted beside solids: 1 (#76 "
+      "PRODUCT_DEFINITION closed shell #73)" },
+    { "a product of an open shell beside the ball",
+      ExtendBall("ball", "ball",
+        Replace(second, "CLOSED_SHELL", "OPEN_SHELL") +
+          "#74=SHELL_BASED_SURFACE_MODEL('',(#73));\n#75=SHAPE_REPRESENTATION('',(#74),#6);\n"
+          "#76=PRODUCT_DEFINITION('','',#42,#43);\n#77=PRODUCT_DEFINITION_SHAPE('','',#76);\n"
+          "#78=SHAPE_DEFINITION_REPRESENTATION(#77,#75);\n"),
+      "solids 1, instances 1, faces 1, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
+      "0",
+      "" },
+    { "a closed shell in the ball's product",
+      ExtendBall("(#23,#31)", "(#23,#31,#74)", second + "#74=SHELL_BASED_SURFACE_MODEL('',(#73));\n"),
+      "solids 1, instances 1, faces 1, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
+      "0",
+      "" },
+    { "two versions of the ball",
+      ExtendBall("ball", "ball",
+        second +
+          "#74=MANIFOLD_SOLID_BREP('',#73);\n#75=SHAPE_REPRESENTATION('',(#74),#6);\n"
+          "#76=PRODUCT_DEFINITION('','',#79,#43);\n#77=PRODUCT_DEFINITION_SHAPE('','',#76);\n"
+          "#78=SHAPE_DEFINITION_REPRESENTATION(#77,#75);\n#79=PRODUCT_DEFINITION_FORMATION('2','',#41);\n"),
+      Count(2, 2, 2),
+      "several definitions of one product, which are all counted: 1 (#76 PRODUCT_DEFINITION of one product "
+      "#44)" },
     { "a vertex off its sphere", ChangeBall("(0.,0.,5.)", "(0.,0.,5.05)"), OneBall,
       "a vertex is off the surface of its face: 1 (#27 VERTEX_LOOP vertex #24)" },
     { "a vertex near its sphere", ChangeBall("(0.,0.,5.)", "(0.,5.01,0.)"), OneBall, "" },
