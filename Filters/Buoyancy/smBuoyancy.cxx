@@ -66,6 +66,7 @@ void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
   }
   to.Estimated = to.Estimated || from.Estimated;
   to.Skipped = to.Skipped || from.Skipped;
+  to.LeftOut = to.LeftOut || from.LeftOut;
   to.CoverageDefects += from.CoverageDefects;
   to.Overlap = std::max(to.Overlap, from.Overlap);
   to.Outside.Add(from.Outside);

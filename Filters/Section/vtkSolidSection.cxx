@@ -286,6 +286,7 @@ bool vtkSolidSection::IntegrateBodies(
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
       faces[i].Skipped = faces[i].Skipped || self.Above[b].Faces[i].Skipped;
+      faces[i].LeftOut = faces[i].LeftOut || self.Above[b].Faces[i].LeftOut;
       faces[i].Estimated = faces[i].Estimated || self.Above[b].Faces[i].Estimated;
     }
     bodies[b].Faces = std::make_shared<const std::vector<sm::FaceIntegrals>>(std::move(faces));
