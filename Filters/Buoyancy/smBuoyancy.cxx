@@ -67,6 +67,7 @@ void AddPart(const FaceIntegrals& from, FaceIntegrals& to)
   }
   to.Estimated = to.Estimated || from.Estimated;
   to.Skipped = to.Skipped || from.Skipped;
+  to.LeftOut = to.LeftOut || from.LeftOut;
   AddGaps(from, to);
   to.CoverageDefects += from.CoverageDefects;
   to.Overlap = std::max(to.Overlap, from.Overlap);

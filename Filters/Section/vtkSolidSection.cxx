@@ -74,6 +74,7 @@ double GetDensityPerVolume(const sm::BodyIntegrals& body, double density)
 void AddFindings(const sm::FaceIntegrals& above, sm::FaceIntegrals& face)
 {
   face.Skipped = face.Skipped || above.Skipped;
+  face.LeftOut = face.LeftOut || above.LeftOut;
   face.Estimated = face.Estimated || above.Estimated;
   face.Error = face.Error.empty() ? above.Error : face.Error;
   face.CoverageDefects = std::max(face.CoverageDefects, above.CoverageDefects);
