@@ -13,6 +13,8 @@ namespace sm
 namespace
 {
 constexpr double CoincidenceTolerance = 1e-9;
+/// Ends of borders this close together, relative to all of them, are one point.
+constexpr double JoinTolerance = 1e-6;
 
 /// Returns parameters that determine a rational curve of the surface's degree in this direction: two borders that coincide there coincide.
 std::vector<double> MakeSamples(const NURBSSurface& surface, int direction)
@@ -53,15 +55,22 @@ double GetLargestDistance(const std::vector<Vector3>& points, const std::vector<
   return largest;
 }
 
-int CountOpenBorders(const Face& face)
+/// A border of a face without loops, in the direction in which the face lies left of it.
+struct Border
+{
+  Vector3 Start, End;
+  bool IsJoined = false;
+};
+
+/// Adds the borders of a face without loops at which it neither closes by itself nor ends in a point.
+void AddBorders(const Face& face, std::vector<Border>& borders)
 {
   // What is wrong with a surface is said where the face is cut.
   if (!face.Loops.empty() || !face.Surface.Check().empty())
   {
-    return 0;
+    return;
   }
   const NURBSSurface& surface = face.Surface;
-  int open = 0;
   for (int direction = 0; direction < 2; ++direction)
   {
     const int other = 1 - direction;
@@ -76,13 +85,54 @@ int CountOpenBorders(const Face& face)
     {
       continue;
     }
-    for (const std::vector<Vector3>& border : { first, last })
+    for (const bool isLast : { false, true })
     {
-      const std::vector<Vector3> pole(border.size(), border.front());
-      open += GetLargestDistance(border, pole) <= CoincidenceTolerance * size ? 0 : 1;
+      const std::vector<Vector3>& points = isLast ? last : first;
+      const std::vector<Vector3> pole(points.size(), points.front());
+      if (GetLargestDistance(points, pole) > CoincidenceTolerance * size)
+      {
+        // Counter-clockwise: s = 0 and r = 1 are passed backwards.
+        const bool isBackwards = (isLast == (direction == 0)) != face.Reversed;
+        borders.push_back({ isBackwards ? points.back() : points.front(),
+          isBackwards ? points.front() : points.back(), false });
+      }
     }
   }
-  return open;
+}
+
+/// Returns the number of borders that no other one joins: one with the same ends in the opposite direction.
+int CountOpenBorders(const vtkTrimmedNURBSModel& model)
+{
+  std::vector<Border> borders;
+  for (const FacePointer& face : model.GetFaces())
+  {
+    AddBorders(*face, borders);
+  }
+  double size = 0.0;
+  for (const Border& border : borders)
+  {
+    size = std::max({ size, Norm(Subtract(border.Start, borders.front().Start)),
+      Norm(Subtract(border.End, borders.front().Start)) });
+  }
+  const double tolerance = JoinTolerance * size;
+  const auto getPlace = [](const Border& border) { return border.Start[0] + border.End[0]; };
+  std::sort(borders.begin(), borders.end(),
+    [&](const Border& a, const Border& b) { return getPlace(a) < getPlace(b); });
+  for (std::size_t i = 0; i < borders.size(); ++i)
+  {
+    for (std::size_t j = i + 1; !borders[i].IsJoined && j < borders.size() &&
+         getPlace(borders[j]) - getPlace(borders[i]) <= 2.0 * tolerance;
+         ++j)
+    {
+      if (!borders[j].IsJoined && Norm(Subtract(borders[i].Start, borders[j].End)) <= tolerance &&
+        Norm(Subtract(borders[i].End, borders[j].Start)) <= tolerance)
+      {
+        borders[i].IsJoined = borders[j].IsJoined = true;
+      }
+    }
+  }
+  return static_cast<int>(
+    std::count_if(borders.begin(), borders.end(), [](const Border& border) { return !border.IsJoined; }));
 }
 }
 
@@ -113,11 +163,7 @@ void CountOpenEdges(BodyIntegrals& body)
       }
     }
   }
-  int borders = 0;
-  for (const FacePointer& face : body.Model->GetFaces())
-  {
-    borders += CountOpenBorders(*face);
-  }
+  const int borders = CountOpenBorders(*body.Model);
   std::vector<int> open;
   for (const auto& [edge, sum] : uses)
   {
@@ -144,8 +190,8 @@ void CountOpenEdges(BodyIntegrals& body)
   {
     body.Flag(Status::Open,
       FormatCount(borders, "border", "borders") +
-        " of faces without loops, which no edge joins with other faces, are open: the volume depends on the "
-        "origin");
+        " of faces without loops, which neither edges nor ends join with other faces, are open: the volume "
+        "depends on the origin");
   }
   if (open.empty())
   {

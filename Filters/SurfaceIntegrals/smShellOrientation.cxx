@@ -235,8 +235,10 @@ ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
     wrong[i] = (volumes[i] > 0.0) != (depths[i] % 2 == 0);
     result.Flipped += wrong[i] ? 1 : 0;
   }
-  // A STEP file names the outer shell first. In a BREP file it may be any, and then the shells are oriented rightly.
-  if (result.Flipped > 0 && model.GetNumberOfOuterShells() == 1 && depths[0] % 2 != 0)
+  // A STEP file names the outer shell first. In a BREP file it may be any, and then the shells are oriented rightly; so it may in a solid that
+  // is inside out as a whole.
+  if (result.Flipped > 0 && result.Flipped < result.Shells && model.GetNumberOfOuterShells() == 1 &&
+    depths[0] % 2 != 0)
   {
     result.Flipped = 0;
     setUncertain("the file's outer shell lies inside a void of it", { 0 });

@@ -224,8 +224,8 @@ int TestMassPropertiesShells(int argc, char* argv[])
     "the file's outer shell lies inside a void of it; its shells are taken as the file orients them";
   CheckCase({ "an outer shell in its void, both outwards", { reversed(middle), outer }, v1 + v0, 0,
     names::StatusSuspect, swapped, true, true, false, 1 });
-  CheckCase({ "an outer shell in its void", { reversed(middle), reversed(outer) }, v0 - v1, 2,
-    names::StatusSuspect, swapped, true, true, false, 1 });
+  CheckCase({ "an outer shell in its void, all inside out", { reversed(middle), reversed(outer) }, v0 - v1, 2,
+    names::StatusOk, whole, true, true, false, 1 });
   CheckCase({ "a void first, oriented rightly", { middle, outer }, v0 - v1, 0, names::StatusOk, "", true,
     true, false, 1 });
   CheckCase({ "both inside out, one of them the outer shell", { reversed(outer), reversed(middle) }, v0 - v1,
