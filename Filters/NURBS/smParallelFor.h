@@ -1,31 +1,58 @@
 /**
  * @file smParallelFor.h
- * @brief A loop on several threads that hands exceptions to its caller; not installed
+ * @brief A loop on VTK's threads that hands exceptions to its caller; not installed
  */
 #ifndef smParallelFor_h
 #define smParallelFor_h
 
-#include "smFiltersNURBSModule.h"
+#include "vtkSMPTools.h"
 
-#include "vtkSMPTools.h" // for the number of threads, which some grains depend on
-
+#include <atomic>
 #include <cstddef>
-#include <functional>
+#include <exception>
+#include <mutex>
 
 namespace sm
 {
 /**
- * Calls work(begin, end) for disjoint parts of [0, count), and returns when all of them are done. A part has about `grain` indices; 0
- * leaves the choice to the loop. The first exception is rethrown in the calling thread; parts that have not begun by then are skipped, so
- * that the results of the loop are incomplete.
+ * Calls work(begin, end) for disjoint parts of [0, count) on the threads of vtkSMPTools, and returns when all of them are done. A
+ * part has about `grain` indices; 0 leaves the choice to VTK.
  *
- * The application chooses backend and number of threads by vtkSMPTools. With STDThread, VTK up to 9.2 starts and ends its threads in
- * every loop, which takes longer than the work of a small edit; here they wait for the next loop, and the calling thread
- * works with them. A loop within a loop, and one that begins during another thread's, runs in its calling thread. Other
- * backends run their own loop.
+ * With vtkSMPTools alone an exception that leaves `work` ends the process. Here the first exception is stored and rethrown in the calling
+ * thread; parts that have not begun by then are skipped, so the results of the loop are incomplete.
  */
-SMFILTERSNURBS_EXPORT void ParallelFor(
-  std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& work);
+template <class F>
+void ParallelFor(std::size_t count, std::size_t grain, F&& work)
+{
+  std::exception_ptr first;
+  std::mutex mutex;
+  std::atomic<bool> hasFailed{ false };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(grain),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      if (hasFailed)
+      {
+        return;
+      }
+      try
+      {
+        work(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!hasFailed)
+        {
+          first = std::current_exception();
+          hasFailed = true;
+        }
+      }
+    });
+  if (first)
+  {
+    std::rethrow_exception(first);
+  }
+}
 }
 
 #endif
