@@ -31,9 +31,17 @@ namespace columns
 class KeptArrays
 {
 public:
-  /// Called before the first array of a run.
-  void Restart() { this->Next = 0; }
-  void Clear() { this->Arrays.clear(); }
+  /// Called before the first array of a run. Arrays that the run before did not ask for are released.
+  void Restart()
+  {
+    this->Arrays.resize(this->Next);
+    this->Next = 0;
+  }
+  void Clear()
+  {
+    this->Arrays.clear();
+    this->Next = 0;
+  }
 
   /// Returns an array with a name and a size, without values.
   template <typename Array>
