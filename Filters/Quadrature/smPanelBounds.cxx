@@ -16,8 +16,6 @@ const EllipseRadius PanelRadii[] = { EllipseRadius(1.3), EllipseRadius(1.5), Ell
   EllipseRadius(2.05), EllipseRadius(2.4), EllipseRadius(2.8), EllipseRadius(3.3), EllipseRadius(4.0),
   EllipseRadius(5.0), EllipseRadius(6.5), EllipseRadius(9.0), EllipseRadius(13.0), EllipseRadius(20.0),
   EllipseRadius(40.0), EllipseRadius(100.0) };
-// An edge that moved by no more than this, relative to the patch, may be taken for a point always, else where the tolerance allows it.
-constexpr double CertainlyCollapsed = 1e-15;
 // The fraction of a panel's tolerance that may be spent on the change by making edges points.
 constexpr double LargestChange = 0.25;
 
@@ -89,8 +87,7 @@ const PatchSeries& PanelBounds::GetSeries(const Panel& panel, const PanelPart& p
 {
   const Patch& patch = this->Panels.Patches[panel.Patch];
   const PatchSeries& nearly = this->Series.Get(panel.Patch, FaceSeries::Poles::Nearly, withForm);
-  const bool certain = nearly.Moved <= CertainlyCollapsed * patch.Radius;
-  const bool chosen = certain || (this->Trim.IsOnPatch(patch) && this->Fits(nearly, part));
+  const bool chosen = nearly.IsCertain || (this->Trim.IsOnPatch(patch) && this->Fits(nearly, part));
   this->PartPatch = &patch;
   this->PartSeries = chosen ? &nearly : &this->Series.Get(panel.Patch, FaceSeries::Poles::Certain, withForm);
   return *this->PartSeries;

@@ -323,6 +323,15 @@ void PatchMajorants::ExpandSamples(const std::array<double, 4>* points, int p, i
   this->SampleNumerators(origin);
 }
 
+void PatchMajorants::ReleaseSamples()
+{
+  for (std::vector<double>* values :
+    { &this->Samples, &this->Weights, &this->Scratch, &this->Series[0], &this->Series[1], &this->Series[2] })
+  {
+    *values = std::vector<double>();
+  }
+}
+
 void PatchMajorants::Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
   const ParameterBox& box, const Vector3& origin)
 {

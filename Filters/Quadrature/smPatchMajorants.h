@@ -67,6 +67,8 @@ public:
   /// FindPatchTraits().
   void ExpandPatch(const std::array<double, 4>* points, int p, int q, PatchTraits& traits,
     const ParameterBox& box, const std::array<double, 3>& origin, bool withForm = true);
+  /// Frees the memory that only the next expansion needs.
+  void ReleaseSamples();
   /// Computes only the series that EvaluatePosition() needs.
   void ExpandWithoutNormal(
     const std::array<double, 4>* points, int p, int q, const PatchTraits& traits, const ParameterBox& box);

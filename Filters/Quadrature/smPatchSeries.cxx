@@ -91,6 +91,7 @@ std::unique_ptr<PatchSeries> FaceSeries::Make(const Patch& patch, Poles poles, b
   series->Box = GetPatchBox(series->Traits);
   series->Whole.ExpandPatch(
     series->Points.data(), p, q, series->Traits, series->Box, GetOrigin(patch, this->Request), withForm);
+  series->Whole.ReleaseSamples();
   // The difference is a rational patch with the same weights.
   std::vector<std::array<double, 4>> moved = series->Points;
   for (std::size_t i = 0; i < moved.size(); ++i)
@@ -103,6 +104,7 @@ std::unique_ptr<PatchSeries> FaceSeries::Make(const Patch& patch, Poles poles, b
   Patch difference = patch;
   MeasurePatch(moved.data(), difference);
   series->Moved = difference.Radius;
+  series->IsCertain = series->Moved <= CertainlyCollapsed * patch.Radius;
   if (series->Moved > 0.0)
   {
     const auto grown = [](double x) { return TrimSeries::OnPatchGrowth * x; };

@@ -33,6 +33,8 @@ struct PatchSeries
   /// integrands on the patch, without the Jacobian, empty where nothing was changed.
   std::vector<std::array<double, 4>> Points;
   double Moved = 0.0;
+  /// True if that is of the size of rounding, so that the series hold everywhere.
+  bool IsCertain = false;
   std::vector<double> Change;
   PatchTraits Traits;
   PatchMajorants Whole;

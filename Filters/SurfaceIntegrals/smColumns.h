@@ -58,6 +58,8 @@ public:
       name == array->GetName() && array->GetNumberOfComponents() == components &&
       array->GetNumberOfTuples() == rows)
     {
+      // What VTK keeps for look-ups of values is discarded.
+      array->DataChanged();
       array->Modified();
       return array;
     }

@@ -13,8 +13,11 @@ namespace sm
 namespace
 {
 constexpr double CoincidenceTolerance = 1e-9;
-/// Ends of borders this close together, relative to all of them, are one point.
-constexpr double JoinTolerance = 1e-6;
+/// Borders are the same curve if their lengths, centres and vector areas differ by no more than this, relative to their length.
+constexpr double JoinTolerance = 1e-3;
+/// Largest distance of the chords of a border from it, relative to its extent, and most halvings of a span to reach it.
+constexpr double ChordTolerance = 1e-5;
+constexpr int MostHalvings = 16;
 
 /// Returns parameters that determine a rational curve of the surface's degree in this direction: two borders that coincide there coincide.
 std::vector<double> MakeSamples(const NURBSSurface& surface, int direction)
@@ -55,11 +58,112 @@ double GetLargestDistance(const std::vector<Vector3>& points, const std::vector<
   return largest;
 }
 
-/// A border of a face without loops, in the direction in which the face lies left of it.
+/// A border of a face without loops, in the direction in which the face lies left of it: quantities of the curve that do not depend on its
+/// parameters, nor on where a closed one begins.
 struct Border
 {
-  Vector3 Start, End;
+  double Length = 0.0;
+  /// Mean of its points, and half the integral of x cross dx about it.
+  Vector3 Center{};
+  Vector3 Area{};
   bool IsJoined = false;
+
+  void AddChord(const Vector3& a, const Vector3& b)
+  {
+    const double length = Norm(Subtract(b, a));
+    const Vector3 twice = Cross(a, b);
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Center[c] += length * 0.5 * (a[c] + b[c]);
+      this->Area[c] += 0.5 * twice[c];
+    }
+    this->Length += length;
+  }
+  bool IsOpposite(const Border& other) const
+  {
+    const double tolerance = JoinTolerance * this->Length;
+    Vector3 sum{};
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] = this->Area[c] + other.Area[c];
+    }
+    return std::abs(this->Length - other.Length) <= tolerance &&
+      Norm(Subtract(this->Center, other.Center)) <= tolerance && Norm(sum) <= tolerance * this->Length;
+  }
+};
+
+/// Follows a border by chords.
+class BorderWalk
+{
+public:
+  BorderWalk(const NURBSSurface& surface, int direction, double at)
+    : Surface(surface)
+    , Direction(direction)
+    , At(at)
+  {
+  }
+
+  Border Follow(bool backwards)
+  {
+    const std::vector<double> breaks = this->Surface.GetSpanBreaks(this->Direction);
+    this->Origin = this->Evaluate(breaks.front());
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+    {
+      const Vector3 from = this->Evaluate(breaks[k]);
+      const Vector3 to = this->Evaluate(breaks[k + 1]);
+      const Vector3 between = this->Evaluate(0.5 * (breaks[k] + breaks[k + 1]));
+      this->Extent = std::max(Norm(Subtract(to, from)), Norm(Subtract(between, from)));
+      this->AddSpan(breaks[k], from, breaks[k + 1], to, 0);
+    }
+    // The points were taken relative to the first one.
+    const Vector3 last = Subtract(this->Evaluate(breaks.back()), this->Origin);
+    for (double& c : this->Result.Center)
+    {
+      c /= this->Result.Length;
+    }
+    const Vector3 moved = Cross(this->Result.Center, last);
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Result.Area[c] = (backwards ? -1.0 : 1.0) * (this->Result.Area[c] - 0.5 * moved[c]);
+      this->Result.Center[c] += this->Origin[c];
+    }
+    return this->Result;
+  }
+
+private:
+  Vector3 Evaluate(double along) const
+  {
+    Vector3 point;
+    const bool isU = this->Direction == 0;
+    this->Surface.Evaluate(isU ? along : this->At, isU ? this->At : along, point.data());
+    return point;
+  }
+
+  void AddSpan(double start, const Vector3& from, double end, const Vector3& to, int depth)
+  {
+    const double middle = 0.5 * (start + end);
+    const Vector3 between = this->Evaluate(middle);
+    // Two halvings at least, since a curve may cross its chord in the middle.
+    const double twice = Norm(Cross(Subtract(to, from), Subtract(between, from)));
+    const double chord = Norm(Subtract(to, from));
+    const bool isFlat = depth >= 2 && twice <= ChordTolerance * this->Extent * chord && chord > 0.0;
+    if (isFlat || depth == MostHalvings)
+    {
+      this->Result.AddChord(Subtract(from, this->Origin), Subtract(between, this->Origin));
+      this->Result.AddChord(Subtract(between, this->Origin), Subtract(to, this->Origin));
+      return;
+    }
+    this->AddSpan(start, from, middle, between, depth + 1);
+    this->AddSpan(middle, between, end, to, depth + 1);
+  }
+
+  const NURBSSurface& Surface;
+  int Direction;
+  double At;
+  Vector3 Origin{};
+  /// Of the span.
+  double Extent = 0.0;
+  Border Result;
 };
 
 /// Adds the borders of a face without loops at which it neither closes by itself nor ends in a point.
@@ -93,14 +197,14 @@ void AddBorders(const Face& face, std::vector<Border>& borders)
       {
         // Counter-clockwise: s = 0 and r = 1 are passed backwards.
         const bool isBackwards = (isLast == (direction == 0)) != face.Reversed;
-        borders.push_back({ isBackwards ? points.back() : points.front(),
-          isBackwards ? points.front() : points.back(), false });
+        const double at = isLast ? surface.GetDomainEnd(other) : surface.GetDomainStart(other);
+        borders.push_back(BorderWalk(surface, direction, at).Follow(isBackwards));
       }
     }
   }
 }
 
-/// Returns the number of borders that no other one joins: one with the same ends in the opposite direction.
+/// Returns the number of borders that no other one joins: the same curve in the opposite direction.
 int CountOpenBorders(const vtkTrimmedNURBSModel& model)
 {
   std::vector<Border> borders;
@@ -108,24 +212,15 @@ int CountOpenBorders(const vtkTrimmedNURBSModel& model)
   {
     AddBorders(*face, borders);
   }
-  double size = 0.0;
-  for (const Border& border : borders)
-  {
-    size = std::max({ size, Norm(Subtract(border.Start, borders.front().Start)),
-      Norm(Subtract(border.End, borders.front().Start)) });
-  }
-  const double tolerance = JoinTolerance * size;
-  const auto getPlace = [](const Border& border) { return border.Start[0] + border.End[0]; };
-  std::sort(borders.begin(), borders.end(),
-    [&](const Border& a, const Border& b) { return getPlace(a) < getPlace(b); });
+  std::sort(
+    borders.begin(), borders.end(), [](const Border& a, const Border& b) { return a.Length < b.Length; });
   for (std::size_t i = 0; i < borders.size(); ++i)
   {
-    for (std::size_t j = i + 1; !borders[i].IsJoined && j < borders.size() &&
-         getPlace(borders[j]) - getPlace(borders[i]) <= 2.0 * tolerance;
+    const double longest = (1.0 + JoinTolerance) * borders[i].Length;
+    for (std::size_t j = i + 1; !borders[i].IsJoined && j < borders.size() && borders[j].Length <= longest;
          ++j)
     {
-      if (!borders[j].IsJoined && Norm(Subtract(borders[i].Start, borders[j].End)) <= tolerance &&
-        Norm(Subtract(borders[i].End, borders[j].Start)) <= tolerance)
+      if (!borders[j].IsJoined && borders[i].IsOpposite(borders[j]))
       {
         borders[i].IsJoined = borders[j].IsJoined = true;
       }
@@ -190,7 +285,7 @@ void CountOpenEdges(BodyIntegrals& body)
   {
     body.Flag(Status::Open,
       FormatCount(borders, "border", "borders") +
-        " of faces without loops, which neither edges nor ends join with other faces, are open: the volume "
+        " of faces without loops, which coincide with no border of another one, are open: the volume "
         "depends on the origin");
   }
   if (open.empty())

@@ -77,9 +77,9 @@ void SurfaceIntegrator::Internals::LimitByMagnitude(
     const std::size_t to = this->Chosen[k];
     const double magnitude = plan.Magnitude[this->Plans.GetClass(k)];
     const bool isUseless = !(result.QuadratureError[to] + result.Rounding[to] <= magnitude);
-    if (isUseless && (plan.IsLeftOut || magnitude > task.Tolerances[to]))
+    if (isUseless)
     {
-      result.LeftOut = true;
+      result.LeftOut = result.LeftOut || magnitude > task.Tolerances[to];
       result.Face[to] = result.Closing[to] = result.Rounding[to] = 0.0;
       result.QuadratureError[to] = magnitude;
     }

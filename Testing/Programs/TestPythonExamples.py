@@ -63,7 +63,8 @@ def check_status(expected, result):
 
 
 def in_output(name):
-    path = os.path.join(options.output, f"python_example_{options.flavour}_{os.path.basename(options.interpreter)}_{name}")
+    where = "display" if os.environ.get("DISPLAY") else "none"
+    path = os.path.join(options.output, f"python_example_{options.flavour}_{os.path.basename(options.interpreter)}_{where}_{name}")
     if os.path.isdir(path):
         shutil.rmtree(path)
     elif os.path.exists(path):

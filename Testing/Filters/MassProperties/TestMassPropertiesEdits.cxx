@@ -184,6 +184,9 @@ void CheckHeldOutputs(int backend)
   table->ShallowCopy(getTable());
   const vtkSmartPointer<vtkPoints> glyph = mass->GetOutput()->GetPoints();
   const vtkAbstractArray* const unheld = getArray(std::string(names::Volume) + names::BoundSuffix);
+  const auto lookUpBound = [&]()
+  { return getArray(std::string(names::Volume) + names::BoundSuffix)->LookupValue(mass->GetVolumeBound()); };
+  CheckEqual("a bound is found by its value", 0, static_cast<int>(lookUpBound()));
   const vtkMTimeType time = mass->GetOutput()->GetFieldData()->GetMTime();
 
   const sm::ModelEdit edit = sm::MoveControlPoints(
@@ -205,6 +208,7 @@ void CheckHeldOutputs(int backend)
   CheckTrue("nor names of components", !getArray(names::CenterOfMass)->HasAComponentName());
   CheckTrue("an array that nobody holds is filled again",
     getArray(std::string(names::Volume) + names::BoundSuffix) == unheld);
+  CheckEqual("and found by its new value", 0, static_cast<int>(lookUpBound()));
   CheckTrue(
     "and is newer", unheld && getArray(std::string(names::Volume) + names::BoundSuffix)->GetMTime() > time);
 }

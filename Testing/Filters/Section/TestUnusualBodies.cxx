@@ -119,9 +119,12 @@ void CheckPlacement(const std::string& what, int row, int column, double value, 
     { CheckEqual(what + ", " + name, name == "mass" ? status : elsewhere, filter->GetStatus()); });
 }
 
-/// A surface of revolution without loops, of a profile of (radius, height) with weights.
-vtkSmartPointer<vtkNURBSDataSet> MakeRevolved(
-  const std::vector<std::array<double, 3>>& profile, int degree, const std::vector<double>& knots)
+using Profile = std::vector<std::array<double, 3>>;
+
+/// A surface of revolution without loops, of a profile of (radius, height) with weights. Its seam is turned by quarters of a turn, and its axis
+/// shifted in x.
+sm::FacePointer MakeRevolvedFace(
+  const Profile& profile, int degree, const std::vector<double>& knots, int quarters = 0, double shift = 0.0)
 {
   const double h = std::sqrt(0.5);
   const int x[9] = { 1, 1, 0, -1, -1, -1, 0, 1, 1 };
@@ -140,14 +143,49 @@ vtkSmartPointer<vtkNURBSDataSet> MakeRevolved(
     for (int i = 0; i < 9; ++i)
     {
       const double w = weight * (i % 2 == 0 ? 1.0 : h);
-      face->Surface.ControlPoints.push_back({ w * radius * x[i], w * radius * y[i], w * height, w });
+      const int at = (i + 2 * quarters) % 8;
+      face->Surface.ControlPoints.push_back(
+        { w * (radius * x[at] + shift), w * radius * y[at], w * height, w });
     }
   }
+  return face;
+}
+
+vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(const std::vector<sm::FacePointer>& faces)
+{
   vtkNew<vtkTrimmedNURBSModel> model;
-  model->SetFaces({ face });
+  model->SetFaces(faces);
   auto leaf = vtkSmartPointer<vtkNURBSDataSet>::New();
   leaf->SetModel(model);
   return leaf;
+}
+
+vtkSmartPointer<vtkNURBSDataSet> MakeRevolved(
+  const Profile& profile, int degree, const std::vector<double>& knots)
+{
+  return MakeLeaf({ MakeRevolvedFace(profile, degree, knots) });
+}
+
+/// A tube of radius 1 between the heights 0 and 2, with discs whose seams lie elsewhere, or which touch the tube at one point of its seam only.
+void CheckTubeWithDiscs()
+{
+  const std::vector<double> line = { 0, 0, 1, 1 };
+  const auto make = [&line](int quarters, double radius)
+  {
+    return MakeLeaf({ MakeRevolvedFace({ { 1, 0, 1 }, { 1, 2, 1 } }, 1, line),
+      MakeRevolvedFace({ { 0, 0, 1 }, { radius, 0, 1 } }, 1, line, quarters, 1.0 - radius),
+      MakeRevolvedFace({ { radius, 2, 1 }, { 0, 2, 1 } }, 1, line, quarters, 1.0 - radius) });
+  };
+  for (const int quarters : { 0, 1 })
+  {
+    Filters closed(make(quarters, 1.0));
+    CheckEqual("tube with discs", "ok", closed.Mass->GetStatus());
+    Check("tube with discs, volume", 2.0 * std::acos(-1.0), closed.Mass->GetVolume(),
+      closed.Mass->GetVolumeBound() + 1e-14);
+  }
+  Filters open(make(0, 0.5));
+  CheckEqual("tube with small discs", "open", open.Mass->GetStatus());
+  CheckTrue("tube with small discs, said", HasMessage(open.Mass, "4 borders"));
 }
 
 /// Faces without loops: a ball and a ring are closed by themselves, a tube and a cone are not, although the vector area of the tube is 0.
@@ -284,6 +322,7 @@ int TestUnusualBodies(int, char*[])
   far->SetPlacement(placement);
   CheckEqual("1e300 away", "tolerance-not-met", Filters(far).Mass->GetStatus());
   CheckWithoutLoops();
+  CheckTubeWithDiscs();
   CheckGaps();
   CheckNames();
   CheckUnknownUnit();
