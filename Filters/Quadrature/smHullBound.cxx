@@ -113,6 +113,16 @@ bool AddPatch(const FacePanels& panels, std::uint32_t index, double beyond, Hull
   return true;
 }
 
+/// Adds what a panel or a ribbon, along its trim curve, has of its patch. Returns false if it has no hull, or needs none.
+template <class Item>
+bool AddPatchOf(const FacePanels& panels, const Item& item, Hull& hull)
+{
+  const Patch& patch = panels.Patches[item.Patch];
+  return patch.WeightRatio >= LeastRatio &&
+    AddPatch(panels, item.Patch,
+      GetBeyond(panels.Coefficients.data() + item.Trim, item.TrimDegree, patch, item.Start, item.End), hull);
+}
+
 /// Where the weight may vanish, or need not be bounded so.
 constexpr HullBound Unbounded = { Infinite, Infinite };
 }
@@ -144,35 +154,22 @@ HullBound BoundPatchByHull(const FacePanels& panels, std::uint32_t patch, const 
 
 HullBound BoundPanelByHull(const FacePanels& panels, const Panel& panel, const std::array<double, 3>& shift)
 {
-  const Patch& patch = panels.Patches[panel.Patch];
-  if (patch.WeightRatio < LeastRatio)
-  {
-    return Unbounded;
-  }
-  const double beyond =
-    GetBeyond(panels.Coefficients.data() + panel.Trim, panel.TrimDegree, patch, panel.Start, panel.End);
   Hull hull;
-  if (!AddPatch(panels, panel.Patch, beyond, hull))
+  if (!AddPatchOf(panels, panel, hull))
   {
     return Unbounded;
   }
   // A point of the patch is covered once for every t with its r, of which there are no more than r(t)'s degree.
-  const int covered = std::max<int>(panel.TrimDegree, 1);
-  return hull.GetBound(static_cast<double>(covered) * patch.Degree[0] * patch.Degree[1], shift);
+  const int* degree = panels.Patches[panel.Patch].Degree;
+  return hull.GetBound(
+    static_cast<double>(std::max<int>(panel.TrimDegree, 1)) * degree[0] * degree[1], shift);
 }
 
 HullBound BoundRibbonByHull(
   const FacePanels& panels, const Ribbon& ribbon, const std::array<double, 3>& shift)
 {
-  const Patch& patch = panels.Patches[ribbon.Patch];
-  if (patch.WeightRatio < LeastRatio)
-  {
-    return Unbounded;
-  }
-  const double beyond =
-    GetBeyond(panels.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree, patch, ribbon.Start, ribbon.End);
   Hull hull;
-  if (!AddPatch(panels, ribbon.Patch, beyond, hull))
+  if (!AddPatchOf(panels, ribbon, hull))
   {
     return Unbounded;
   }
@@ -183,9 +180,9 @@ HullBound BoundRibbonByHull(
     hull.Add({ edge[3 * i], edge[3 * i + 1], edge[3 * i + 2] });
   }
   hull.Widen(HullRoom * (Norm(hull.Low) + Norm(hull.High)));
+  const int* degree = panels.Patches[ribbon.Patch].Degree;
   // (1-l) P/w + l C has the denominator w and the numerator (1-l) P + l C w, of degree 1 in l.
-  const double along =
-    (patch.Degree[0] + patch.Degree[1]) * std::max<int>(ribbon.TrimDegree, 1) + ribbon.EdgeDegree;
+  const double along = (degree[0] + degree[1]) * std::max<int>(ribbon.TrimDegree, 1) + ribbon.EdgeDegree;
   return hull.GetBound(along, shift);
 }
 }
