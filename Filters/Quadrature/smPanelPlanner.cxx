@@ -381,9 +381,11 @@ void PanelPlanner::Plan(std::uint32_t index)
     return;
   }
   const std::vector<double> before = this->Result.Magnitude;
-  // The form of |n| costs more than the points that it saves where few are needed without it.
-  const bool withForm = this->Series.HasCheapForm(this->Panels.Panels[index].Patch);
-  if (!(!withForm && this->PlanByPatch(index, {}, false)) && !this->PlanByPatch(index, {}, true))
+  // An expensive form of |n| costs more than the points that it saves where few are needed without it.
+  const bool isCheap = this->Series.HasCheapForm(this->Panels.Panels[index].Patch);
+  bool isPlanned = !isCheap && this->PlanByPatch(index, {}, false);
+  isPlanned = isPlanned || this->PlanByPatch(index, {}, true);
+  if (!isPlanned)
   {
     this->PlanInParts(index);
   }

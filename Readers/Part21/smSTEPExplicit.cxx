@@ -18,10 +18,10 @@ namespace sm
 namespace
 {
 constexpr STEPAttribute FirstItem = { "ITEM_DEFINED_TRANSFORMATION", 2, 2, "first item" };
+constexpr STEPAttribute SecondItem = { "ITEM_DEFINED_TRANSFORMATION", 3, 3, "second item" };
 constexpr STEPAttribute PositionOfCone = { "ELEMENTARY_SURFACE", 0, 1, "position" };
 constexpr STEPAttribute RadiusOfCone = { "CONICAL_SURFACE", 0, 2, "radius" };
 constexpr STEPAttribute AngleOfCone = { "CONICAL_SURFACE", 1, 3, "angle" };
-constexpr STEPAttribute SecondItem = { "ITEM_DEFINED_TRANSFORMATION", 3, 3, "second item" };
 
 /// The parameters of a simple CARTESIAN_TRANSFORMATION_OPERATOR_3D behind its names: two axes, origin, scale, third axis.
 constexpr std::size_t OperatorParameters = 5;
