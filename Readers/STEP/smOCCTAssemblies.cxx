@@ -111,20 +111,15 @@ Handle(StepGeom_Axis2Placement3d) FindTarget(const Handle(Relationship) & relati
   return isInOrder ? target : nullptr;
 }
 
-void ShortenItems(const Interface_InterfaceModel& model)
+void ShortenItems(const ModelEntities& entities)
 {
   ItemSets items;
   std::unordered_map<const StepRepr_Representation*, ItemSet> targets;
   std::vector<Handle(StepRepr_Representation)> assemblies;
   // Placements that the transfer must find: all origins, and both placements of a relationship in which they are interchanged.
   ItemSet sought;
-  for (int i = 1; i <= model.NbEntities(); ++i)
+  const auto visit = [&](const Handle(Relationship) & relationship)
   {
-    const auto relationship = Handle(Relationship)::DownCast(model.Value(i));
-    if (relationship.IsNull())
-    {
-      continue;
-    }
     const Handle(StepRepr_ItemDefinedTransformation) transformation =
       relationship->TransformationOperator().ItemDefinedTransformation();
     const Handle(StepGeom_Axis2Placement3d) target = FindTarget(relationship, items);
@@ -138,7 +133,7 @@ void ShortenItems(const Interface_InterfaceModel& model)
     }
     if (relationship->Rep1().IsNull() || CountItems(relationship->Rep2()) <= ShortList)
     {
-      continue;
+      return;
     }
     const auto [own, isNew] = targets.try_emplace(relationship->Rep2().get());
     if (isNew)
@@ -149,7 +144,8 @@ void ShortenItems(const Interface_InterfaceModel& model)
     {
       own->second.insert(target.get());
     }
-  }
+  };
+  entities.ForEach<Relationship>(visit);
   for (const Handle(StepRepr_Representation) & assembly : assemblies)
   {
     const ItemSet& own = targets[assembly.get()];
@@ -177,7 +173,7 @@ void ShortenItems(const Interface_InterfaceModel& model)
 }
 }
 
-void ShortenAssemblies(const Handle(XSControl_WorkSession) & session)
+void ShortenAssemblies(const Handle(XSControl_WorkSession) & session, const ModelEntities& entities)
 {
   // For a file without entities OpenCASCADE makes no graph.
   if (!session->ComputeGraph())
@@ -189,7 +185,7 @@ void ShortenAssemblies(const Handle(XSControl_WorkSession) & session)
   if (!graph.Model().IsNull() && !sharings.IsNull())
   {
     ShortenSharings(*graph.Model(), *sharings);
-    ShortenItems(*graph.Model());
+    ShortenItems(entities);
   }
 }
 }

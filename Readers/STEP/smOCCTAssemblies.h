@@ -5,6 +5,8 @@
 #ifndef smOCCTAssemblies_h
 #define smOCCTAssemblies_h
 
+#include "smOCCTEntities.h"
+
 #include <XSControl_WorkSession.hxx>
 
 namespace sm
@@ -19,7 +21,7 @@ namespace sm
  * - The items of the assembly's representation, among which the transfer searches the placement, to detect that origin and target are
  * interchanged. Placements that are not interchanged in any relationship, and that are no origin of one, are removed.
  */
-void ShortenAssemblies(const Handle(XSControl_WorkSession) & session);
+void ShortenAssemblies(const Handle(XSControl_WorkSession) & session, const ModelEntities& entities);
 }
 
 #endif

@@ -82,56 +82,56 @@ Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & fa
   return surface;
 }
 
-void CheckSpindleTori(const Handle(StepData_StepModel) & model, std::vector<std::string>& defects)
+void CheckSpindleTori(const ModelEntities& entities, std::vector<std::string>& defects)
 {
-  for (int i = 1; i <= model->NbEntities(); ++i)
-  {
-    const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
-    const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(GetBasisOfFace(face));
-    if (!torus.IsNull() && torus->MinorRadius() > std::abs(torus->MajorRadius()) && IsWithoutEdges(face))
+  const Handle(StepData_StepModel)& model = entities.GetModel();
+  entities.ForEach<StepShape_FaceSurface>(
+    [&](const Handle(StepShape_FaceSurface) & face)
     {
-      defects.push_back("Face #" + std::to_string(model->IdentLabel(face)) +
-        " of the file is a whole torus that crosses itself (#" + std::to_string(model->IdentLabel(torus)) +
-        ", its minor radius exceeds the major one): both its outer and its inner part are taken.");
-    }
-  }
+      const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(GetBasisOfFace(face));
+      if (!torus.IsNull() && torus->MinorRadius() > std::abs(torus->MajorRadius()) && IsWithoutEdges(face))
+      {
+        defects.push_back("Face #" + std::to_string(model->IdentLabel(face)) +
+          " of the file is a whole torus that crosses itself (#" + std::to_string(model->IdentLabel(torus)) +
+          ", its minor radius exceeds the major one): both its outer and its inner part are taken.");
+      }
+    });
 }
 
-void CheckShortArcs(const Handle(StepData_StepModel) & model, double unit, std::vector<std::string>& messages,
+void CheckShortArcs(const ModelEntities& entities, double unit, std::vector<std::string>& messages,
   std::vector<std::string>& defects)
 {
   std::string first;
   int others = 0;
-  for (int i = 1; i <= model->NbEntities(); ++i)
+  const auto check = [&](const Handle(StepShape_EdgeCurve) & edge)
   {
-    const auto edge = Handle(StepShape_EdgeCurve)::DownCast(model->Value(i));
     gp_Pnt start;
     gp_Pnt end;
-    const double radius = edge.IsNull() ? 0.0 : GetRadius(edge->EdgeGeometry());
+    const double radius = GetRadius(edge->EdgeGeometry());
     if (radius == 0.0 || !GetPoint(edge->EdgeStart(), start) || !GetPoint(edge->EdgeEnd(), end))
     {
-      continue;
+      return;
     }
     const double distance = start.Distance(end);
+    const auto getName = [&]() { return "Edge #" + std::to_string(entities.GetModel()->IdentLabel(edge)); };
     if (distance * unit > Precision::Confusion() && distance <= Precision::PConfusion() * radius)
     {
-      defects.push_back("Edge #" + std::to_string(model->IdentLabel(edge)) +
+      defects.push_back(getName() +
         " of the file is an arc of less than 1e-9 of its radius: OpenCASCADE takes the whole curve.");
-      continue;
     }
-    if (distance * unit <= Precision::Confusion() &&
+    else if (distance * unit <= Precision::Confusion() &&
       distance > Rounding * (start.XYZ().Modulus() + end.XYZ().Modulus()))
     {
       others += first.empty() ? 0 : 1;
-      first = !first.empty() ? first
-                             : "Edge #" + std::to_string(model->IdentLabel(edge)) +
-          " of the file is on a closed curve, between two vertices that are " +
+      first = !first.empty()
+        ? first
+        : getName() + " of the file is on a closed curve, between two vertices that are " +
           FormatDistance(distance * unit) +
           " mm apart: OpenCASCADE takes them as one and the curve as a whole. The short part between them "
-          "may "
-          "be meant.";
+          "may be meant.";
     }
-  }
+  };
+  entities.ForEach<StepShape_EdgeCurve>(check);
   if (!first.empty())
   {
     messages.push_back(first + (others > 0 ? " So it is with " + std::to_string(others) + " more." : ""));

@@ -5,10 +5,10 @@
 #ifndef smOCCTContradictions_h
 #define smOCCTContradictions_h
 
+#include "smOCCTEntities.h"
 #include "smOCCTLoop.h"
 #include "smOCCTSurface.h"
 
-#include <StepData_StepModel.hxx>
 #include <StepGeom_Surface.hxx>
 #include <StepShape_FaceSurface.hxx>
 
@@ -22,12 +22,12 @@ Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & fa
 
 /// Reports faces that are a whole torus whose minor radius exceeds the major one. It crosses itself, and OpenCASCADE takes all of it, whatever
 /// DEGENERATE_TOROIDAL_SURFACE selects.
-void CheckSpindleTori(const Handle(StepData_StepModel) & model, std::vector<std::string>& defects);
+void CheckSpindleTori(const ModelEntities& entities, std::vector<std::string>& defects);
 
 /// Reports edges on circles and ellipses between two different points that are closer to each other than OpenCASCADE's tolerance, which takes
 /// the whole curve. `unit` is the file's length unit in mm. It takes the whole curve, too, where the arc is that short relative to its
 /// radius, however far the points are apart, which is a defect.
-void CheckShortArcs(const Handle(StepData_StepModel) & model, double unit, std::vector<std::string>& messages,
+void CheckShortArcs(const ModelEntities& entities, double unit, std::vector<std::string>& messages,
   std::vector<std::string>& defects);
 
 /// Returns a sentence if loops that cover `box` in the parameters lead beyond the rectangular trimmed surface that the face is on, of which the

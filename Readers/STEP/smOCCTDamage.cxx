@@ -38,8 +38,12 @@
 #include <StepVisual_SurfaceStyleUsage.hxx>
 #include <TCollection_HAsciiString.hxx>
 
+#include <algorithm>
 #include <cstring>
+#include <initializer_list>
+#include <map>
 #include <unordered_set>
+#include <utility>
 
 namespace sm
 {
@@ -47,24 +51,31 @@ namespace
 {
 using Entity = const Standard_Transient*;
 
-/// Returns true for entities that place a part in its assembly; without one of them the assembly is wrong.
-bool IsPlacing(const Handle(Standard_Transient) & entity)
+bool IsOneOf(const Standard_Type& type, std::initializer_list<Handle(Standard_Type)> bases)
 {
-  return entity->IsKind(STANDARD_TYPE(StepRepr_ItemDefinedTransformation)) ||
-    entity->IsKind(STANDARD_TYPE(StepRepr_ShapeRepresentationRelationship)) ||
-    entity->IsKind(STANDARD_TYPE(StepShape_ContextDependentShapeRepresentation)) ||
-    entity->IsKind(STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation)) ||
-    entity->IsKind(STANDARD_TYPE(StepRepr_ProductDefinitionShape)) ||
-    entity->IsKind(STANDARD_TYPE(StepRepr_MappedItem)) ||
-    entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationMap));
+  return std::any_of(
+    bases.begin(), bases.end(), [&type](const Handle(Standard_Type) & base) { return type.SubType(base); });
+}
+
+/// Returns true for entities that place a part in its assembly; without one of them the assembly is wrong.
+bool IsPlacing(const Standard_Type& type)
+{
+  return IsOneOf(type,
+    { STANDARD_TYPE(StepRepr_ItemDefinedTransformation),
+      STANDARD_TYPE(StepRepr_ShapeRepresentationRelationship),
+      STANDARD_TYPE(StepShape_ContextDependentShapeRepresentation),
+      STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation), STANDARD_TYPE(StepRepr_ProductDefinitionShape),
+      STANDARD_TYPE(StepRepr_MappedItem), STANDARD_TYPE(StepRepr_RepresentationMap) });
 }
 
 /// Returns true for entities that the transfer of shapes examines.
-bool IsShapeEntity(const Handle(Standard_Transient) & entity)
+bool IsShapeType(const Standard_Type& type)
 {
-  return entity->IsKind(STANDARD_TYPE(StepGeom_GeometricRepresentationItem)) ||
-    entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)) ||
-    entity->IsKind(STANDARD_TYPE(StepRepr_DefinitionalRepresentation)) || IsPlacing(entity);
+  return IsOneOf(type,
+           { STANDARD_TYPE(StepGeom_GeometricRepresentationItem),
+             STANDARD_TYPE(StepShape_TopologicalRepresentationItem),
+             STANDARD_TYPE(StepRepr_DefinitionalRepresentation) }) ||
+    IsPlacing(type);
 }
 
 /// Returns true for failures that do not matter: a name that is no string, or a value that the parser itself replaced.
@@ -119,7 +130,7 @@ Damage FollowUsers(const Interface_Graph& graph, std::vector<Handle(Standard_Tra
       // Its missing faces are removed from its list, and the shell remains.
       continue;
     }
-    if (IsPlacing(entity) || entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
+    if (IsPlacing(*entity->DynamicType()) || entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
     {
       damage.Fatal = entity;
     }
@@ -142,13 +153,8 @@ bool IsBrokenAspect(const Handle(StepRepr_PropertyDefinitionRepresentation) & sh
 
 /// Returns true for a validation property with an unresolved reference. Real files have unresolved references in other properties, too,
 /// which the transfer does not examine.
-bool IsBrokenValidation(const Handle(Standard_Transient) & entity)
+bool IsBrokenValidation(const Handle(StepRepr_PropertyDefinitionRepresentation) & property)
 {
-  const auto property = Handle(StepRepr_PropertyDefinitionRepresentation)::DownCast(entity);
-  if (property.IsNull())
-  {
-    return false;
-  }
   if (property->IsKind(STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation)))
   {
     return IsBrokenAspect(property);
@@ -205,35 +211,43 @@ bool HasFaceList(Handle(StepShape_ConnectedFaceSet) shell)
   return false;
 }
 
-std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
-  const Handle(StepData_StepModel) & model, const EntityFilter& matters, const EntityPeril& peril,
-  std::vector<std::string>& messages, LostFaces& lost)
+std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session, const ModelEntities& entities,
+  const EntityFilter& matters, const EntityPeril& peril, std::vector<std::string>& messages, LostFaces& lost)
 {
-  std::vector<Handle(Standard_Transient)> damaged;
-  std::string first;
-  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
+  const Handle(StepData_StepModel)& model = entities.GetModel();
+  std::map<int, std::string> failures;
+  for (const auto& [type, positions] : entities.GetLists())
   {
-    // OpenCASCADE transfers all geometry, including geometry that no body uses, but no annotations.
-    const bool isAnnotation = std::strncmp(model->Value(i)->DynamicType()->Name(), "StepVisual_", 11) == 0;
-    const bool isFollowed =
-      IsShapeEntity(model->Value(i)) && !(isAnnotation && !matters(model->IdentLabel(model->Value(i))));
-    std::string failure = isFollowed ? FindFailure(model, i) : std::string();
-    failure = isFollowed && failure.empty()
-      ? peril(model->IdentLabel(model->Value(i)), IsPlacing(model->Value(i)))
-      : failure;
-    if (!failure.empty())
+    if (!IsShapeType(*type))
     {
-      damaged.push_back(model->Value(i));
-      first = first.empty() ? Number(model, model->Value(i)) + " (" + failure + ")" : first;
+      continue;
+    }
+    // OpenCASCADE transfers all geometry, including geometry that no body uses, but no annotations.
+    const bool isAnnotation = std::strncmp(type->Name(), "StepVisual_", 11) == 0;
+    const bool isPlacing = IsPlacing(*type);
+    for (const int i : positions)
+    {
+      std::string failure = FindFailure(model, i);
+      failure = failure.empty() && peril ? peril(model->IdentLabel(model->Value(i)), isPlacing) : failure;
+      if (!failure.empty() && !(isAnnotation && !matters(model->IdentLabel(model->Value(i)))))
+      {
+        failures.emplace(i, std::move(failure));
+      }
     }
   }
-  if (damaged.empty())
+  if (failures.empty())
   {
     return {};
   }
+  std::vector<Handle(Standard_Transient)> damaged;
+  for (const auto& [number, failure] : failures)
+  {
+    damaged.push_back(model->Value(number));
+  }
   session->ComputeGraph(true);
   const Damage damage = FollowUsers(session->HGraph()->Graph(), damaged);
-  const std::string count = std::to_string(damaged.size()) + " of its entities are damaged, first " + first;
+  const std::string count = std::to_string(damaged.size()) + " of its entities are damaged, first " +
+    Number(model, damaged.front()) + " (" + failures.begin()->second + ")";
   if (!damage.Fatal.IsNull())
   {
     return count + "; entity " + Number(model, damage.Fatal) +
@@ -241,14 +255,13 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   }
   std::string dropped;
   int faces = 0;
-  for (int i = 1; i <= model->NbEntities(); ++i)
+  for (const int i : entities.Find({ STANDARD_TYPE(StepShape_ConnectedFaceSet) }))
   {
     const auto shell = Handle(StepShape_ConnectedFaceSet)::DownCast(model->Value(i));
     if (!HasFaceList(shell))
     {
-      const bool isOriented = !shell.IsNull() &&
-        (shell->IsKind(STANDARD_TYPE(StepShape_OrientedClosedShell)) ||
-          shell->IsKind(STANDARD_TYPE(StepShape_OrientedOpenShell)));
+      const bool isOriented = shell->IsKind(STANDARD_TYPE(StepShape_OrientedClosedShell)) ||
+        shell->IsKind(STANDARD_TYPE(StepShape_OrientedOpenShell));
       if (isOriented && matters(model->IdentLabel(shell)))
       {
         return count + "; the oriented shell " + Number(model, shell) + " has no shell: export it again";
@@ -293,30 +306,22 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
   return {};
 }
 
-Attributes FindDamagedAttributes(const Handle(StepData_StepModel) & model)
+Attributes FindDamagedAttributes(const ModelEntities& entities)
 {
+  const auto isFailed = [&entities](int i) { return !FindFailure(entities.GetModel(), i).empty(); };
+  const std::vector<int> styles =
+    entities.Find({ STANDARD_TYPE(StepVisual_SurfaceSideStyle), STANDARD_TYPE(StepVisual_FillAreaStyleColour),
+      STANDARD_TYPE(StepVisual_FillAreaStyle), STANDARD_TYPE(StepVisual_SurfaceStyleFillArea),
+      STANDARD_TYPE(StepVisual_SurfaceStyleUsage), STANDARD_TYPE(StepVisual_StyledItem) });
+  const std::vector<int> units = entities.Find(
+    { STANDARD_TYPE(StepRepr_MeasureRepresentationItem), STANDARD_TYPE(StepBasic_MeasureWithUnit),
+      STANDARD_TYPE(StepBasic_DerivedUnit), STANDARD_TYPE(StepBasic_DerivedUnitElement) });
   Attributes damaged;
-  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
-  {
-    const Handle(Standard_Transient)& entity = model->Value(i);
-    const bool color = entity->IsKind(STANDARD_TYPE(StepVisual_SurfaceSideStyle)) ||
-      entity->IsKind(STANDARD_TYPE(StepVisual_FillAreaStyleColour)) ||
-      entity->IsKind(STANDARD_TYPE(StepVisual_FillAreaStyle)) ||
-      entity->IsKind(STANDARD_TYPE(StepVisual_SurfaceStyleFillArea)) ||
-      entity->IsKind(STANDARD_TYPE(StepVisual_SurfaceStyleUsage)) ||
-      entity->IsKind(STANDARD_TYPE(StepVisual_StyledItem));
-    const bool unit = entity->IsKind(STANDARD_TYPE(StepRepr_MeasureRepresentationItem)) ||
-      entity->IsKind(STANDARD_TYPE(StepBasic_MeasureWithUnit)) ||
-      entity->IsKind(STANDARD_TYPE(StepBasic_DerivedUnit)) ||
-      entity->IsKind(STANDARD_TYPE(StepBasic_DerivedUnitElement));
-    if (color || unit)
-    {
-      const bool failed = !FindFailure(model, i).empty();
-      damaged.Colors = damaged.Colors || (color && failed);
-      damaged.Properties = damaged.Properties || (unit && failed);
-    }
-    damaged.Properties = damaged.Properties || IsBrokenValidation(entity);
-  }
+  damaged.Colors = std::any_of(styles.begin(), styles.end(), isFailed);
+  damaged.Properties = std::any_of(units.begin(), units.end(), isFailed);
+  entities.ForEach<StepRepr_PropertyDefinitionRepresentation>(
+    [&](const Handle(StepRepr_PropertyDefinitionRepresentation) & property)
+    { damaged.Properties = damaged.Properties || IsBrokenValidation(property); });
   return damaged;
 }
 }

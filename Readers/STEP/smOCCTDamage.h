@@ -5,7 +5,8 @@
 #ifndef smOCCTDamage_h
 #define smOCCTDamage_h
 
-#include <StepData_StepModel.hxx>
+#include "smOCCTEntities.h"
+
 #include <StepShape_ConnectedFaceSet.hxx>
 #include <XSControl_WorkSession.hxx>
 
@@ -23,7 +24,7 @@ using LostFaces = std::unordered_map<const Standard_Transient*, int>;
 using EntityFilter = std::function<bool(int)>;
 
 /// Returns the reason why OpenCASCADE cannot process the entity with this number, which places bodies or is a part of them, although its
-/// parser has read it; empty if it can.
+/// parser has read it; empty if it can. A null function states that it can process all.
 using EntityPeril = std::function<std::string(int number, bool isPlacing)>;
 
 /**
@@ -32,9 +33,8 @@ using EntityPeril = std::function<std::string(int number, bool isPlacing)>;
  * returns a reason. Annotations for which `matters` returns false are ignored. Returns an empty string, or the reason why the file cannot
  * be transferred at all. Call it between parsing and transfer.
  */
-std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
-  const Handle(StepData_StepModel) & model, const EntityFilter& matters, const EntityPeril& peril,
-  std::vector<std::string>& messages, LostFaces& lost);
+std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session, const ModelEntities& entities,
+  const EntityFilter& matters, const EntityPeril& peril, std::vector<std::string>& messages, LostFaces& lost);
 
 /// Returns true if the list of faces of a shell can be accessed. OpenCASCADE crashes at an oriented shell that refers to no shell.
 bool HasFaceList(Handle(StepShape_ConnectedFaceSet) shell);
@@ -45,7 +45,7 @@ struct Attributes
   bool Colors = false;
   bool Properties = false;
 };
-Attributes FindDamagedAttributes(const Handle(StepData_StepModel) & model);
+Attributes FindDamagedAttributes(const ModelEntities& entities);
 }
 
 #endif

@@ -60,6 +60,16 @@ void Configure(STEPCAFControl_Reader& reader)
   reader.SetSHUOMode(false);
 }
 
+/// Keeps the session from checking the entities of the model that it will read: nobody asks for the result, and the check takes as long as
+/// half of the loading, and crashes on damage. After ComputeGraph() a session takes the next model for checked.
+void SkipChecks(const Handle(XSControl_WorkSession) & session)
+{
+  const Handle(StepData_StepModel) other = new StepData_StepModel();
+  other->AddEntity(new StepBasic_ObjectRole());
+  session->SetModel(other);
+  session->ComputeGraph(true);
+}
+
 /// Reads the entities of the file. `completed` gets what was made explicit for OpenCASCADE. Returns false, with document.Problem, if
 /// OpenCASCADE cannot.
 bool Parse(const FileCheck& check, const Part21File& file, const std::vector<bool>& unparsable,
@@ -83,6 +93,7 @@ bool Parse(const FileCheck& check, const Part21File& file, const std::vector<boo
   std::istream stream(&buffer);
   const Handle(XSControl_WorkSession) session = reader.Reader().WS();
   const Handle(IFSelect_WorkLibrary) library = session->WorkLibrary();
+  SkipChecks(session);
   session->SetLibrary(isPlain ? MakeRecordLibrary(records) : library);
   const IFSelect_ReturnStatus status = reader.ChangeReader().ReadStream("STEP", stream);
   session->SetLibrary(library);
@@ -96,10 +107,9 @@ bool Parse(const FileCheck& check, const Part21File& file, const std::vector<boo
 }
 
 /// Switches off the reading of attributes whose entities are damaged, on which OpenCASCADE would crash.
-void SkipDamagedAttributes(
-  const Handle(StepData_StepModel) & model, STEPCAFControl_Reader& reader, Document& document)
+void SkipDamagedAttributes(const ModelEntities& entities, STEPCAFControl_Reader& reader, Document& document)
 {
-  const Attributes damaged = FindDamagedAttributes(model);
+  const Attributes damaged = FindDamagedAttributes(entities);
   if (damaged.Colors)
   {
     reader.SetColorMode(false);
@@ -118,19 +128,19 @@ void SkipDamagedAttributes(
  * Replaces a negative major radius of a torus by the positive one and reverses its faces: this is the same surface with the opposite
  * normal. OpenCASCADE would reverse the loops of such a face but not the face.
  */
-void TurnNegativeTori(const Handle(StepData_StepModel) & model)
+void TurnNegativeTori(const ModelEntities& entities)
 {
   std::vector<Handle(StepGeom_ToroidalSurface)> negative;
-  for (int i = 1; i <= model->NbEntities(); ++i)
-  {
-    const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
-    const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(GetBasisOfFace(face));
-    if (!torus.IsNull() && torus->MajorRadius() < 0.0)
+  entities.ForEach<StepShape_FaceSurface>(
+    [&negative](const Handle(StepShape_FaceSurface) & face)
     {
-      face->SetSameSense(!face->SameSense());
-      negative.push_back(torus);
-    }
-  }
+      const auto torus = Handle(StepGeom_ToroidalSurface)::DownCast(GetBasisOfFace(face));
+      if (!torus.IsNull() && torus->MajorRadius() < 0.0)
+      {
+        face->SetSameSense(!face->SameSense());
+        negative.push_back(torus);
+      }
+    });
   for (const Handle(StepGeom_ToroidalSurface) & torus : negative)
   {
     torus->SetMajorRadius(std::abs(torus->MajorRadius()));
@@ -139,31 +149,25 @@ void TurnNegativeTori(const Handle(StepData_StepModel) & model)
 
 /// Keeps OpenCASCADE from reading other files, which it would seek in the working directory: their bodies would have numbers that are none
 /// of this file, and nothing would tell whether they are complete. Reconcile() reports the products that lack them.
-void ForgetOtherFiles(const Handle(StepData_StepModel) & model)
+void ForgetOtherFiles(const ModelEntities& entities)
 {
-  for (int i = 1; i <= model->NbEntities(); ++i)
+  entities.ForEach<StepBasic_ProductDefinitionWithAssociatedDocuments>(
+    [](const Handle(StepBasic_ProductDefinitionWithAssociatedDocuments) & definition)
+    { definition->SetDocIds(nullptr); });
+  for (const int i : entities.Find({ STANDARD_TYPE(StepAP214_AppliedDocumentReference) }))
   {
-    const Handle(Standard_Transient) entity = model->Value(i);
-    const auto definition = Handle(StepBasic_ProductDefinitionWithAssociatedDocuments)::DownCast(entity);
-    if (!definition.IsNull())
-    {
-      definition->SetDocIds(nullptr);
-    }
-    else if (entity->DynamicType() == STANDARD_TYPE(StepAP214_AppliedDocumentReference))
-    {
-      model->ReplaceEntity(i, new StepBasic_ObjectRole);
-    }
+    entities.GetModel()->ReplaceEntity(i, new StepBasic_ObjectRole);
   }
 }
 
 /// Sets the status after the transfer, by the bodies that it made.
-void Conclude(const Handle(StepData_StepModel) & model, Document& document)
+void Conclude(const ModelEntities& entities, Document& document)
 {
   if (!document.Bodies.empty())
   {
     document.Status = ReadStatus::Ok;
   }
-  else if (HasGeometry(model))
+  else if (HasGeometry(entities))
   {
     document.Problem =
       "it has faces, but OpenCASCADE makes no shape of them: its product structure or its geometry "
@@ -185,6 +189,8 @@ struct DeclaredContent
   STEPCensus Census;
   std::unordered_map<std::uint64_t, std::string> Perils;
   std::vector<bool> Unparsable;
+  /// Entities with references that lead nowhere, for which OpenCASCADE's parser gives no message with the entity: it has a null for them.
+  std::unordered_map<std::uint64_t, const char*> BrokenReferences;
 
   DeclaredContent(std::string content, Document& document)
   {
@@ -201,6 +207,18 @@ struct DeclaredContent
     {
       this->Perils.emplace(
         peril.Id, std::string(GetName(peril.Defect)) + (*peril.Place ? ", " : "") + peril.Place);
+    }
+    for (Part21File::Index i = 0; i < this->Text.GetNumberOfInstances(); ++i)
+    {
+      for (const Part21File::Index to : this->Text.GetReferences(i))
+      {
+        if (to == Part21File::None || this->Text.IsMalformed(to) ||
+          (!this->Unparsable.empty() && this->Unparsable[to]))
+        {
+          this->BrokenReferences.emplace(this->Text.GetId(i),
+            to == Part21File::None ? "undefined reference" : "reference to a damaged entity");
+        }
+      }
     }
   }
 
@@ -265,29 +283,15 @@ struct DeclaredContent
     return {};
   }
 
-  /// Returns the reason why OpenCASCADE cannot process the entity; empty if it can. Its parser gives no message with the entity for a
-  /// reference to nothing: the entity has a null for it.
+  /// Returns the reason why OpenCASCADE cannot process the entity; empty if it can.
   std::string GetPeril(int id, bool isPlacing) const
   {
-    const auto found = id > 0 ? this->Perils.find(static_cast<std::uint64_t>(id)) : this->Perils.end();
-    if (found != this->Perils.end())
-    {
-      return found->second;
-    }
-    const Part21File::Index index =
-      id > 0 && !isPlacing ? this->Text.Find(static_cast<std::uint64_t>(id)) : Part21File::None;
-    if (index != Part21File::None)
-    {
-      for (const Part21File::Index to : this->Text.GetReferences(index))
-      {
-        if (to == Part21File::None || this->Text.IsMalformed(to) ||
-          (!this->Unparsable.empty() && this->Unparsable[to]))
-        {
-          return to == Part21File::None ? "undefined reference" : "reference to a damaged entity";
-        }
-      }
-    }
-    return {};
+    const auto number = static_cast<std::uint64_t>(std::max(id, 0));
+    const auto peril = this->Perils.find(number);
+    const auto reference = this->BrokenReferences.find(number);
+    return peril != this->Perils.end()                          ? peril->second
+      : reference != this->BrokenReferences.end() && !isPlacing ? reference->second
+                                                                : "";
   }
 
   /// Returns true if a body, its placement or its unit depends on the entity.
@@ -373,9 +377,8 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     document.Status = ReadStatus::Aborted;
     return;
   }
-  const Handle(StepData_StepModel) model =
-    Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model());
-  document.FileUnit = ReadLengthUnit(reader.ChangeReader(), model, document.Messages);
+  const ModelEntities entities(Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model()));
+  document.FileUnit = ReadLengthUnit(reader.ChangeReader(), entities, document.Messages);
   const double factor = GetUnitInMillimetres(document.FileUnit);
   const auto used = std::find_if(declared.Census.Contexts.begin(), declared.Census.Contexts.end(),
     [](const CensusContext& context)
@@ -384,23 +387,25 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   document.FileUnitInMillimetres = factor > 0.0 ? factor
     : used != declared.Census.Contexts.end()    ? used->Length.Factor
                                                 : 1.0;
-  const std::vector<Handle(Standard_Transient)> operators = CheckOperators(model, document.Messages);
+  const std::vector<Handle(Standard_Transient)> operators = CheckOperators(entities, document.Messages);
   LostFaces lost;
+  const EntityPeril getPeril = [&declared](int id, bool isPlacing)
+  { return declared.GetPeril(id, isPlacing); };
+  const bool hasPerils = !declared.Perils.empty() || !declared.BrokenReferences.empty();
   document.Problem = DropDamagedFaces(
-    reader.Reader().WS(), model, [&declared](int id) { return declared.Matters(id); },
-    [&declared](int id, bool isPlacing) { return declared.GetPeril(id, isPlacing); }, document.Messages,
-    lost);
+    reader.Reader().WS(), entities, [&declared](int id) { return declared.Matters(id); },
+    hasPerils ? getPeril : EntityPeril(), document.Messages, lost);
   if (!document.Problem.empty())
   {
     return;
   }
-  SkipDamagedAttributes(model, reader, document);
-  CheckSpindleTori(model, document.Defects);
-  CheckShortArcs(model, document.FileUnitInMillimetres, document.Messages, document.Defects);
-  TurnNegativeTori(model);
-  ForgetOtherFiles(model);
-  ClearClosedFlags(model);
-  ShortenAssemblies(reader.Reader().WS());
+  SkipDamagedAttributes(entities, reader, document);
+  CheckSpindleTori(entities, document.Defects);
+  CheckShortArcs(entities, document.FileUnitInMillimetres, document.Messages, document.Defects);
+  TurnNegativeTori(entities);
+  ForgetOtherFiles(entities);
+  ClearClosedFlags(entities);
+  ShortenAssemblies(reader.Reader().WS(), entities);
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
   Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
   SetMillimetres(xde);
@@ -420,7 +425,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   ReportTurnedShells(log, document);
   Reconcile(declared.Census, document);
-  CompareUnits(model, completed.Contexts, document.Defects);
+  CompareUnits(entities, completed.Contexts, document.Defects);
   for (const STEPDoubt& doubt : completed.Doubts)
   {
     if (declared.Matters(static_cast<int>(doubt.Id)))
@@ -429,7 +434,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
         "Entity #" + std::to_string(doubt.Id) + " of the file: " + doubt.Reason + ". Export the file again.");
     }
   }
-  Conclude(model, document);
+  Conclude(entities, document);
 }
 }
 

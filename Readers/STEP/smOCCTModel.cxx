@@ -65,24 +65,31 @@ std::string GetUnitName(const Handle(StepBasic_NamedUnit) & unit)
   }
 }
 
-/// Returns the part of a context that assigns units; null for other entities. Types are compared because this is asked of all entities, and
-/// DownCast() is slow.
+using CertainUnits = StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx;
+using PlainUnits = StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext;
+
+/// Returns the positions of the contexts that assign units.
+std::vector<int> FindContexts(const ModelEntities& entities)
+{
+  return entities.Find({ STANDARD_TYPE(CertainUnits), STANDARD_TYPE(PlainUnits) });
+}
+
+/// Returns the part of such a context that assigns units.
 Handle(StepRepr_GlobalUnitAssignedContext) GetUnits(const Handle(Standard_Transient) & entity)
 {
-  using Certain = StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx;
-  using Plain = StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext;
-  const Standard_Type* type = entity->DynamicType().get();
-  return type == STANDARD_TYPE(Certain).get() ? Handle(Certain)::DownCast(entity)->GlobalUnitAssignedContext()
-    : type == STANDARD_TYPE(Plain).get()      ? Handle(Plain)::DownCast(entity)->GlobalUnitAssignedContext()
-                                              : nullptr;
+  const auto certain = Handle(CertainUnits)::DownCast(entity);
+  const auto plain = Handle(PlainUnits)::DownCast(entity);
+  return !certain.IsNull() ? certain->GlobalUnitAssignedContext()
+    : !plain.IsNull()      ? plain->GlobalUnitAssignedContext()
+                           : nullptr;
 }
 
 /// Returns the length unit of the first context that has one. OpenCASCADE only considers contexts that belong to products.
-std::string FindUnitInContexts(const Handle(StepData_StepModel) & model)
+std::string FindUnitInContexts(const ModelEntities& entities)
 {
-  for (int i = 1; i <= model->NbEntities(); ++i)
+  for (const int i : FindContexts(entities))
   {
-    const Handle(StepRepr_GlobalUnitAssignedContext) context = GetUnits(model->Value(i));
+    const Handle(StepRepr_GlobalUnitAssignedContext) context = GetUnits(entities.GetModel()->Value(i));
     for (int k = 1; !context.IsNull() && !context->Units().IsNull() && k <= context->NbUnits(); ++k)
     {
       const std::string name = GetUnitName(context->UnitsValue(k));
@@ -184,7 +191,7 @@ bool IsClosedByRows(const Handle(StepGeom_BSplineCurve) & curve)
 }
 
 std::string ReadLengthUnit(
-  STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
+  STEPControl_Reader& reader, const ModelEntities& entities, std::vector<std::string>& messages)
 {
   TColStd_SequenceOfAsciiString lengths;
   TColStd_SequenceOfAsciiString angles;
@@ -200,10 +207,10 @@ std::string ReadLengthUnit(
       break;
     }
   }
-  return unit.empty() && !model.IsNull() ? FindUnitInContexts(model) : unit;
+  return unit.empty() ? FindUnitInContexts(entities) : unit;
 }
 
-void CompareUnits(const Handle(StepData_StepModel) & model, const std::vector<CensusContext>& contexts,
+void CompareUnits(const ModelEntities& entities, const std::vector<CensusContext>& contexts,
   std::vector<std::string>& defects)
 {
   // Products of factors in another order.
@@ -213,7 +220,8 @@ void CompareUnits(const Handle(StepData_StepModel) & model, const std::vector<Ce
   {
     known.emplace(context.Id, &context);
   }
-  for (int i = 1; i <= model->NbEntities(); ++i)
+  const Handle(StepData_StepModel)& model = entities.GetModel();
+  for (const int i : FindContexts(entities))
   {
     const Handle(StepRepr_GlobalUnitAssignedContext) units = GetUnits(model->Value(i));
     const auto found = units.IsNull() || units->Units().IsNull()
@@ -243,17 +251,12 @@ void CompareUnits(const Handle(StepData_StepModel) & model, const std::vector<Ce
 }
 
 std::vector<Handle(Standard_Transient)> CheckOperators(
-  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
+  const ModelEntities& entities, std::vector<std::string>& messages)
 {
   std::vector<Handle(Standard_Transient)> dropped;
   int first = 0;
-  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
+  const auto check = [&](const Handle(StepGeom_CartesianTransformationOperator3d) & item)
   {
-    const auto item = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(model->Value(i));
-    if (item.IsNull())
-    {
-      continue;
-    }
     if (item->LocalOrigin().IsNull())
     {
       const Handle(StepGeom_CartesianPoint) origin = new StepGeom_CartesianPoint();
@@ -268,9 +271,10 @@ std::vector<Handle(Standard_Transient)> CheckOperators(
     if (mirrored || (item->HasScale() && std::abs(item->Scale() - 1.0) > 1e-12))
     {
       dropped.push_back(item);
-      first = first > 0 ? first : model->IdentLabel(item);
+      first = first > 0 ? first : entities.GetModel()->IdentLabel(item);
     }
-  }
+  };
+  entities.ForEach<StepGeom_CartesianTransformationOperator3d>(check);
   if (!dropped.empty())
   {
     messages.push_back(std::to_string(dropped.size()) +
@@ -281,27 +285,20 @@ std::vector<Handle(Standard_Transient)> CheckOperators(
   return dropped;
 }
 
-void ClearClosedFlags(const Handle(StepData_StepModel) & model)
+void ClearClosedFlags(const ModelEntities& entities)
 {
-  for (int i = 1; i <= model->NbEntities(); ++i)
-  {
-    const auto curve = Handle(StepGeom_BSplineCurve)::DownCast(model->Value(i));
-    if (!curve.IsNull() && curve->ClosedCurve() != StepData_LFalse && !IsClosedByRows(curve))
+  entities.ForEach<StepGeom_BSplineCurve>(
+    [](const Handle(StepGeom_BSplineCurve) & curve)
     {
-      curve->SetClosedCurve(StepData_LFalse);
-    }
-  }
+      if (curve->ClosedCurve() != StepData_LFalse && !IsClosedByRows(curve))
+      {
+        curve->SetClosedCurve(StepData_LFalse);
+      }
+    });
 }
 
-bool HasGeometry(const Handle(StepData_StepModel) & model)
+bool HasGeometry(const ModelEntities& entities)
 {
-  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i)
-  {
-    if (model->Value(i)->IsKind(STANDARD_TYPE(StepShape_FaceSurface)))
-    {
-      return true;
-    }
-  }
-  return false;
+  return !entities.Find({ STANDARD_TYPE(StepShape_FaceSurface) }).empty();
 }
 }

@@ -5,11 +5,11 @@
 #ifndef smOCCTModel_h
 #define smOCCTModel_h
 
+#include "smOCCTEntities.h"
 #include "smReadersSTEPModule.h"
 #include "smSTEPCensus.h"
 
 #include <STEPControl_Reader.hxx>
-#include <StepData_StepModel.hxx>
 
 #include <string>
 #include <vector>
@@ -18,10 +18,10 @@ namespace sm
 {
 /// Returns the length unit of the file in its spelling ("millimetre", "INCH"); empty if it states none.
 std::string ReadLengthUnit(
-  STEPControl_Reader& reader, const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
+  STEPControl_Reader& reader, const ModelEntities& entities, std::vector<std::string>& messages);
 
 /// Compares the units of contexts with those that OpenCASCADE takes for them, after the transfer. Each difference is a defect.
-SMREADERSSTEP_EXPORT void CompareUnits(const Handle(StepData_StepModel) & model,
+SMREADERSSTEP_EXPORT void CompareUnits(const ModelEntities& entities,
   const std::vector<CensusContext>& contexts, std::vector<std::string>& defects);
 
 /**
@@ -30,17 +30,17 @@ SMREADERSSTEP_EXPORT void CompareUnits(const Handle(StepData_StepModel) & model,
  * whose scale or reflection is lost. Call before the transfer.
  */
 std::vector<Handle(Standard_Transient)> CheckOperators(
-  const Handle(StepData_StepModel) & model, std::vector<std::string>& messages);
+  const ModelEntities& entities, std::vector<std::string>& messages);
 
 /**
  * Clears the flag of closed splines whose last control points or weights are not their first ones. OpenCASCADE makes a curve with this flag
  * periodic if its ends are the same point, and replaces the last control points and weights by the first ones. The flag is for information
  * only (ISO 10303-42). Call before the transfer.
  */
-void ClearClosedFlags(const Handle(StepData_StepModel) & model);
+void ClearClosedFlags(const ModelEntities& entities);
 
 /// Returns true if the file has faces, including faces of which the transfer makes no shape.
-bool HasGeometry(const Handle(StepData_StepModel) & model);
+bool HasGeometry(const ModelEntities& entities);
 }
 
 #endif

@@ -148,8 +148,8 @@ void CheckKernelUnit(const BoxText& box)
   std::istringstream stream(box.Text);
   CheckTrue("OpenCASCADE reads it", reader.ReadStream("", stream) == IFSelect_RetDone);
   std::vector<std::string> defects;
-  sm::CompareUnits(
-    Handle(StepData_StepModel)::DownCast(reader.WS()->Model()), sm::MakeSTEPExplicit(file).Contexts, defects);
+  sm::CompareUnits(sm::ModelEntities(Handle(StepData_StepModel)::DownCast(reader.WS()->Model())),
+    sm::MakeSTEPExplicit(file).Contexts, defects);
   CheckTrue("one unit differs",
     defects.size() == 1 &&
       defects[0].find("FOOT of INCH of MILLI METRE) is 304.8 mm, but OpenCASCADE takes 1 mm") !=
