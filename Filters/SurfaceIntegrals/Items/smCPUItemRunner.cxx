@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <new>
+#include <unordered_map>
 #include <utility>
 
 namespace sm
@@ -36,6 +37,49 @@ int GetLanesOf(int count, int widest)
 {
   return widest == 8 && count <= 4 ? 4 : widest;
 }
+
+/// Indices in a range, those of one shape side by side, in groups that fill the lanes.
+struct ShapeGroups
+{
+  std::vector<std::size_t> Order;
+  /// The first index of each group in Order, and the end.
+  std::vector<std::size_t> Firsts;
+
+  template <class GetShape>
+  ShapeGroups(std::size_t begin, std::size_t end, int lanes, const GetShape& getShape)
+    : Order(end - begin)
+  {
+    std::unordered_map<std::uint64_t, std::size_t> known;
+    std::vector<std::size_t> shapes;
+    std::vector<std::size_t> counts;
+    shapes.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const auto [shape, isNew] = known.try_emplace(getShape(i), counts.size());
+      if (isNew)
+      {
+        counts.push_back(0);
+      }
+      shapes.push_back(shape->second);
+      ++counts[shape->second];
+    }
+    std::size_t first = 0;
+    for (std::size_t& count : counts)
+    {
+      const std::size_t last = first + count;
+      count = first;
+      for (; first < last; first = std::min(first + static_cast<std::size_t>(lanes), last))
+      {
+        this->Firsts.push_back(first);
+      }
+    }
+    this->Firsts.push_back(first);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      this->Order[counts[shapes[i - begin]]++] = i;
+    }
+  }
+};
 
 double FindLargest(const double* rows, std::size_t count, int stride)
 {
@@ -68,29 +112,13 @@ std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const std
   const std::vector<std::size_t>& active, std::size_t begin, std::size_t end, int lanes,
   std::vector<std::uint8_t>& unconverged) const
 {
-  // Items of one shape, side by side.
-  std::vector<std::pair<std::uint64_t, std::size_t>> sorted;
-  sorted.reserve(end - begin);
   const auto getItem = [&](std::size_t i) {
     return KernelItem{ this->Slots[items[active[i]].GetSlot()], &items[active[i]] };
   };
-  for (std::size_t i = begin; i < end; ++i)
-  {
-    sorted.emplace_back(GetItemShape(getItem(i)), i);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<std::size_t> firsts;
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-  {
-    if (firsts.empty() || sorted[i].first != sorted[firsts.back()].first ||
-      i - firsts.back() == static_cast<std::size_t>(lanes))
-    {
-      firsts.push_back(i);
-    }
-  }
-  firsts.push_back(sorted.size());
+  const ShapeGroups groups(begin, end, lanes, [&](std::size_t i) { return GetItemShape(getItem(i)); });
   // An integer, so that the sum does not depend on the order.
   std::atomic<std::int64_t> spent{ 0 };
+  const std::vector<std::size_t>& firsts = groups.Firsts;
   ParallelFor(firsts.size() - 1, GetGrain(firsts.size() - 1, 1),
     [&](std::size_t from, std::size_t to)
     {
@@ -103,12 +131,12 @@ std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const std
         const int count = static_cast<int>(firsts[group + 1] - firsts[group]);
         for (int lane = 0; lane < count; ++lane)
         {
-          together[lane] = getItem(sorted[firsts[group] + lane].second);
+          together[lane] = getItem(groups.Order[firsts[group] + lane]);
         }
         EvaluateItems(data, together, count, GetLanesOf(count, lanes), scratch, results);
         for (int lane = 0; lane < count; ++lane)
         {
-          unconverged[sorted[firsts[group] + lane].second] = results[lane].Converged ? 0 : 1;
+          unconverged[groups.Order[firsts[group] + lane]] = results[lane].Converged ? 0 : 1;
           sum += results[lane].Evaluations;
         }
       }
@@ -189,7 +217,8 @@ bool CPUItemRunner::BeginRows(std::size_t rows)
 {
   try
   {
-    this->Implementation->Rows.assign(rows * this->Layout.GetStride(), 0.0);
+    // Memory that is new has zeros; other rows keep what they have until their item runs.
+    this->Implementation->Rows.resize(rows * this->Layout.GetStride());
   }
   catch (const std::bad_alloc&)
   {

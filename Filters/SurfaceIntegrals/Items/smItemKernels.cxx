@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace sm
 {
@@ -90,10 +91,10 @@ public:
     const smWorkRecord work = { uvec4(i[0], i[1], i[2], i[3]), uvec4(d[0], d[1], d[2], d[3]),
       dvec4(r[0], r[1], r[2], r[3]) };
     const bool kept = smFinish(0u, work);
-    if (item.Kind == ItemKind::Ribbon)
-    {
-      smStoreGaps(work, kept, dvec3(sums.Gaps[lane], sums.Gaps[lanes + lane], sums.Gaps[2 * lanes + lane]));
-    }
+    const dvec3 gaps = item.Kind == ItemKind::Ribbon
+      ? dvec3(sums.Gaps[lane], sums.Gaps[lanes + lane], sums.Gaps[2 * lanes + lane])
+      : dvec3(0.0);
+    smStoreGaps(work, kept, gaps);
     return this->Converged;
   }
 
@@ -137,46 +138,13 @@ private:
   const uint smStride;
 };
 
-/// Writes arrays of all lanes side by side.
-class LaneWriter
-{
-public:
-  LaneWriter(double* buffer, int lanes)
-    : Buffer(buffer)
-    , Lanes(lanes)
-  {
-  }
-  /// Writes `size` doubles of each lane from the entry `at` on, and moves `at` beyond them.
-  void Write(const std::array<const double*, MostLanes>& from, std::size_t size, std::size_t& at) const
-  {
-    double* to = this->Buffer + at * this->Lanes;
-    at += size;
-    switch (this->Lanes)
-    {
-#ifdef SM_WIDE_LANES
-      case 8:
-        return InterleaveLanes8(from.data(), size, to);
-      case 4:
-        return InterleaveLanes4(from.data(), size, to);
-#endif
-      case 2:
-        return InterleaveLanes2(from.data(), size, to);
-      default:
-        std::copy_n(from[0], size, to);
-    }
-  }
-
-private:
-  double* const Buffer;
-  const int Lanes;
-};
-
 /// Sizes of the arrays that items read.
 struct InputSizes
 {
-  std::size_t Trim = 0, Edge = 0, Cap = 0, Points = 0;
+  std::size_t Trim = 0, Edge = 0, Cap = 0, Points = 0, Placement = 0;
 
-  InputSizes(const WorkItem& item, const Patch* patch)
+  InputSizes(const WorkItem& item, const Patch* patch, bool isPlaced)
+    : Placement(isPlaced ? 12 : 0)
   {
     const std::uint32_t* detail = item.Work.Detail;
     if (patch)
@@ -190,12 +158,16 @@ struct InputSizes
       this->Cap = 9;
     }
   }
-  // Where the arrays begin: ranges, patches, placements, coefficients, points.
+  // Where the arrays begin: ranges, patches, coefficients, points, placements.
   static constexpr std::size_t PatchBegin = 4;
-  static constexpr std::size_t PlacementBegin = PatchBegin + 10;
-  static constexpr std::size_t CoefficientsBegin = PlacementBegin + 12;
+  static constexpr std::size_t CoefficientsBegin = PatchBegin + 10;
   std::size_t GetPointsBegin() const { return CoefficientsBegin + this->Trim + this->Edge + this->Cap; }
-  std::size_t GetTotal() const { return this->GetPointsBegin() + this->Points; }
+  std::size_t GetPlacementBegin() const { return this->GetPointsBegin() + this->Points; }
+  /// The number of doubles of an item, and more up to a multiple of the lanes: arrays are interleaved in squares.
+  std::size_t GetTotal() const
+  {
+    return (this->GetPlacementBegin() + this->Placement + MostLanes - 1) / MostLanes * MostLanes;
+  }
 };
 
 const Patch* GetPatch(const KernelItem& item)
@@ -203,54 +175,71 @@ const Patch* GetPatch(const KernelItem& item)
   return item.Item->Kind == ItemKind::Cap ? nullptr : &item.Face->Patches[item.Item->Work.Item[0]];
 }
 
-/// Writes what items read, in the order of InputSizes. Lanes beyond the last item repeat it.
-void WriteLanes(
-  const KernelData& data, const KernelItem* items, int count, int lanes, const InputSizes& sizes, double* to)
+/// Copies what an item reads, in the order of InputSizes.
+void CopyInputs(const KernelData& data, const KernelItem& item, const InputSizes& sizes, double* to)
 {
-  const LaneWriter writer(to, lanes);
-  std::array<const double*, MostLanes> from{};
-  std::size_t at = 0;
-  const auto write = [&](std::size_t size, const auto& getArray)
+  const WorkRecord& work = item.Item->Work;
+  const auto copy = [&to](const double* from, std::size_t size)
   {
-    for (int lane = 0; lane < lanes; ++lane)
-    {
-      from[lane] = getArray(items[std::min(lane, count - 1)]);
-    }
-    writer.Write(from, size, at);
+    std::memcpy(to, from, size * sizeof(double));
+    to += size;
   };
-  const auto getWork = [](const KernelItem& item) -> const WorkRecord& { return item.Item->Work; };
-  const bool hasPatch = GetPatch(items[0]) != nullptr;
-  write(4, [&](const KernelItem& item) { return getWork(item).Range; });
-  if (hasPatch)
+  copy(work.Range, 4);
+  if (const Patch* patch = GetPatch(item))
   {
     // Centre, radius, start and width are one after another.
     static_assert(offsetof(Patch, Width) - offsetof(Patch, Center) == 6 * sizeof(double));
-    write(8, [](const KernelItem& item) { return GetPatch(item)->Center; });
-    write(2, [](const KernelItem& item) { return GetPatch(item)->Stretch; });
+    copy(patch->Center, 8);
+    copy(patch->Stretch, 2);
+    copy(item.Face->Coefficients.data() + work.Item[1], sizes.Trim);
+    copy(item.Face->Coefficients.data() + work.Detail[1], sizes.Edge);
+    copy(item.Face->Points[patch->FirstPoint].data(), sizes.Points);
   }
-  at = InputSizes::PlacementBegin;
-  if (data.Setup->UsePlacements)
+  else
   {
-    write(12,
-      [&](const KernelItem& item)
-      { return data.Parameters + data.PlacementOffset + 12 * getWork(item).Item[3]; });
+    to += InputSizes::CoefficientsBegin - InputSizes::PatchBegin;
+    const Cap& cap = item.Face->Caps[work.Item[1] / 9u];
+    copy(cap.Apex.data(), 3);
+    copy(cap.From.data(), 3);
+    copy(cap.To.data(), 3);
   }
-  at = InputSizes::CoefficientsBegin;
-  if (hasPatch)
+  copy(data.Parameters + data.PlacementOffset + 12 * work.Item[3], sizes.Placement);
+}
+
+/// Writes what items read, side by side. Lanes beyond the last item repeat it.
+void WriteLanes(const KernelData& data, const KernelItem* items, int count, int lanes,
+  const InputSizes& sizes, KernelScratch& scratch)
+{
+  const std::size_t total = sizes.GetTotal();
+  if (scratch.Inputs.size() < total * lanes)
   {
-    write(sizes.Trim,
-      [&](const KernelItem& item) { return item.Face->Coefficients.data() + getWork(item).Item[1]; });
-    write(sizes.Edge,
-      [&](const KernelItem& item) { return item.Face->Coefficients.data() + getWork(item).Detail[1]; });
-    write(sizes.Points,
-      [&](const KernelItem& item) { return item.Face->Points[GetPatch(item)->FirstPoint].data(); });
-    return;
+    scratch.Inputs.resize(total * lanes);
+    scratch.Copies.resize(total * lanes);
   }
-  const auto getCap = [&](const KernelItem& item) -> const Cap&
-  { return item.Face->Caps[getWork(item).Item[1] / 9u]; };
-  write(3, [&](const KernelItem& item) { return getCap(item).Apex.data(); });
-  write(3, [&](const KernelItem& item) { return getCap(item).From.data(); });
-  write(3, [&](const KernelItem& item) { return getCap(item).To.data(); });
+  std::array<const double*, MostLanes> from{};
+  for (int lane = 0; lane < lanes; ++lane)
+  {
+    double* copy = scratch.Copies.data() + std::min(lane, count - 1) * total;
+    if (lane < count)
+    {
+      CopyInputs(data, items[lane], sizes, copy);
+    }
+    from[lane] = copy;
+  }
+  double* to = scratch.Inputs.data();
+  switch (lanes)
+  {
+#ifdef SM_WIDE_LANES
+    case 8:
+      return InterleaveLanes8(from.data(), total, to);
+    case 4:
+      return InterleaveLanes4(from.data(), total, to);
+#endif
+    case 2:
+      return InterleaveLanes2(from.data(), total, to);
+    default:
+      std::copy_n(from[0], total, to);
+  }
 }
 
 /// Returns the next address that is aligned for the widest vector registers.
@@ -317,13 +306,9 @@ void EvaluateItems(const KernelData& data, const KernelItem* items, int count, i
 {
   const WorkItem& first = *items[0].Item;
   const Patch* patch = GetPatch(items[0]);
-  const InputSizes sizes(first, patch);
-  if (scratch.Inputs.size() < sizes.GetTotal() * lanes)
-  {
-    scratch.Inputs.resize(sizes.GetTotal() * lanes);
-  }
-  double* inputs = scratch.Inputs.data();
-  WriteLanes(data, items, count, lanes, sizes, inputs);
+  const InputSizes sizes(first, patch, data.Setup->UsePlacements);
+  WriteLanes(data, items, count, lanes, sizes, scratch);
+  const double* inputs = scratch.Inputs.data();
   const SampleFormulas& formulas = *data.Formulas;
   const std::size_t terms = formulas.Terms.size();
   const std::size_t magnitudes = formulas.Magnitudes.size();
@@ -339,7 +324,7 @@ void EvaluateItems(const KernelData& data, const KernelItem* items, int count, i
   batch.Detail[1] = static_cast<std::uint32_t>(sizes.Trim);
   batch.Range = inputs;
   batch.Patch = inputs + InputSizes::PatchBegin * lanes;
-  batch.Placement = inputs + InputSizes::PlacementBegin * lanes;
+  batch.Placement = inputs + sizes.GetPlacementBegin() * lanes;
   batch.Coefficients = inputs + InputSizes::CoefficientsBegin * lanes;
   batch.Points = inputs + sizes.GetPointsBegin() * lanes;
   batch.Rules = data.Parameters;

@@ -67,8 +67,8 @@ struct KernelResult
 /// Buffers for the items that are evaluated together; every thread has its own.
 struct KernelScratch
 {
-  /// Input data of items side by side, and their sums.
-  std::vector<double> Inputs, Sums;
+  /// Input data of items one after another and side by side, and their sums.
+  std::vector<double> Copies, Inputs, Sums;
   /// Sums of a single item.
   std::vector<double> Values, Results, Roundings, Noises;
 

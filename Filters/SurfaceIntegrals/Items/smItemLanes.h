@@ -55,7 +55,7 @@ unsigned int IntegrateLanes8(const ItemLanes& items);
 ///@}
 
 ///@{
-/// Writes entry i of the array from[l], of `size` doubles, to to[i * (number of lanes) + l].
+/// Writes entry i of the array from[l], of `size` doubles, a multiple of 8, to to[i * (number of lanes) + l].
 void InterleaveLanes2(const double* const* from, std::size_t size, double* to);
 void InterleaveLanes4(const double* const* from, std::size_t size, double* to);
 void InterleaveLanes8(const double* const* from, std::size_t size, double* to);

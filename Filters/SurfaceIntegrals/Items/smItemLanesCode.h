@@ -247,12 +247,11 @@ inline void Transpose(NumberOf<SM_LANES>::Type::Vector (&rows)[SM_LANES])
   }
 }
 
-/// Entry i of array l goes to i * SM_LANES + l.
+/// Entry i of array l goes to i * SM_LANES + l. The size is a multiple of SM_LANES.
 inline void InterleaveInLanes(const double* const* from, std::size_t size, double* to)
 {
   using Vector = NumberOf<SM_LANES>::Type::Vector;
-  std::size_t i = 0;
-  for (; i + SM_LANES <= size; i += SM_LANES)
+  for (std::size_t i = 0; i < size; i += SM_LANES)
   {
     Vector rows[SM_LANES];
 #pragma GCC unroll 8
@@ -262,13 +261,6 @@ inline void InterleaveInLanes(const double* const* from, std::size_t size, doubl
     }
     Transpose(rows);
     __builtin_memcpy(to + i * SM_LANES, rows, sizeof(rows));
-  }
-  for (; i < size; ++i)
-  {
-    for (int lane = 0; lane < SM_LANES; ++lane)
-    {
-      to[i * SM_LANES + lane] = from[lane][i];
-    }
   }
 }
 #endif

@@ -24,7 +24,7 @@ namespace sm
  *   1. Configure(): integrands and constants.
  *   2. Acquire(): the cut faces of the run. Faces with GetFaceError() have no items.
  *   3. BeginBatch() for some faces of one GetGroup(); for this batch
- *   4. BeginRows() for a list of items, each with its own row of zeros,
+ *   4. BeginRows() for a list of items, each with its own row, which has no meaning until the item ran,
  *   5. Run() for any of these items, any number of times. An item has its orders and flags in its record. Its sums are compared
  *      with the content of its row (unless a flag excludes the comparison) and then overwrite it, so that an item can be repeated
  *      at a higher order,

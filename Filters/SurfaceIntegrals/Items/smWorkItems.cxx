@@ -16,49 +16,84 @@ constexpr std::uint32_t Doubling = 0x00800000u;
 constexpr std::uint32_t Negative = 1;
 constexpr std::uint32_t Flip = 2;
 constexpr std::uint32_t AlongEdge = 16;
+
+/// Makes the items of a face, undivided.
+class ItemMaker
+{
+public:
+  ItemMaker(const CutFace& face, std::uint32_t slot)
+    : Face(face)
+    , Slot(slot)
+    , Cost(std::max(1, (face.Degree[0] * 4 + face.Degree[1]) / 4))
+  {
+  }
+
+  WorkItem MakePanel(std::size_t index) const
+  {
+    const Panel& panel = this->Face.Panels.Panels[index];
+    const std::uint32_t flags = (panel.Negative ? Negative : 0u) | (panel.FlipNormal ? Flip : 0u);
+    const WorkRecord work = { { panel.Patch, panel.Trim, 0, this->Slot },
+      { panel.TrimDegree | flags << 24, 0, 0, One }, { panel.Start, panel.End, 0.0, 1.0 } };
+    return this->Make(ItemKind::Panel, work, panel, -1, this->Cost);
+  }
+  WorkItem MakeRibbon(std::size_t index) const
+  {
+    const Ribbon& ribbon = this->Face.Panels.Ribbons[index];
+    const std::uint32_t flags = (ribbon.FlipNormal ? Flip : 0u) | (ribbon.AlongEdge ? AlongEdge : 0u);
+    const WorkRecord work = { { ribbon.Patch, ribbon.Trim, 0, this->Slot },
+      { ribbon.TrimDegree | flags << 24, ribbon.Edge, ribbon.EdgeDegree, One },
+      { ribbon.Start, ribbon.End, ribbon.EdgeStart, ribbon.EdgeEnd } };
+    return this->Make(ItemKind::Ribbon, work, {}, ribbon.Coedge,
+      this->Cost + (this->Face.Degree[0] + 1) * (this->Face.Degree[1] + 1));
+  }
+  WorkItem MakeCap(std::size_t index) const
+  {
+    const std::uint32_t flags = this->Face.Panels.Caps[index].FlipNormal ? Flip : 0u;
+    const WorkRecord work = { { 0, static_cast<std::uint32_t>(9 * index), 0, this->Slot },
+      { flags << 24, 0, 0, One }, { 0.0, 1.0, 0.0, 1.0 } };
+    return this->Make(ItemKind::Cap, work, {}, -1, 1);
+  }
+
+private:
+  WorkItem Make(ItemKind kind, const WorkRecord& work, const Panel& shape, int coedge, int cost) const
+  {
+    return { kind, work, { this->Face.Degree[0], this->Face.Degree[1] }, shape, 0, coedge, false, cost };
+  }
+
+  const CutFace& Face;
+  const std::uint32_t Slot;
+  const int Cost;
+};
 }
 
 void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& items)
 {
-  const int p = face.Degree[0];
-  const int q = face.Degree[1];
-  const int cost = std::max(1, (p * 4 + q) / 4);
+  const ItemMaker maker(face, slot);
   items.reserve(items.size() + face.GetNumberOfItems());
-  for (const Panel& panel : face.Panels.Panels)
+  for (std::size_t i = 0; i < face.Panels.Panels.size(); ++i)
   {
-    const std::uint32_t flags = (panel.Negative ? Negative : 0u) | (panel.FlipNormal ? Flip : 0u);
-    const WorkRecord work = { { panel.Patch, panel.Trim, 0, slot },
-      { panel.TrimDegree | flags << 24, 0, 0, One }, { panel.Start, panel.End, 0.0, 1.0 } };
-    items.push_back({ ItemKind::Panel, work, { p, q }, panel, 0, -1, false, cost });
+    items.push_back(maker.MakePanel(i));
   }
-  for (const Ribbon& ribbon : face.Panels.Ribbons)
+  for (std::size_t i = 0; i < face.Panels.Ribbons.size(); ++i)
   {
-    const std::uint32_t flags = (ribbon.FlipNormal ? Flip : 0u) | (ribbon.AlongEdge ? AlongEdge : 0u);
-    const WorkRecord work = { { ribbon.Patch, ribbon.Trim, 0, slot },
-      { ribbon.TrimDegree | flags << 24, ribbon.Edge, ribbon.EdgeDegree, One },
-      { ribbon.Start, ribbon.End, ribbon.EdgeStart, ribbon.EdgeEnd } };
-    items.push_back(
-      { ItemKind::Ribbon, work, { p, q }, {}, 0, ribbon.Coedge, false, cost + (p + 1) * (q + 1) });
+    items.push_back(maker.MakeRibbon(i));
   }
   for (std::size_t i = 0; i < face.Panels.Caps.size(); ++i)
   {
-    const std::uint32_t flags = face.Panels.Caps[i].FlipNormal ? Flip : 0u;
-    const WorkRecord work = { { 0, static_cast<std::uint32_t>(9 * i), 0, slot }, { flags << 24, 0, 0, One },
-      { 0.0, 1.0, 0.0, 1.0 } };
-    items.push_back({ ItemKind::Cap, work, { p, q }, {}, 0, -1, false, 1 });
+    items.push_back(maker.MakeCap(i));
   }
 }
 
 void AddPlannedItems(
   const CutFace& face, const FacePlan& plan, std::uint32_t slot, std::vector<WorkItem>& items)
 {
-  std::vector<WorkItem> whole;
-  AddItems(face, slot, whole);
-  const std::size_t firsts[3] = { 0, face.Panels.Panels.size(),
-    face.Panels.Panels.size() + face.Panels.Ribbons.size() };
+  const ItemMaker maker(face, slot);
   for (const PlannedItem& planned : plan.Items)
   {
-    WorkItem item = whole[firsts[static_cast<int>(planned.Kind)] + planned.Index];
+    items.push_back(planned.Kind == ItemKind::Panel ? maker.MakePanel(planned.Index)
+        : planned.Kind == ItemKind::Ribbon          ? maker.MakeRibbon(planned.Index)
+                                                    : maker.MakeCap(planned.Index));
+    WorkItem& item = items.back();
     double* range = item.Work.Range;
     const double start = range[0];
     const double width = range[1] - start;
@@ -81,7 +116,6 @@ void AddPlannedItems(
     std::memcpy(&item.Work.Detail[3], &share, sizeof(share));
     item.Compared = planned.Compared;
     SetItemOrders(item, { planned.Along, planned.Across, true, true }, false);
-    items.push_back(item);
   }
 }
 
