@@ -1,10 +1,10 @@
 // ScaleBenchmark [--json FILE] [--folder FOLDER] [--only NAME] | --counts FOLDER | --write NAME SIZE: how time and memory grow with a
 // model.
 //
-// Plates of 900, 3,600 and 10,000 holes, lattices of 9,000 to 100,000 different faces, assemblies of 900, 3,600 and 10,000 instances
+// Plates of 900, 3,600, 10,000 and 30,000 holes, lattices of 9,000 to 100,000 different faces, assemblies of 900, 3,600 and 10,000 instances
 // (smScaleModels.h). Each is written as a STEP file, read, and integrated to 1e-9 on the CPU backend in a process of its own, by one
-// thread. Printed are the processor's seconds of every stage, the growth exponent between the smallest and the largest of a family,
-// log(time ratio) / log(size ratio), and the peak memory per face or instance beyond that of the smallest.
+// thread. Printed are the processor's seconds of every stage, the growth exponents from each model of a family to the next and from the
+// smallest to the largest, log(time ratio) / log(size ratio), and the growth of the peak memory per face or instance.
 //
 // --write: the STEP file of such a model on standard output, for a profiler.
 // --counts: small ones, and no time: status, volumes, faces, and that evaluations, triangles and allocated bytes per hole, face and
@@ -56,7 +56,7 @@ double CountInstances(const smtest::ScaleModel& model)
 const std::vector<Family>& GetFamilies()
 {
   static const std::vector<Family> families = {
-    { "plate", "face", smtest::MakePlate, { 900, 3600, 10000 }, { 36, 144, 576 }, CountFaces },
+    { "plate", "face", smtest::MakePlate, { 900, 3600, 10000, 30000 }, { 36, 144, 576 }, CountFaces },
     { "lattice", "face", smtest::MakeLattice, { 10, 16, 23 }, { 4, 6, 9 }, CountFaces },
     { "assembly", "instance",
       [](int instances) { return smtest::MakeAssembly(instances, smtest::Placing::InOrder); },
@@ -172,6 +172,24 @@ double GetExponent(double first, double last, double sizeRatio)
   return std::log(last / first) / std::log(sizeRatio);
 }
 
+/// Prints the growth exponents of all stages between two models of a family, and the memory.
+void PrintGrowth(const Family& family, const Json& first, const Json& last)
+{
+  const double sizes[2] = { first["size"], last["size"] };
+  const double ratio = sizes[1] / sizes[0];
+  std::printf("| %s | exponent, %.0f to %.0f | |", family.Name, sizes[0], sizes[1]);
+  for (const std::string& stage : smtest::GetStageNames())
+  {
+    std::printf(" %.2f |", GetExponent(first["seconds"][stage], last["seconds"][stage], ratio));
+  }
+  const double memory =
+    last.value("peak_megabytes", std::nan("")) - first.value("peak_megabytes", std::nan(""));
+  std::printf(" %.2f | %.1f kB per %s |\n",
+    GetExponent(first["seconds"]["all"], last["seconds"]["all"], ratio),
+    1024.0 * memory / (sizes[1] - sizes[0]), family.Unit);
+  std::fflush(stdout);
+}
+
 int PrintTable(const std::vector<std::string>& only, const std::string& folder, const std::string& json)
 {
   std::printf("| model | size | MB of text |");
@@ -218,20 +236,11 @@ int PrintTable(const std::vector<std::string>& only, const std::string& folder, 
       }
       document.push_back(result);
     }
-    const Json& first = results.front();
-    const Json& last = results.back();
-    const double ratio = last["size"].get<double>() / first["size"].get<double>();
-    std::printf("| %s | exponent | |", family.Name);
-    for (const std::string& stage : smtest::GetStageNames())
+    for (std::size_t i = 1; i < results.size(); ++i)
     {
-      std::printf(" %.2f |", GetExponent(first["seconds"][stage], last["seconds"][stage], ratio));
+      PrintGrowth(family, results[i - 1], results[i]);
     }
-    const double memory =
-      last.value("peak_megabytes", std::nan("")) - first.value("peak_megabytes", std::nan(""));
-    std::printf(" %.2f | %.1f kB per %s |\n",
-      GetExponent(first["seconds"]["all"], last["seconds"]["all"], ratio),
-      1024.0 * memory / (last["size"].get<double>() - first["size"].get<double>()), family.Unit);
-    std::fflush(stdout);
+    PrintGrowth(family, results.front(), results.back());
   }
   if (!json.empty())
   {
