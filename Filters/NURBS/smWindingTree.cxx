@@ -11,8 +11,6 @@ namespace sm
 {
 namespace
 {
-/// Largest number of triangles of a leaf.
-constexpr std::size_t LeafSize = 8;
 /// A cluster is first parted into triangles that are larger than this fraction of its extent and the others, if either part has at least a
 /// 16th of the triangles.
 constexpr double LargeShare = 0.5;
@@ -72,21 +70,21 @@ struct HalfAngle
 {
   double Above;
   double Below;
-  double Lengths[3];
-
-  HalfAngle(const Vector3& p, const std::array<Vector3, 3>& t)
-  {
-    const Vector3 a = Subtract(t[0], p);
-    const Vector3 b = Subtract(t[1], p);
-    const Vector3 c = Subtract(t[2], p);
-    const double la = this->Lengths[0] = Norm(a);
-    const double lb = this->Lengths[1] = Norm(b);
-    const double lc = this->Lengths[2] = Norm(c);
-    this->Above = Dot(a, Cross(b, c));
-    this->Below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-  }
   /// No less than a quarter of |Below + i Above|; 0 in a corner.
-  double GetScale() const { return this->Lengths[0] * this->Lengths[1] * this->Lengths[2]; }
+  double Scale;
+
+  HalfAngle(const Vector3& p, const Vector3& first, const Vector3& second, const Vector3& third)
+  {
+    const Vector3 a = Subtract(first, p);
+    const Vector3 b = Subtract(second, p);
+    const Vector3 c = Subtract(third, p);
+    const double la = Norm(a);
+    const double lb = Norm(b);
+    const double lc = Norm(c);
+    this->Above = Dot(a, Cross(b, c));
+    this->Scale = la * lb * lc;
+    this->Below = this->Scale + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
+  }
 };
 }
 
@@ -108,7 +106,7 @@ double EstimateDeviation(const std::array<Vector3, 3>& corners, const std::array
 
 double GetSolidAngle(const Vector3& p, const std::array<Vector3, 3>& t)
 {
-  const HalfAngle angle(p, t);
+  const HalfAngle angle(p, t[0], t[1], t[2]);
   return 2.0 * std::atan2(angle.Above, angle.Below);
 }
 
@@ -137,22 +135,22 @@ WindingTree::WindingTree(const std::vector<MeshTriangle>& triangles)
   {
     return;
   }
-  std::vector<Vector3> centroids;
-  centroids.reserve(triangles.size());
+  std::vector<Shape> shapes;
+  shapes.reserve(triangles.size());
   for (const MeshTriangle& triangle : triangles)
   {
-    centroids.push_back(GetCentroid(triangle.Corners));
+    shapes.push_back({ GetCentroid(triangle.Corners), GetExtent(triangle.Corners) });
   }
   this->Nodes.reserve(4 * triangles.size() / LeafSize + 1);
   // Build() orders the indices, and takes its sums of the triangles as they are given.
-  this->Build(centroids, 0, triangles.size());
+  this->Build(shapes, 0, triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     this->Triangles[i] = triangles[this->Order[i]];
   }
 }
 
-std::size_t WindingTree::Build(const std::vector<Vector3>& centroids, std::size_t begin, std::size_t end)
+std::size_t WindingTree::Build(const std::vector<Shape>& shapes, std::size_t begin, std::size_t end)
 {
   const std::size_t index = this->Nodes.size();
   this->Nodes.emplace_back();
@@ -161,15 +159,16 @@ std::size_t WindingTree::Build(const std::vector<Vector3>& centroids, std::size_
   node.End = end;
   if (end - begin <= LeafSize)
   {
-    this->SumTriangles(centroids, node);
+    this->SumTriangles(shapes, node);
+    this->AddLeaf(node);
   }
   else
   {
-    Vector3 low = centroids[this->Order[begin]];
+    Vector3 low = shapes[this->Order[begin]].Centroid;
     Vector3 high = low;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const Vector3& c = centroids[this->Order[i]];
+      const Vector3& c = shapes[this->Order[i]].Centroid;
       for (int d = 0; d < 3; ++d)
       {
         low[d] = std::min(low[d], c[d]);
@@ -185,29 +184,46 @@ std::size_t WindingTree::Build(const std::vector<Vector3>& centroids, std::size_
     const auto last = this->Order.begin() + static_cast<std::ptrdiff_t>(end);
     // Among large triangles no part of the cluster would be far away from anything.
     auto middle = std::stable_partition(first, last,
-      [this, extent = LargeShare * (high[axis] - low[axis])](std::size_t i)
-      { return GetExtent(this->Triangles[i].Corners) > extent; });
+      [&shapes, extent = LargeShare * (high[axis] - low[axis])](std::size_t i)
+      { return shapes[i].Extent > extent; });
     if (std::min(middle - first, last - middle) <= (last - first) / LeastShare)
     {
       middle = first + (last - first) / 2;
       std::nth_element(first, middle, last,
-        [&centroids, axis](std::size_t a, std::size_t b)
+        [&shapes, axis](std::size_t a, std::size_t b)
         {
-          const double x = centroids[a][axis];
-          const double y = centroids[b][axis];
+          const double x = shapes[a].Centroid[axis];
+          const double y = shapes[b].Centroid[axis];
           return x < y || (x == y && a < b);
         });
     }
     const std::size_t second = begin + static_cast<std::size_t>(middle - first);
-    this->Build(centroids, begin, second);
-    node.Second = this->Build(centroids, second, end);
+    this->Build(shapes, begin, second);
+    node.Second = this->Build(shapes, second, end);
     this->SumChildren(this->Nodes[index + 1], this->Nodes[node.Second], node);
   }
   this->Nodes[index] = node;
   return index;
 }
 
-void WindingTree::SumTriangles(const std::vector<Vector3>& centroids, Node& node) const
+void WindingTree::AddLeaf(Node& node)
+{
+  node.Leaf = this->Leaves.size();
+  Leaf& leaf = this->Leaves.emplace_back();
+  for (std::size_t i = node.Begin; i < node.End; ++i)
+  {
+    const std::array<Vector3, 3>& corners = this->Triangles[this->Order[i]].Corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int d = 0; d < 3; ++d)
+      {
+        leaf.Coordinates[k][d][i - node.Begin] = corners[k][d];
+      }
+    }
+  }
+}
+
+void WindingTree::SumTriangles(const std::vector<Shape>& shapes, Node& node) const
 {
   const double largest = std::numeric_limits<double>::max();
   node.Low.fill(largest);
@@ -229,14 +245,14 @@ void WindingTree::SumTriangles(const std::vector<Vector3>& centroids, Node& node
         node.Low[d] = std::min(node.Low[d], corner[d]);
         node.High[d] = std::max(node.High[d], corner[d]);
       }
-      mean[d] += area * centroids[this->Order[i]][d];
+      mean[d] += area * shapes[this->Order[i]].Centroid[d];
       node.Area[d] += vector[d];
     }
   }
   node.SetCenter(mean);
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
-    node.AddMoment(areas[i - node.Begin], centroids[this->Order[i]]);
+    node.AddMoment(areas[i - node.Begin], shapes[this->Order[i]].Centroid);
     for (const Vector3& corner : this->Triangles[this->Order[i]].Corners)
     {
       node.Radius = std::max(node.Radius, Norm(Subtract(corner, node.Center)));
@@ -294,21 +310,33 @@ void WindingTree::Node::AddMoment(const Vector3& area, const Vector3& at)
 }
 
 /// The sum of the solid angles of a leaf's triangles, by the argument of a product of complex numbers.
-double WindingTree::SumAngles(const Vector3& p, const Node& leaf, std::size_t without) const
+double WindingTree::SumAngles(const Vector3& p, const Node& node, std::size_t without) const
 {
+  const auto& corners = this->Leaves[node.Leaf].Coordinates;
+  double above[LeafSize];
+  double below[LeafSize];
+  double scales[LeafSize];
+  for (std::size_t i = 0; i < LeafSize; ++i)
+  {
+    const auto getCorner = [&corners, i](int k) {
+      return Vector3{ corners[k][0][i], corners[k][1][i], corners[k][2][i] };
+    };
+    const HalfAngle angle(p, getCorner(0), getCorner(1), getCorner(2));
+    above[i] = angle.Above / angle.Scale;
+    below[i] = angle.Below / angle.Scale;
+    scales[i] = angle.Scale;
+  }
   double re = 1.0;
   double im = 0.0;
   double turns = 0.0;
-  for (std::size_t i = leaf.Begin; i < leaf.End; ++i)
+  for (std::size_t i = 0; i < node.End - node.Begin; ++i)
   {
-    const HalfAngle angle(p, this->Triangles[i].Corners);
-    const double scale = angle.GetScale();
-    if (this->Order[i] == without || !(scale > 0.0))
+    if (this->Order[node.Begin + i] == without || !(scales[i] > 0.0))
     {
       continue;
     }
-    const double x = angle.Below / scale;
-    const double y = angle.Above / scale;
+    const double x = below[i];
+    const double y = above[i];
     const double before = im;
     im = re * y + im * x;
     re = re * x - before * y;
