@@ -59,6 +59,32 @@ bool MayRaiseDegree(const Ribbon& ribbon)
     (ribbon.TrimDegree == ribbon.EdgeDegree || std::min(ribbon.TrimDegree, ribbon.EdgeDegree) >= LeastRaised);
 }
 
+/// The bases of a curve piece at the nodes of a rule on a part of it.
+class PieceBases
+{
+public:
+  PieceBases(int degree, int nodes, bool isWhole)
+    : Degree(degree)
+    , Table(isWhole ? GetWideBases(degree, nodes) : nullptr)
+  {
+  }
+  /// The basis at node i, which is x on the piece.
+  const Wide* Get(int i, Wide x)
+  {
+    if (this->Table)
+    {
+      return this->Table + i * (this->Degree + 1);
+    }
+    FillWideBasis(this->Degree, x, this->Basis);
+    return this->Basis;
+  }
+
+private:
+  const int Degree;
+  const Wide* const Table;
+  Wide Basis[MaximumDegree + 1];
+};
+
 bool IsPolynomial(const std::array<double, 4>* points, int count)
 {
   return std::all_of(
@@ -318,21 +344,20 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
   double weight = 0.0;
   const Wide width = static_cast<Wide>(ribbon.End) - ribbon.Start;
   const Wide edgeWidth = static_cast<Wide>(ribbon.EdgeEnd) - ribbon.EdgeStart;
+  const bool isWhole = start == 0.0 && end == 1.0;
+  PieceBases trimBases(curves.TrimDegree, nodes, isWhole && ribbon.Start == 0.0 && ribbon.End == 1.0);
+  PieceBases edgeBases(curves.EdgeDegree, nodes, isWhole && ribbon.EdgeStart == 0.0 && ribbon.EdgeEnd == 1.0);
   for (int i = 0; i < nodes; ++i)
   {
     const Wide t = start + (static_cast<Wide>(end) - start) * 0.5L * (1.0L + rule.GetWideNode(i));
-    Wide basis[MaximumDegree + 1];
-    FillWideBasis(curves.TrimDegree, ribbon.Start + width * t, basis);
+    const Wide* basis = trimBases.Get(i, ribbon.Start + width * t);
     Wide at[2];
     SumBasis<2>(basis, curves.Trim, curves.TrimDegree, at);
     Wide h[4];
     net.Evaluate(at[0], at[1], h);
-    if (!together)
-    {
-      FillWideBasis(curves.EdgeDegree, ribbon.EdgeStart + edgeWidth * t, basis);
-    }
     Wide edge[3];
-    SumBasis<3>(basis, curves.Edge, curves.EdgeDegree, edge);
+    SumBasis<3>(together ? basis : edgeBases.Get(i, ribbon.EdgeStart + edgeWidth * t), curves.Edge,
+      curves.EdgeDegree, edge);
     for (int c = 0; c < 3; ++c)
     {
       samples[i][c] = edge[c] * h[3] - h[c];

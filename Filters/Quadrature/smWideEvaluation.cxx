@@ -1,6 +1,10 @@
 #include "smWideEvaluation.h"
 
+#include "smChebyshev.h"
+
 #include <algorithm>
+#include <mutex>
+#include <vector>
 
 namespace sm
 {
@@ -68,6 +72,28 @@ void FillWideBasis(int degree, Wide t, Wide* basis)
     power *= 1 - t;
     basis[i] *= power;
   }
+}
+
+const Wide* GetWideBases(int degree, int nodes)
+{
+  struct Table
+  {
+    std::once_flag IsMade;
+    std::vector<Wide> Bases;
+  };
+  static std::array<std::array<Table, ChebyshevRule::MaximumSize + 1>, MaximumDegree + 1> tables;
+  Table& table = tables[degree][nodes];
+  std::call_once(table.IsMade,
+    [&table, degree, nodes]()
+    {
+      const ChebyshevRule& rule = ChebyshevRule::Get(nodes);
+      table.Bases.resize(static_cast<std::size_t>(nodes) * (degree + 1));
+      for (int i = 0; i < nodes; ++i)
+      {
+        FillWideBasis(degree, 0.5L * (1.0L + rule.GetWideNode(i)), table.Bases.data() + i * (degree + 1));
+      }
+    });
+  return table.Bases.data();
 }
 
 WideCurves::WideCurves(const FacePanels& panels, const Ribbon& ribbon, bool raised)
