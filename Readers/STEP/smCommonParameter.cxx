@@ -1,5 +1,6 @@
 #include "smCommonParameter.h"
 
+#include "smCellSurface.h"
 #include "smChebyshevFit.h"
 #include "smVector.h"
 
@@ -34,75 +35,6 @@ std::array<double, Dimension> EvaluateIn(const PolynomialCurve<Dimension>& curve
   }
   return point;
 }
-
-/// Evaluates a surface, and keeps the Bézier patch of the last point, because neighbouring points of a curve are mostly on the same patch.
-class CellSurface
-{
-public:
-  explicit CellSurface(const NURBSSurface& surface)
-    : Source(surface)
-    , Breaks{ surface.GetSpanBreaks(0), surface.GetSpanBreaks(1) }
-  {
-  }
-
-  /// Returns the cell of a coordinate; outside the domain the nearest one.
-  int FindCell(int direction, double x) const
-  {
-    const std::vector<double>& breaks = this->Breaks[direction];
-    return static_cast<int>(std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x) - breaks.begin()) - 1;
-  }
-
-  Point3 Evaluate(const Point2& uv, Point3* du = nullptr, Point3* dv = nullptr)
-  {
-    const int cell[2] = { this->FindCell(0, uv[0]), this->FindCell(1, uv[1]) };
-    if (cell[0] != this->Cell[0] || cell[1] != this->Cell[1])
-    {
-      for (int d = 0; d < 2; ++d)
-      {
-        this->Cell[d] = cell[d];
-        this->Start[d] = this->Breaks[d][cell[d]];
-        this->Width[d] = this->Breaks[d][cell[d] + 1] - this->Start[d];
-      }
-      this->Source.ExtractBezier(this->Start[0], this->Breaks[0][cell[0] + 1], this->Start[1],
-        this->Breaks[1][cell[1] + 1], this->Points);
-    }
-    const int p = this->Source.Degree[0];
-    const int q = this->Source.Degree[1];
-    const double s = (uv[0] - this->Start[0]) / this->Width[0];
-    const double r = (uv[1] - this->Start[1]) / this->Width[1];
-    std::array<double, 4> rows[MaximumDegree + 1] = {};
-    std::array<double, 4> rowsS[MaximumDegree + 1];
-    for (int j = 0; j <= q; ++j)
-    {
-      rows[j] = BernsteinPiece<4>{ this->Points + j * (p + 1), p }.Evaluate(s, du ? &rowsS[j] : nullptr);
-    }
-    std::array<double, 4> hr;
-    const std::array<double, 4> h = BernsteinPiece<4>{ rows, q }.Evaluate(r, dv ? &hr : nullptr);
-    const std::array<double, 4> hs = du ? BernsteinPiece<4>{ rowsS, q }.Evaluate(r) : std::array<double, 4>{};
-    Point3 position;
-    for (int c = 0; c < 3; ++c)
-    {
-      position[c] = h[c] / h[3];
-      if (du)
-      {
-        (*du)[c] = (hs[c] - position[c] * hs[3]) / h[3] / this->Width[0];
-      }
-      if (dv)
-      {
-        (*dv)[c] = (hr[c] - position[c] * hr[3]) / h[3] / this->Width[1];
-      }
-    }
-    return position;
-  }
-
-private:
-  const NURBSSurface& Source;
-  std::vector<double> Breaks[2];
-  int Cell[2] = { -1, -1 };
-  double Start[2] = { 0.0, 0.0 };
-  double Width[2] = { 1.0, 1.0 };
-  std::array<double, 4> Points[(MaximumDegree + 1) * (MaximumDegree + 1)];
-};
 
 /// Fits one trim curve, reparametrised by the parameter of its edge.
 class Restorer
@@ -453,118 +385,6 @@ Step MeasureStep(const NURBSSurface& surface, const TrimCurve& trim, const EdgeC
 {
   CellSurface cells(surface);
   return MeasureStep(cells, trim, edge);
-}
-
-namespace
-{
-/// Returns by how much u and v of the pieces of a trim curve from `first` to before `last` differ from those of the edge's points, at most, if
-/// either of the two differs alone; from the distance between both curves across the edge, at some points of each piece.
-TrimCurve::Point MeasureResidual(
-  CellSurface& cells, const TrimCurve& trim, const EdgeCurve& edge, int first, int last)
-{
-  // What may be missed between the points, and the least speed along a parameter, relative to the largest one.
-  constexpr double between = 1.25;
-  constexpr double leastSpeed = 0.01;
-  struct Sample
-  {
-    double Distance;
-    Point2 Speed;
-  };
-  std::vector<Sample> samples;
-  Point2 fastest{};
-  for (int k = first; k < last; ++k)
-  {
-    for (const double x : GetFitNodes())
-    {
-      Point3 du;
-      Point3 dv;
-      const Point3 position = cells.Evaluate(trim.GetPiece(k).Evaluate(x), &du, &dv);
-      // A displacement along the edge does not move the border.
-      Point3 tangent;
-      const Point3 target = edge.Evaluate((1.0 - x) * trim.Breaks[k] + x * trim.Breaks[k + 1], &tangent);
-      const Point3 gap = { target[0] - position[0], target[1] - position[1], target[2] - position[2] };
-      const double speed = Dot(tangent, tangent);
-      const double along = speed > 0.0 ? Dot(gap, tangent) * Dot(gap, tangent) / speed : 0.0;
-      const Point3 normal = Cross(du, dv);
-      const double squares[2] = { Dot(du, du), Dot(dv, dv) };
-      const double sine =
-        squares[0] * squares[1] > 0.0 ? std::sqrt(Dot(normal, normal) / (squares[0] * squares[1])) : 1.0;
-      samples.push_back({ std::sqrt(std::max(0.0, Dot(gap, gap) - along)) / std::max(sine, leastSpeed),
-        { std::sqrt(squares[0]), std::sqrt(squares[1]) } });
-      for (int d = 0; d < 2; ++d)
-      {
-        fastest[d] = std::max(fastest[d], samples.back().Speed[d]);
-      }
-    }
-  }
-  TrimCurve::Point residual{};
-  for (const Sample& s : samples)
-  {
-    for (int d = 0; d < 2; ++d)
-    {
-      residual[d] =
-        std::max(residual[d], between * s.Distance / std::max(s.Speed[d], leastSpeed * fastest[d]));
-    }
-  }
-  return residual;
-}
-
-double GetPieceArea(const TrimCurve& curve, int piece, const TrimCurve::Point& residual)
-{
-  double area = 0.0;
-  const BernsteinPiece<2> part = curve.GetPiece(piece);
-  for (int i = 1; i <= part.Degree; ++i)
-  {
-    for (int d = 0; d < 2; ++d)
-    {
-      area += residual[1 - d] * std::abs(part.Coefficients[i][d] - part.Coefficients[i - 1][d]);
-    }
-  }
-  return area;
-}
-}
-
-double GetSweptArea(const TrimCurve& curve)
-{
-  double area = 0.0;
-  for (int k = 0; k < curve.GetNumberOfPieces(); ++k)
-  {
-    area += GetPieceArea(curve, k, curve.GetResidual(k));
-  }
-  return area;
-}
-
-void LowerResidual(const NURBSSurface& surface, const EdgeCurve& edge, TrimCurve& trim)
-{
-  CellSurface cells(surface);
-  // u and v must be of the same comparison: a pair of the lesser u of one and the lesser v of the other bounds neither displacement.
-  const auto lower = [&](TrimCurve::Point& residual, int first, int last)
-  {
-    const TrimCurve::Point measured = MeasureResidual(cells, trim, edge, first, last);
-    double area = 0.0;
-    double measuredArea = 0.0;
-    for (int k = first; k < last; ++k)
-    {
-      area += GetPieceArea(trim, k, residual);
-      measuredArea += GetPieceArea(trim, k, measured);
-    }
-    residual = measuredArea < area ? measured : residual;
-  };
-  if (trim.PieceResiduals.empty())
-  {
-    lower(trim.Residual, 0, trim.GetNumberOfPieces());
-    return;
-  }
-  trim.Residual = {};
-  for (int k = 0; k < trim.GetNumberOfPieces(); ++k)
-  {
-    TrimCurve::Point& residual = trim.PieceResiduals[k];
-    lower(residual, k, k + 1);
-    for (int d = 0; d < 2; ++d)
-    {
-      trim.Residual[d] = std::max(trim.Residual[d], residual[d]);
-    }
-  }
 }
 
 StepResult RestoreCommonParameter(const NURBSSurface& surface, const EdgeCurve& edge, double size,

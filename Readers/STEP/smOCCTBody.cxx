@@ -12,6 +12,7 @@
 #include "smOCCTNaturalBoundary.h"
 #include "smOCCTRounding.h"
 #include "smParallelFor.h"
+#include "smTrimResidual.h"
 
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>

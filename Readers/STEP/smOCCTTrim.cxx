@@ -1,7 +1,7 @@
 #include "smOCCTTrim.h"
 
-#include "smCommonParameter.h"
 #include "smOCCTSpline.h"
+#include "smTrimResidual.h"
 
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_BezierCurve.hxx>

@@ -3,6 +3,7 @@
 #include "smChebyshevFit.h"
 #include "smCommonParameter.h"
 #include "smTesting.h"
+#include "smTrimResidual.h"
 
 #include <cmath>
 #include <functional>
