@@ -20,7 +20,7 @@ double GetSide(const Point2& a, const Point2& b, const Point2& p)
 }
 
 /// Returns true if the segment from c to d crosses the inside of the one from a to b; a point on the latter counts as left of it.
-bool Cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
+bool AreCrossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
 {
   constexpr double least = 1e-9;
   const double start = GetSide(c, d, a);
@@ -48,7 +48,7 @@ bool IsFree(const DraftFace& face, const Point2& a, const Point2& b, int directi
           Point2 to = p;
           from[direction] += k * period;
           to[direction] += k * period;
-          if (Cross(a, b, from, to))
+          if (AreCrossing(a, b, from, to))
           {
             return false;
           }
