@@ -217,10 +217,9 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session,
     const bool isAnnotation = std::strncmp(model->Value(i)->DynamicType()->Name(), "StepVisual_", 11) == 0;
     const bool isFollowed =
       IsShapeEntity(model->Value(i)) && !(isAnnotation && !matters(model->IdentLabel(model->Value(i))));
-    std::string failure = isFollowed ? FindFailure(model, i) : std::string();
-    failure = isFollowed && failure.empty()
-      ? peril(model->IdentLabel(model->Value(i)), IsPlacing(model->Value(i)))
-      : failure;
+    std::string failure =
+      isFollowed ? peril(model->IdentLabel(model->Value(i)), IsPlacing(model->Value(i))) : std::string();
+    failure = isFollowed && failure.empty() ? FindFailure(model, i) : failure;
     if (!failure.empty())
     {
       damaged.push_back(model->Value(i));

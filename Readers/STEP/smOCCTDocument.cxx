@@ -73,7 +73,11 @@ bool Parse(const FileCheck& check, const Part21File& file, const std::vector<boo
   completed = MakeSTEPExplicit(whole);
   Part21File changed;
   const bool isChanged = !completed.Text.empty() && changed.Parse(std::move(completed.Text));
-  const Part21File& text = isChanged ? changed : whole;
+  const Part21File& complete = isChanged ? changed : whole;
+  std::string replaced = ReplaceUndefinedReferences(complete);
+  Part21File bounded;
+  const bool isBounded = !replaced.empty() && bounded.Parse(std::move(replaced));
+  const Part21File& text = isBounded ? bounded : complete;
   // If OpenCASCADE knows tessellations, KernelSession has a setting by which it skips them.
   KernelRecords records;
   const bool isPlain = records.Make(text,
