@@ -9,6 +9,7 @@
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
+#include "smOCCTParameterCurves.h"
 #include "smOCCTProducts.h"
 #include "smOCCTRecords.h"
 #include "smOCCTRepair.h"
@@ -401,6 +402,11 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   SkipDamagedAttributes(model, reader, document);
   CheckSpindleTori(model, document.Defects);
   CheckShortArcs(model, document.FileUnitInMillimetres, document.Messages, document.Defects);
+  const bool isAngleKnown =
+    used != declared.Census.Contexts.end() && used->Angle.Status == CensusUnit::State::Stated;
+  CheckParameterCurves(
+    model, document.FileUnitInMillimetres, isAngleKnown ? used->Angle.Factor : 1.0,
+    [&declared](int id) { return declared.Matters(id); }, document.Messages, document.Defects);
   TurnNegativeTori(model);
   ForgetOtherFiles(model);
   ClearClosedFlags(model);
