@@ -92,20 +92,47 @@ std::string FindReason(const sm::Json& file)
   return reason;
 }
 
-/// Returns the exit status of a finished file, by the statuses that the user counts as failures.
-int Judge(const sm::Json& file, const sm::Arguments& arguments)
+/// Describes a status that is not ok by the first message, or by the one about bounds if these are what is wrong.
+std::string DescribeStatus(const sm::Json& file)
 {
   const std::string status = file["status"].get<std::string>();
+  const sm::Json& messages = file["messages"];
+  std::string said = messages.empty() ? std::string() : messages.front().get<std::string>();
+  for (const sm::Json& message : messages)
+  {
+    const std::string text = message.get<std::string>();
+    said =
+      status == "tolerance-not-met" && text.find("above the tolerance") != std::string::npos ? text : said;
+  }
+  return "is " + status + (said.empty() ? "" : ": " + said) +
+    (messages.size() < 2 ? "" : " (one of " + std::to_string(messages.size()) + " messages)");
+}
+
+/// Describes what fails of a file that can be read, by the statuses and the requirements of the user; empty if nothing does.
+std::string FindFailures(const sm::Json& file, const sm::Arguments& arguments)
+{
   const sm::Json& total = file["total"];
   const auto has = [](const std::vector<std::string>& list, const std::string& word)
   { return std::find(list.begin(), list.end(), word) != list.end(); };
-  const int byStatus = sm::GetExitStatus(file);
+  std::string failures;
+  const auto add = [&failures](bool fails, const std::string& text) {
+    failures += !fails ? "" : failures.empty() ? text : ", and " + text;
+  };
   const bool isStable = total["stability"].is_object() && total["stability"]["verdict"] == "stable";
-  const bool fails = (byStatus == sm::Flagged && has(arguments.FailOn, status)) ||
-    (has(arguments.Require, "stable") && !isStable) ||
-    (has(arguments.Require, "mass") && total["mass"].is_null()) ||
-    (has(arguments.Require, "validation") && sm::CountValidation(file, "fail") > 0);
-  return byStatus == sm::Unreadable ? byStatus : fails ? sm::Flagged : sm::AllOk;
+  add(has(arguments.Require, "stable") && !isStable, "is not stable");
+  add(has(arguments.Require, "mass") && total["mass"].is_null(), "has no mass");
+  add(has(arguments.Require, "validation") && sm::CountValidation(file, "fail") > 0,
+    "has other values than it states");
+  add(sm::GetExitStatus(file) == sm::Flagged && has(arguments.FailOn, file["status"].get<std::string>()),
+    DescribeStatus(file));
+  return failures;
+}
+
+/// Returns the exit status of a finished file.
+int Judge(const sm::Json& file, const std::string& failures)
+{
+  const int byStatus = sm::GetExitStatus(file);
+  return byStatus == sm::Unreadable ? byStatus : failures.empty() ? sm::AllOk : sm::Flagged;
 }
 
 /// Colours the status in a table green, or red if it is not ok, for a terminal unless NO_COLOR is set.
@@ -122,8 +149,8 @@ std::string ColorStatus(std::string table, const sm::Json& file)
   return table.replace(at - status.size(), status.size(), color + status + "\033[0m");
 }
 
-/// Prints the table of a finished file or, without tables, the reason why the file has no results.
-void Print(const sm::Json& file, bool showTable, bool isFirst)
+/// Prints the table of a finished file or, without tables, the reason why the file has no results, or what fails.
+void Print(const sm::Json& file, const std::string& failures, bool showTable, bool isFirst)
 {
   if (showTable)
   {
@@ -134,6 +161,10 @@ void Print(const sm::Json& file, bool showTable, bool isFirst)
     const std::string reason = FindReason(file);
     sm::Complain(file["file"].get<std::string>() + " is " + file["status"].get<std::string>() +
       (reason.empty() ? "" : ": " + reason));
+  }
+  else if (!failures.empty())
+  {
+    sm::Complain(file["file"].get<std::string>() + " " + failures);
   }
 }
 
@@ -270,13 +301,14 @@ int Run(const sm::Arguments& arguments, double processStart)
       continue;
     }
     sm::Json file = TakeFile(std::move(outcome), jobs[i], exitStatus);
-    exitStatus = Combine(exitStatus, Judge(file, arguments));
+    std::string failures = FindFailures(file, arguments);
     const std::string urdfProblem = arguments.Urdf.empty() ? std::string() : sm::FindUrdfProblem(file);
     if (!urdfProblem.empty())
     {
       file["messages"].push_back("no inertial block: " + urdfProblem);
-      exitStatus = Combine(exitStatus, sm::Flagged);
+      failures += (failures.empty() ? "" : ", and ") + ("has no inertial block: " + urdfProblem);
     }
+    exitStatus = Combine(exitStatus, Judge(file, failures));
     if (!arguments.Print.empty())
     {
       std::cout << sm::FormatFields(file, arguments.Print) << std::flush;
@@ -287,7 +319,8 @@ int Run(const sm::Arguments& arguments, double processStart)
       file.erase(sm::ShapesKey);
     }
     const bool isFirst = reports.GetNumberOfFiles() == 0;
-    Print(reports.Add(std::move(file)), showTable && !arguments.Compare, isFirst);
+    Print(reports.Add(std::move(file)), showTable ? std::string() : failures, showTable && !arguments.Compare,
+      isFirst);
   }
   if (arguments.Compare)
   {

@@ -63,7 +63,9 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
       "for each processor. The outputs have the order of the files all the same")
     ->type_name("NUMBER")
     ->check(CLI::Range(0, 1024));
-  app.add_flag("--quiet,-q", arguments.Quiet, "Print no table and no progress, only errors");
+  app.add_flag("--quiet,-q", arguments.Quiet,
+    "Print no table and no progress, only errors and, on the standard error, what\nmakes the exit status 2 "
+    "or 3");
 }
 
 void DeclareComputation(CLI::App& app, sm::JobOptions& job)

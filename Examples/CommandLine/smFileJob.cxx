@@ -243,14 +243,18 @@ std::string DescribeException(const std::exception& error)
     : std::string("stopped by an error: ") + error.what();
 }
 
-std::string Draw(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* stability,
-  const sm::JobOptions& options, const Json& file)
+std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase* filter,
+  vtkPolyData* stability, const sm::JobOptions& options, const Json& file)
 {
+  if (!bodies || bodies->GetNumberOfPoints() == 0)
+  {
+    return "there is nothing to draw";
+  }
   vtkComputeContext* context = filter->GetComputeContext();
   context->Start();
   sm::Picture picture;
   picture.Window = context->GetRenderWindow();
-  picture.Body = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
+  picture.Body = bodies;
   picture.Mark = filter->GetOutput();
   picture.Stability = stability;
   picture.Flagged = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(6));
@@ -392,20 +396,18 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
     send({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
   }
 #endif
+  // Port 5 has the bodies that --only chooses.
+  auto* const bodies = vtkPartitionedDataSetCollection::SafeDownCast(
+    options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5));
   if (!options.MeshName.empty() && isRead)
   {
     send({ { "progress", { sm::stages::Mesh, 0.0 } } });
-    // Port 5 has the bodies that --only chooses.
-    vtkDataObject* bodies =
-      options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5);
-    send({ { "mesh",
-      sm::WriteMesh(vtkPartitionedDataSetCollection::SafeDownCast(bodies), reader->GetLengthUnit(),
-        options.MeshName) } });
+    send({ { "mesh", sm::WriteMesh(bodies, reader->GetLengthUnit(), options.MeshName) } });
   }
   if (!options.PictureName.empty() && isRead)
   {
     send({ { "progress", { sm::stages::Draw, 0.0 } } });
-    send({ { "picture", Draw(reader, filter, stability, options, file) } });
+    send({ { "picture", Draw(bodies, filter, stability, options, file) } });
   }
   vtkOutputWindow::SetInstance(nullptr);
 }

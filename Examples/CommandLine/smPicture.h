@@ -20,7 +20,7 @@ namespace sm
 struct Picture
 {
   vtkOpenGLRenderWindow* Window = nullptr;         ///< the window to draw in, off screen
-  vtkPartitionedDataSetCollection* Body = nullptr; ///< the reader's output
+  vtkPartitionedDataSetCollection* Body = nullptr; ///< the bodies to draw
   vtkPolyData* Mark = nullptr;                     ///< port 0 of vtkMassPropertiesGPU
   vtkPolyData* Stability = nullptr; ///< port 0 of vtkSolidStability, in its own colours; null: none
   vtkPolyData* Flagged = nullptr;   ///< port 6: faces and edges to mark; may be empty

@@ -1,8 +1,10 @@
 #include "smPart21Remains.h"
 
+#include "smPart21Changes.h"
 #include "smPart21Cursor.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 
 namespace sm
@@ -37,6 +39,37 @@ std::string ListSchemas(const Part21File& file)
   }
   return list.empty() ? "''" : list;
 }
+
+/// Calls `change` with each reference of an instance to nothing.
+template <typename Change>
+void VisitUndefined(const Part21File& file, Part21File::Index i, const Change& change)
+{
+  const std::string_view text = file.GetText(i);
+  // The instance's own number is no reference.
+  Part21Cursor cursor{ text.data() + std::min<std::size_t>(1, text.size()), text.data() + text.size() };
+  while (cursor.SkipBlanks() && !cursor.IsAtEnd())
+  {
+    const char* start = cursor.At;
+    const char c = cursor.Peek();
+    if (c == '#')
+    {
+      std::uint64_t id = 0;
+      bool fits = false;
+      if (cursor.SkipReference(id, fits) && (!fits || file.Find(id) == Part21File::None))
+      {
+        change(std::string_view(start, static_cast<std::size_t>(cursor.At - start)));
+      }
+    }
+    else if (c == '\'' || c == '"')
+    {
+      c == '"' ? cursor.SkipBinary() : cursor.SkipString();
+    }
+    else
+    {
+      ++cursor.At;
+    }
+  }
+}
 }
 
 std::string GetRemains(const Part21File& file, const std::vector<bool>& unparsable)
@@ -61,5 +94,29 @@ std::string GetRemains(const Part21File& file, const std::vector<bool>& unparsab
     }
   }
   return text += "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+std::string ReplaceUndefinedReferences(const Part21File& file)
+{
+  if (file.GetNumberOfProblems(Part21Defect::UndefinedReference) == 0)
+  {
+    return {};
+  }
+  std::uint64_t number = std::numeric_limits<std::int32_t>::max();
+  while (file.Find(number) != Part21File::None)
+  {
+    --number;
+  }
+  const std::string free = "#" + std::to_string(number);
+  Part21Changes changes(file);
+  for (Part21File::Index i = 0; i < file.GetNumberOfInstances(); ++i)
+  {
+    const Part21Range<Part21File::Index> references = file.GetReferences(i);
+    if (std::find(references.begin(), references.end(), Part21File::None) != references.end())
+    {
+      VisitUndefined(file, i, [&](std::string_view reference) { changes.Replace(reference, free); });
+    }
+  }
+  return changes.Apply();
 }
 }

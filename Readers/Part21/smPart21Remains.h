@@ -1,6 +1,6 @@
 /**
  * @file smPart21Remains.h
- * @brief The text of a damaged STEP file without what breaks the syntax
+ * @brief The text of a damaged STEP file as OpenCASCADE can read it
  */
 #ifndef smPart21Remains_h
 #define smPart21Remains_h
@@ -24,6 +24,13 @@ namespace sm
  */
 SMREADERSPART21_EXPORT std::string GetRemains(
   const Part21File& file, const std::vector<bool>& unparsable = {});
+
+/**
+ * The text with one number in place of all that are referred to and that no instance has: the largest one of 31 bits that is free.
+ * OpenCASCADE takes an undefined number for the position of an instance among its records, and crashes if that depends on
+ * the one that refers to it; a file has fewer records than that. Empty if there are no such references.
+ */
+SMREADERSPART21_EXPORT std::string ReplaceUndefinedReferences(const Part21File& file);
 }
 
 #endif

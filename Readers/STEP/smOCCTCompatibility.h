@@ -5,9 +5,12 @@
 #ifndef smOCCTCompatibility_h
 #define smOCCTCompatibility_h
 
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <STEPConstruct_UnitContext.hxx>
 #include <Standard_Transient.hxx>
+#include <StepGeom_Curve.hxx>
 #include <StepGeom_Surface.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <TopoDS_Shape.hxx>
@@ -23,6 +26,27 @@ extern const bool KernelReadsTessellations;
 
 /// Returns the surface of an entity; its lengths are converted as in the running transfer before 7.8, and not at all from then on.
 Handle(Geom_Surface) MakeEntitySurface(const Handle(StepGeom_Surface) & entity);
+
+/// Makes geometry of entities in their own unit of length, during the lifetime of this object, which changes global settings of OpenCASCADE.
+/// `angle` is the file's unit of angles in radians.
+class EntityGeometry
+{
+public:
+  explicit EntityGeometry(double angle);
+  ~EntityGeometry();
+  EntityGeometry(const EntityGeometry&) = delete;
+  void operator=(const EntityGeometry&) = delete;
+
+  Handle(Geom_Surface) MakeSurface(const Handle(StepGeom_Surface) & entity) const;
+  Handle(Geom_Curve) MakeCurve(const Handle(StepGeom_Curve) & entity) const;
+  /// Makes a curve in the plane; its coordinates are those of the file.
+  Handle(Geom2d_Curve) MakePlaneCurve(const Handle(StepGeom_Curve) & entity) const;
+
+private:
+  double Length = 1.0;
+  double Angle = 1.0;
+  double SolidAngle = 1.0;
+};
 
 /// Returns the units, in millimetres and radians, that OpenCASCADE takes for a context.
 STEPConstruct_UnitContext GetUnitFactors(const Handle(StepRepr_GlobalUnitAssignedContext) & context);

@@ -15,7 +15,6 @@
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_VertexLoop.hxx>
 #include <StepShape_VertexPoint.hxx>
-#include <gp_Pnt.hxx>
 
 #include <cmath>
 
@@ -55,19 +54,6 @@ double GetRadius(Handle(StepGeom_Curve) curve)
   const auto ellipse = Handle(StepGeom_Ellipse)::DownCast(curve);
   return !circle.IsNull() ? circle->Radius() : !ellipse.IsNull() ? ellipse->SemiAxis1() : 0.0;
 }
-
-bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position)
-{
-  const auto onPoint = Handle(StepShape_VertexPoint)::DownCast(vertex);
-  const auto point = Handle(StepGeom_CartesianPoint)::DownCast(
-    onPoint.IsNull() ? Handle(StepGeom_Point)() : onPoint->VertexGeometry());
-  if (point.IsNull() || point->NbCoordinates() != 3)
-  {
-    return false;
-  }
-  position.SetCoord(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3));
-  return true;
-}
 }
 
 Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & face)
@@ -80,6 +66,19 @@ Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & fa
     surface = trimmed.IsNull() ? surface : trimmed->BasisSurface();
   }
   return surface;
+}
+
+bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position)
+{
+  const auto onPoint = Handle(StepShape_VertexPoint)::DownCast(vertex);
+  const auto point = Handle(StepGeom_CartesianPoint)::DownCast(
+    onPoint.IsNull() ? Handle(StepGeom_Point)() : onPoint->VertexGeometry());
+  if (point.IsNull() || point->NbCoordinates() != 3)
+  {
+    return false;
+  }
+  position.SetCoord(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3));
+  return true;
 }
 
 void CheckSpindleTori(const ModelEntities& entities, std::vector<std::string>& defects)

@@ -11,6 +11,8 @@
 
 #include <StepGeom_Surface.hxx>
 #include <StepShape_FaceSurface.hxx>
+#include <StepShape_Vertex.hxx>
+#include <gp_Pnt.hxx>
 
 #include <string>
 #include <vector>
@@ -19,6 +21,9 @@ namespace sm
 {
 /// Returns the surface of a face without rectangular trims; null if it has none.
 Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & face);
+
+/// Reads the point of a vertex, in the unit of the file. Returns false if it is no point in space.
+bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position);
 
 /// Reports faces that are a whole torus whose minor radius exceeds the major one. It crosses itself, and OpenCASCADE takes all of it, whatever
 /// DEGENERATE_TOROIDAL_SURFACE selects.

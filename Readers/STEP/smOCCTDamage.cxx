@@ -227,8 +227,8 @@ std::string DropDamagedFaces(const Handle(XSControl_WorkSession) & session, cons
     const bool isPlacing = IsPlacing(*type);
     for (const int i : positions)
     {
-      std::string failure = FindFailure(model, i);
-      failure = failure.empty() && peril ? peril(model->IdentLabel(model->Value(i)), isPlacing) : failure;
+      std::string failure = peril ? peril(model->IdentLabel(model->Value(i)), isPlacing) : std::string();
+      failure = failure.empty() ? FindFailure(model, i) : failure;
       if (!failure.empty() && !(isAnnotation && !matters(model->IdentLabel(model->Value(i)))))
       {
         failures.emplace(i, std::move(failure));

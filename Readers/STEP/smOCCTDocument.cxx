@@ -9,6 +9,7 @@
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
+#include "smOCCTParameterCurves.h"
 #include "smOCCTProducts.h"
 #include "smOCCTRecords.h"
 #include "smOCCTRepair.h"
@@ -83,7 +84,11 @@ bool Parse(const FileCheck& check, const Part21File& file, const std::vector<boo
   completed = MakeSTEPExplicit(whole);
   Part21File changed;
   const bool isChanged = !completed.Text.empty() && changed.Parse(std::move(completed.Text));
-  const Part21File& text = isChanged ? changed : whole;
+  const Part21File& complete = isChanged ? changed : whole;
+  std::string replaced = ReplaceUndefinedReferences(complete);
+  Part21File bounded;
+  const bool isBounded = !replaced.empty() && bounded.Parse(std::move(replaced));
+  const Part21File& text = isBounded ? bounded : complete;
   // If OpenCASCADE knows tessellations, KernelSession has a setting by which it skips them.
   KernelRecords records;
   const bool isPlain = records.Make(text,
@@ -402,6 +407,11 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   SkipDamagedAttributes(entities, reader, document);
   CheckSpindleTori(entities, document.Defects);
   CheckShortArcs(entities, document.FileUnitInMillimetres, document.Messages, document.Defects);
+  const bool isAngleKnown =
+    used != declared.Census.Contexts.end() && used->Angle.Status == CensusUnit::State::Stated;
+  CheckParameterCurves(
+    entities, document.FileUnitInMillimetres, isAngleKnown ? used->Angle.Factor : 1.0,
+    [&declared](int id) { return declared.Matters(id); }, document.Messages, document.Defects);
   TurnNegativeTori(entities);
   ForgetOtherFiles(entities);
   ClearClosedFlags(entities);

@@ -33,6 +33,17 @@ def check_quiet_reason(good):
     check_equal("exit status without a display", 3, result.returncode)
     check_equal("nothing on standard output", "", result.stdout)
     check_true("the reason is told", "nothing was computed" in result.stderr and "display" in result.stderr, result.stderr)
+    for wanted, said in ((("--tolerance", "1e-300"), "is tolerance-not-met: .*bounds above the tolerance.*"), (("--require", "mass"), "has no mass$"),
+                         (("--require", "mass", "--tolerance", "1e-300"), "has no mass, and is tolerance-not-met: .*")):
+        result = run("-q", "--backend", "cpu", *wanted, good)
+        check_equal(f"exit status with {wanted}", 3, result.returncode)
+        check_equal("nothing on standard output", "", result.stdout)
+        check_true("one line tells what fails", re.fullmatch(f"solidmoments: {re.escape(good)} {said}", result.stderr.rstrip("\n")) is not None,
+                   result.stderr)
+        result = run("--backend", "cpu", *wanted, good)
+        check_equal("a table has it, and nothing is told twice", (3, ""), (result.returncode, result.stderr))
+    result = run("-q", "--backend", "cpu", "--tolerance", "1e-300", "--fail-on", "suspect", good)
+    check_equal("what does not fail is not told", (0, ""), (result.returncode, result.stderr))
 
 
 def check_name_that_is_not_utf8(good):

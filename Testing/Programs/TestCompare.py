@@ -291,6 +291,22 @@ def read_png(path):
     return rows
 
 
+def check_chosen_picture():
+    """Checks that without a comparison a picture has the products that --only chooses: it is that of a file without the others."""
+    rail, post = Part("rail", [((0, 0, 0), (60, 10, 10))]), Part("post", [((0, 0, 20), (10, 10, 40))])
+    pictures = []
+    for uses, chosen in (([rail, post], ["--only", "rail"]), ([rail], []), ([rail, post], [])):
+        path = os.path.join(folder, "chosen.png")
+        product = write("chosen", Assembly("frame", [(part, (0, 0, 0), None) for part in uses]))
+        check_equal("exit status", 0, run("-q", *chosen, "--png", path, product).returncode)
+        pictures.append(read_png(path))
+    check_true("one of two products is drawn as if it were alone", pictures[0] == pictures[1])
+    check_true("both are drawn otherwise", pictures[0] != pictures[2])
+    os.remove(path)
+    result = run("-q", "--only", "nothing", "--png", path, product)
+    check_true("nothing is not drawn", result.returncode == 3 and "no solid is chosen" in result.stderr and not os.path.exists(path), result.stderr)
+
+
 def picture():
     """Checks that every state of a part has its colour in the picture."""
     old = write("before", make_product(bracket=Part("angle", [((0, 0, 0), (30, 8, 9))], "2700.")))
@@ -310,6 +326,7 @@ def picture():
     for arguments, said in ((("-", old, "--png", path), "standard input"), ((old, old, "--png", old), "must end in .png")):
         result = run("--compare", *arguments)
         check_true(f"wrong usage: {said}", result.returncode == 1 and said in result.stderr, result.stderr)
+    check_chosen_picture()
     result = run("--compare", "--quiet", old, old, "--png", os.path.join(folder, "missing", "x.png"))
     check_equal("no folder for the picture", 1, result.returncode)
 

@@ -276,6 +276,17 @@ void CheckRemains()
   CheckEqual("remains: none where something is behind the end", "", sm::GetRemains(cut));
 }
 
+/// References to nothing get the largest free number; strings, comments and names are left alone.
+void CheckUndefinedNumbers()
+{
+  const std::string sound = "#1=A(#2,'#7',\"0FF\");\n#2=B();\n#2147483647=C();\n";
+  CheckEqual("undefined numbers: none", "", sm::ReplaceUndefinedReferences(Parse(sound)));
+  const auto more = [&sound](const std::string& first, const std::string& second)
+  { return sound + "#3=(D(" + first + ",/*#7*/(#2,X(" + second + ")))E('it''s #7'," + first + "));\n"; };
+  CheckEqual("undefined numbers: replaced", Wrap(more("#2147483646", "#2147483646") + "\n"),
+    sm::ReplaceUndefinedReferences(Parse(more("#7", "#0004294967322"))));
+}
+
 void CheckProblemPlaces()
 {
   std::string data;
@@ -461,6 +472,7 @@ int TestPart21File(int argc, char* argv[])
   CheckSections();
   CheckDamage();
   CheckRemains();
+  CheckUndefinedNumbers();
   CheckProblemPlaces();
   CheckEveryByte();
   CheckDepth();

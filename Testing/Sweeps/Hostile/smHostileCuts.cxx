@@ -151,6 +151,66 @@ Split MakeCorner(Random& random)
   return split;
 }
 
+/// The loop as a polygon, whose first point is the loop's first corner.
+std::vector<Point2> MakePolygon(const std::vector<sm::TrimCurve>& loop)
+{
+  constexpr int steps = 64;
+  std::vector<Point2> polygon;
+  for (const sm::TrimCurve& curve : loop)
+  {
+    const double first = curve.Breaks.front();
+    const double width = curve.Breaks.back() - first;
+    for (int i = 0; i < steps; ++i)
+    {
+      polygon.push_back(curve.Evaluate(first + width * i / steps));
+    }
+  }
+  return polygon;
+}
+
+/// Twice the signed area of a triangle.
+double Turn(const Point2& a, const Point2& b, const Point2& c)
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// Returns true if sides of two polygons, or of one, cross. Sides that share a corner do not.
+bool Cross(const std::vector<Point2>& p, const std::vector<Point2>& q)
+{
+  for (std::size_t i = 0; i < p.size(); ++i)
+  {
+    const Point2& a = p[i];
+    const Point2& b = p[(i + 1) % p.size()];
+    for (std::size_t k = 0; k < q.size(); ++k)
+    {
+      const Point2& c = q[k];
+      const Point2& d = q[(k + 1) % q.size()];
+      const bool isJoined = a == c || a == d || b == c || b == d;
+      if (!isJoined && Turn(a, b, c) * Turn(a, b, d) < 0.0 && Turn(c, d, a) * Turn(c, d, b) < 0.0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Makes the pieces of a loop straight.
+void Straighten(std::vector<sm::TrimCurve>& loop)
+{
+  for (sm::TrimCurve& curve : loop)
+  {
+    const std::size_t last = curve.Coefficients.size() - 1;
+    const Point2 from = curve.Coefficients.front();
+    const Point2 to = curve.Coefficients.back();
+    for (std::size_t j = 1; j < last; ++j)
+    {
+      const double x = static_cast<double>(j) / static_cast<double>(last);
+      curve.Coefficients[j] = { from[0] + x * (to[0] - from[0]), from[1] + x * (to[1] - from[1]) };
+    }
+  }
+}
+
 Split MakeHoles(Random& random, const std::vector<double> lines[2])
 {
   Split split;
@@ -199,6 +259,11 @@ Split MakeHoles(Random& random, const std::vector<double> lines[2])
     curve.AppendPiece(1.0, points.data(), degree);
     loop.push_back(curve);
   }
+  // Bulges of high degree may lead across the next piece.
+  if (corners > 2 && Cross(MakePolygon(loop), MakePolygon(loop)))
+  {
+    Straighten(loop);
+  }
   split.Loops.push_back(loop);
   if (random.Chance(0.25))
   {
@@ -207,7 +272,6 @@ Split MakeHoles(Random& random, const std::vector<double> lines[2])
   }
   else if (radius < 0.12 && random.Chance(0.4))
   {
-    split.Name = "touching-holes";
     const Point2 pivot = corner[0];
     for (sm::TrimCurve& curve : loop)
     {
@@ -216,7 +280,12 @@ Split MakeHoles(Random& random, const std::vector<double> lines[2])
         p = { 2.0 * pivot[0] - p[0], 2.0 * pivot[1] - p[1] };
       }
     }
-    split.Loops.push_back(loop);
+    // Or beyond the common corner into the other hole.
+    if (!Cross(MakePolygon(split.Loops[0]), MakePolygon(loop)))
+    {
+      split.Name = "touching-holes";
+      split.Loops.push_back(loop);
+    }
   }
   return split;
 }
