@@ -7,9 +7,10 @@
  *
  * A face has about one item of integration (panel, ribbon) for each piece of its trim curves and edges, each coedge and each cell between
  * knots, and an item takes about as many evaluations as a patch has coefficients, twice as many where it is rational and curved in both
- * directions. Of 95 real files at a tolerance of 1e-9 the estimate is within a factor of 2 for 73, of 3 for 86, of 4 for 88; the largest
- * deviations are 13 (a cube, 24 evaluations) and 1/19 (`occt_linkrods`, where normals nearly vanish). Between tolerances of 1e-3 and 1e-12 the evaluations differ
- * by a factor of 2 to 7, so that the tolerance is not considered. Expressions, which are refined by comparison, are not estimated.
+ * directions. Of 95 real files at a tolerance of 1e-9 the estimate is within a factor of 2 for 73, of 3 for 86, of 4 for 88; it is 13 times
+ * too high for a cube of 24 evaluations, and 19 times too low for `occt_linkrods`, where normals nearly vanish. Between tolerances of 1e-3
+ * and 1e-12 the evaluations differ by a factor of 2 to 7, so that the tolerance is not considered. Expressions, which are refined by
+ * comparison, are not estimated.
  */
 #ifndef smBackendCost_h
 #define smBackendCost_h
@@ -23,7 +24,7 @@
 namespace sm
 {
 /// Approximate number of panels and ribbons of a face, from its trim curves and the cells between its knots.
-SMFILTERSSURFACEINTEGRALS_EXPORT double CountItems(const Face& face);
+double CountItems(const Face& face);
 
 /// What a run evaluates, and what a GPU has to be sent for it.
 struct RunSize
@@ -31,10 +32,10 @@ struct RunSize
   double Evaluations = 0.0;
   double Bytes = 0.0;
 
-  void Add(const RunSize& other, double times = 1.0)
+  void Add(const RunSize& other)
   {
-    this->Evaluations += times * other.Evaluations;
-    this->Bytes += times * other.Bytes;
+    this->Evaluations += other.Evaluations;
+    this->Bytes += other.Bytes;
   }
 };
 SMFILTERSSURFACEINTEGRALS_EXPORT RunSize EstimateSize(const Face& face);
@@ -87,7 +88,7 @@ SMFILTERSSURFACEINTEGRALS_EXPORT BackendCost EstimateBackends(
   const RunSize& size, std::size_t integrands, const ProcessorSize& processor, const BackendRates& rates);
 
 /// "0.25 s".
-SMFILTERSSURFACEINTEGRALS_EXPORT std::string FormatEstimate(double seconds);
+std::string FormatEstimate(double seconds);
 }
 
 #endif
