@@ -121,7 +121,8 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     .add_option("--backend", job.Backend,
       "opengl: compute shaders, on the X display or through EGL where there is\n"
       "none; x or egl: only that one; cpu: no OpenGL; auto (default): opengl\n"
-      "on a GPU with OpenGL 4.3 and doubles, and for expressions, else cpu")
+      "for expressions, and on a GPU with OpenGL 4.3 and doubles where it is\n"
+      "estimated to take less time, with its start, than the CPU; else cpu")
     ->type_name("NAME")
     ->check(sm::CheckBackend);
 }

@@ -109,6 +109,9 @@ Json MakeEmptyFile(const std::string& fileName)
   file["scheme_options"] = nullptr;
   file["backend"] = nullptr;
   file["renderer"] = nullptr;
+  file["backend_reason"] = nullptr;
+  file["estimate"] = { { "evaluations", nullptr }, { "cpu_seconds", nullptr },
+    { "opengl_seconds", nullptr } };
   file["frame"] = nullptr;
   file["total"] = GetTotal(nothing);
   file["solids"] = Json::array();

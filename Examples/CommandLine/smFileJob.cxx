@@ -201,6 +201,11 @@ void Integrate(vtkMassPropertiesBase* filter, const sm::JobOptions& options, con
   messages.AddFilter(filter);
   file["backend"] = filter->GetBackendName();
   file["renderer"] = filter->GetRenderer();
+  const std::string reason = filter->GetBackendReason();
+  file["backend_reason"] = reason.empty() ? Json() : Json(reason);
+  file["estimate"] = { { "evaluations", static_cast<long long>(filter->GetEstimatedEvaluations()) },
+    { "cpu_seconds", filter->GetEstimatedSeconds(vtkSurfaceIntegralBase::CPU) },
+    { "opengl_seconds", filter->GetEstimatedSeconds(vtkSurfaceIntegralBase::OPENGL) } };
   file["total"] = sm::GetTotal(fields);
   if (!options.About.empty())
   {

@@ -114,9 +114,11 @@ std::string Results(const Json& file)
   const std::string inertiaUnit = sm::FormatUnit(file, 5);
   const size_t solids = file["solids"].size();
   const std::string renderer = sm::Plain(file["renderer"]);
+  const Json& reason = file["backend_reason"];
   std::string text = "  " + sm::Count(solids, "body", "bodies") + ", " +
     sm::Count(file["faces"], "face", "faces") + ", unit " + length + ", backend " +
-    sm::Plain(file["backend"]) + (renderer.empty() ? "" : " on " + renderer) + "\n";
+    sm::Plain(file["backend"]) + (renderer.empty() ? "" : " on " + renderer) +
+    (reason.is_null() ? "" : " (" + sm::Plain(reason) + ")") + "\n";
   text += sm::BoundedRow(
     "volume", sm::FormatValue(total["volume"], bounds["volume"]), sm::FormatUnit(file, 3), bounds["volume"]);
   text += sm::BoundedRow(

@@ -158,8 +158,8 @@ def print_report(file, totals, solids, messages, arguments, rows):
         return UNREADABLE
     found = read_rows(file, totals, solids)
     rows += found
-    backend, renderer = (get_text(totals.GetFieldData(), 0, name) for name in ("Backend", "Renderer"))
-    lines = [f"{file}   {status}   by {backend} on {renderer}"]
+    backend, renderer, reason = (get_text(totals.GetFieldData(), 0, name) for name in ("Backend", "Renderer", "BackendReason"))
+    lines = [f"{file}   {status}   by {backend} on {renderer}" + (f" ({reason})" if reason else "")]
     lines += ["  " + line for line in format_table(found)] + ["  note: " + message for message in messages]
     # The standard output has either the CSV or the table.
     print(*lines, sep="\n", file=sys.stderr if arguments.csv == "-" else sys.stdout, flush=True)

@@ -47,7 +47,7 @@
  * | FlippedShells         | 1     |        | number of shells whose normals pointed inwards; reversed    |
  * | BoundsMeasured        | 4     |        | the estimated parts of the bounds of volume, area, centre   |
  * |                       |       |        | and inertia: measured constants and residuals (Bounds.md)   |
- * | LengthUnit, Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated | 1 | |        |
+ * | LengthUnit, Status, Backend, Renderer, BackendReason, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated | 1 | | |
  * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed). The total of solids of which only some
  * have a density has no Mass but a KnownMass. CenterOfMass and VolumeInertia are those of a homogeneous body; where densities differ,
  * MassCenter is where the body balances.

@@ -127,11 +127,7 @@ bool SchemeIntegrator::Internals::CheckCost(const std::vector<SchemeTask>& tasks
   double evaluations = 0.0;
   for (const SchemeTask& task : tasks)
   {
-    if (task.Source->Surface.Check().empty() && !IsPlanar(task.Source->Surface))
-    {
-      evaluations += CountSubPatches(task.Source->Surface, this->Chosen.Options.Factor) *
-        this->Chosen.Points * this->Chosen.Points;
-    }
+    evaluations += CountEvaluations(task.Source->Surface, this->Chosen);
   }
   if (evaluations > static_cast<double>(this->Chosen.MaximumEvaluations))
   {
@@ -370,6 +366,13 @@ bool SchemeIntegrator::WasAborted() const
 bool SchemeIntegrator::WasTimedOut() const
 {
   return this->Implementation->TimedOut;
+}
+
+double SchemeIntegrator::CountEvaluations(const NURBSSurface& surface, const Setup& setup)
+{
+  return surface.Check().empty() && !IsPlanar(surface)
+    ? CountSubPatches(surface, setup.Options.Factor) * setup.Points * setup.Points
+    : 0.0;
 }
 
 std::int64_t SchemeIntegrator::GetEvaluations() const

@@ -89,6 +89,8 @@ public:
   bool Integrate(const std::vector<SchemeTask>& tasks, const Setup& setup, std::vector<SchemeResult>& results,
     const ProgressCallback& progress);
 
+  /// Returns the number of evaluations that a face with this surface takes.
+  static double CountEvaluations(const NURBSSurface& surface, const Setup& setup);
   /// Returns the counters of the last Integrate()'s preparation; its faces have been released.
   const PreparedFaces& GetPrepared() const;
   const std::string& GetError() const;

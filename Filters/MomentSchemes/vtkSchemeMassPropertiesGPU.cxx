@@ -81,6 +81,14 @@ sm::IntegralRequest vtkSchemeMassPropertiesGPU::MakeRequest() const
   sm::IntegralRequest request;
   request.Integrands = sm::GetMassIntegrands();
   request.UsePlacements = false;
+  sm::SchemeIntegrator::Setup setup;
+  setup.Points = this->Scheme;
+  setup.Options.Factor = this->SubPatchFactor;
+  request.EstimateFace = [setup](const sm::Face& face)
+  {
+    return sm::RunSize{ sm::SchemeIntegrator::CountEvaluations(face.Surface, setup),
+      sm::EstimateSize(face).Bytes };
+  };
   return request;
 }
 

@@ -1,9 +1,5 @@
 #include "smIntegralEngine.h"
 
-#include "Items/smCPUItemRunner.h"
-#include "Items/smGPUItemRunner.h"
-
-#include "vtkTimerLog.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
@@ -55,64 +51,6 @@ IntegralEngine::IntegralEngine()
 }
 
 IntegralEngine::~IntegralEngine() = default;
-
-bool IntegralRequest::HasExpressions() const
-{
-  return std::any_of(this->Integrands.begin(), this->Integrands.end(),
-    [](const Integrand& integrand) { return integrand.Form == Integrand::Kind::User; });
-}
-
-bool IntegralEngine::ChooseRunner(const IntegralRequest& request, BackendChoice backend)
-{
-  const double start = vtkTimerLog::GetUniversalTime();
-  const bool isGPUNeeded = backend == BackendChoice::Automatic && !request.HasExpressions() &&
-    !this->Context->GetWindow() && this->Context->GetSource() == vtkComputeContext::AUTOMATIC;
-  const bool hasOpenGL = backend != BackendChoice::CPU &&
-    (isGPUNeeded ? this->Context->StartOnGPU() : this->Context->Start() == vtkComputeContext::READY);
-  this->Report.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
-  if (!hasOpenGL && backend == BackendChoice::OpenGL)
-  {
-    this->Report.SetReason("nothing was computed: " + this->Context->GetReason());
-    return false;
-  }
-  std::string whyCPU;
-  if (!hasOpenGL && backend == BackendChoice::Automatic)
-  {
-    // A machine without a GPU is nothing to report; a GPU that cannot be used is.
-    if (isGPUNeeded && this->Context->GetStatus() <= vtkComputeContext::NO_CONTEXT)
-    {
-      whyCPU = ", no GPU";
-    }
-    else
-    {
-      this->Report.FallbackReason = this->Context->GetReason();
-    }
-  }
-  // Another context may use another device, with different rounding.
-  const vtkTypeUInt64 generation = hasOpenGL ? this->Context->GetGeneration() : 0;
-  if (this->Generation != generation)
-  {
-    this->Integrator.ForgetFaces();
-    this->Generation = generation;
-  }
-  this->Report.Backend = hasOpenGL ? names::BackendOpenGL : names::BackendCPU;
-  this->Report.Renderer = hasOpenGL ? this->Context->GetRenderer() : CPUItemRunner::GetDescription() + whyCPU;
-  if (this->Runner != this->Report.Backend)
-  {
-    std::unique_ptr<ItemRunner> runner;
-    if (hasOpenGL)
-    {
-      runner = std::make_unique<GPUItemRunner>(this->Context);
-    }
-    else
-    {
-      runner = std::make_unique<CPUItemRunner>();
-    }
-    this->Integrator.SetRunner(std::move(runner));
-    this->Runner = this->Report.Backend;
-  }
-  return true;
-}
 
 void IntegralEngine::Configure(const IntegralRequest& request, const IntegralLimits& limits)
 {

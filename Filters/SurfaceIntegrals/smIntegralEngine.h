@@ -5,6 +5,7 @@
 #ifndef smIntegralEngine_h
 #define smIntegralEngine_h
 
+#include "Items/smBackendCost.h"
 #include "Sharing/smControllerExchange.h"
 #include "smBodyIntegrals.h"
 #include "smFiltersSurfaceIntegralsModule.h"
@@ -47,6 +48,8 @@ struct IntegralRequest
   std::set<int> FaceIds;
   /// True: gaps that do not make a body suspect are messages, too, where they are wider than the file's tolerances.
   bool ReportSmallGaps = true;
+  /// Size of a face's part of the run; empty: that of integrals to a tolerance.
+  std::function<RunSize(const Face&)> EstimateFace;
 
   /// Returns true if an integrand is an expression in GLSL.
   bool HasExpressions() const;
@@ -103,10 +106,16 @@ public:
   /// ended the run of this rank, or null.
   void FinishSharing(const std::exception_ptr& failure = nullptr) noexcept;
 
+  /// Sets the rates by which runs are estimated from now on.
+  void SetRates(const BackendRates& rates) { this->Rates = rates; }
+  /// Estimates what the run takes on either backend, for ChooseRunner() and the report. It depends on the request and the faces of the
+  /// bodies alone, and not on what earlier runs have left.
+  void EstimateBackends(const IntegralRequest& request, const std::vector<BodyIntegrals>& bodies);
   /**
    * Gives the integrator a runner that `backend` allows and the machine supports. Returns false, with a reason in the report, if
-   * there is none. BackendChoice::Automatic takes OpenGL on a GPU; a software renderer, which is slower on the same processor than the
-   * CPU backend, only for expressions or where the context has a window or source of the user's.
+   * there is none. BackendChoice::Automatic takes OpenGL for expressions and where the context has a window or source of the user's, and
+   * otherwise the backend with the lower estimate (on a rank that shares the run, that of the rank with the bodies): OpenGL then only on a
+   * GPU, as a software renderer is slower on the same processor than the CPU backend. Where the estimate is for the CPU no context is made.
    */
   bool ChooseRunner(const IntegralRequest& request, BackendChoice backend);
   /// Returns true if all placements are finite. Otherwise nothing can be integrated in the world's coordinates; the report has the reason.
@@ -140,6 +149,8 @@ public:
 private:
   RankDevice GetDevice() const;
   void ReportRanks();
+  std::string DescribeEstimate(bool hasOpenGL) const;
+  void SetRunner(bool hasOpenGL);
   void ReportIntegrands(const IntegralRequest& request);
   bool RunTasks(
     const IntegralLimits& limits, const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
@@ -154,6 +165,9 @@ private:
   SurfaceIntegrator Integrator;
   /// Backend of the integrator's runner; empty before the first run.
   std::string Runner;
+  BackendRates Rates;
+  /// True if the estimate of the run is for OpenGL; in a shared run that of the rank with the bodies.
+  bool PrefersOpenGL = false;
   /// Generation of the context of the last run; 0: the CPU's.
   vtkTypeUInt64 Generation = 0;
   std::vector<Integrand> Configured;

@@ -39,7 +39,7 @@ IntegralEngine::Role IntegralEngine::ChooseRole(bool canShare, int pieces, bool 
   }
   const int own = this->Exchange->GetRank();
   RankNumbers sums = { hasBodies ? 1.0 : 0.0, hasInput ? 1.0 : 0.0, hasBodies && canShare ? 1.0 : 0.0,
-    hasBodies ? static_cast<double>(own) : 0.0 };
+    hasBodies ? static_cast<double>(own) : 0.0, hasBodies && this->PrefersOpenGL ? 1.0 : 0.0 };
   if (!this->Exchange->Sum(sums))
   {
     this->Report.Messages.push_back("the connection to the other ranks was lost");
@@ -57,7 +57,9 @@ IntegralEngine::Role IntegralEngine::ChooseRole(bool canShare, int pieces, bool 
     const bool isShared = sums[2] != 0.0;
     if (isShared)
     {
-      // A single rank has bodies: the sum is its number.
+      // A single rank has bodies: the sums are its number, and its choice of a backend, which all make so that results have the same
+      // bits.
+      this->PrefersOpenGL = sums[4] != 0.0;
       this->Integrator.BeginSharing(*this->Exchange, static_cast<int>(sums[3]));
     }
     return hasBodies ? Role::Owner : isShared ? Role::Worker : Role::Idle;

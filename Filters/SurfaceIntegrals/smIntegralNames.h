@@ -27,7 +27,9 @@ constexpr const char* BoundsEstimated =
 constexpr const char* LengthUnit = "LengthUnit"; // string
 constexpr const char* Status = "Status";         // string, see below
 constexpr const char* Backend = "Backend"; // string: "opengl", "cpu", "none"; joined by + where ranks differ
-constexpr const char* Renderer = "Renderer";       // string: GL_RENDERER, or "CPU, N threads"
+constexpr const char* Renderer = "Renderer"; // string: GL_RENDERER, or "CPU, N threads"
+constexpr const char* BackendReason =
+  "BackendReason";                                 // string: why AUTOMATIC took it; empty if it was chosen
 constexpr const char* Evaluations = "Evaluations"; // 1 (int64), surface evaluations, counted by the device
 constexpr const char* Dispatches = "Dispatches";   // 1 (int64)
 constexpr const char* Faces = "Faces";             // 1 (int)
@@ -52,7 +54,8 @@ constexpr const char* VolumeInDoubt = "VolumeInDoubt"; // 1, L^3, likewise in th
 
 // Names of other columns in vtkSurfaceIntegralGPU's outputs, which integrands must not have.
 constexpr const char* ReservedColumnNames[] = { Name, Id, Solid, FaceId, MaxGap, Faces, Status, Backend,
-  Renderer, Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated, Ranks };
+  Renderer, BackendReason, Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated,
+  Ranks };
 
 // Backends.
 constexpr const char* BackendOpenGL = "opengl";

@@ -58,6 +58,7 @@ void RunReport::FillFieldData(columns::Writer data) const
   data.SetString(names::Status, GetText(this->Status));
   data.SetString(names::Backend, this->Backend);
   data.SetString(names::Renderer, this->Renderer);
+  data.SetString(names::BackendReason, this->BackendReason);
   data.SetInteger(names::Evaluations, this->Evaluations);
   data.SetInteger(names::Dispatches, this->Dispatches);
   data.SetInteger(names::Faces, this->Faces);

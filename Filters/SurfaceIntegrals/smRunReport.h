@@ -5,6 +5,7 @@
 #ifndef smRunReport_h
 #define smRunReport_h
 
+#include "Items/smBackendCost.h"
 #include "smBodyIntegrals.h"
 #include "smFileState.h"
 #include "smFiltersSurfaceIntegralsModule.h"
@@ -34,6 +35,9 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   std::string Note;
   std::string Backend = names::BackendNone;
   std::string Renderer;
+  /// Why BackendChoice::Automatic took this backend; empty where the user chose it.
+  std::string BackendReason;
+  BackendCost Estimate;
   /// Reason why the CPU was used although OpenGL is preferred; empty otherwise.
   std::string FallbackReason;
   std::int64_t Evaluations = 0;
@@ -65,7 +69,7 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   void AddMessages(const std::vector<BodyIntegrals>& bodies);
   /// Returns a sentence with the reason for the status; empty if none is known.
   std::string FindReason(const std::vector<BodyIntegrals>& bodies) const;
-  /// Adds the arrays Status, Backend, Renderer, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated.
+  /// Adds the arrays Status, Backend, Renderer, BackendReason, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated.
   void FillFieldData(columns::Writer data) const;
 };
 

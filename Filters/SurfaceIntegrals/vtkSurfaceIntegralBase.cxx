@@ -63,6 +63,7 @@ void vtkSurfaceIntegralBase::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Status: " << this->GetStatus() << "\n"
      << indent << "BackendName: " << this->GetBackendName() << "\n"
      << indent << "Renderer: " << this->GetRenderer() << "\n"
+     << indent << "BackendReason: " << this->GetBackendReason() << "\n"
      << indent << "Controller: " << this->GetController() << "\n";
 }
 
@@ -235,6 +236,22 @@ std::string vtkSurfaceIntegralBase::GetBackendName() const
 std::string vtkSurfaceIntegralBase::GetRenderer() const
 {
   return this->Engine->GetReport().Renderer;
+}
+
+std::string vtkSurfaceIntegralBase::GetBackendReason() const
+{
+  return this->Engine->GetReport().BackendReason;
+}
+
+double vtkSurfaceIntegralBase::GetEstimatedEvaluations() const
+{
+  return this->Engine->GetReport().Estimate.Size.Evaluations;
+}
+
+double vtkSurfaceIntegralBase::GetEstimatedSeconds(int backend) const
+{
+  const sm::BackendCost& estimate = this->Engine->GetReport().Estimate;
+  return backend == OPENGL ? estimate.OpenGLSeconds : backend == CPU ? estimate.CPUSeconds : 0.0;
 }
 
 vtkTypeInt64 vtkSurfaceIntegralBase::GetEvaluations() const

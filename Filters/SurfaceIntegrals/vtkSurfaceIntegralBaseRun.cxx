@@ -211,8 +211,9 @@ void vtkSurfaceIntegralBase::WriteTotalRow(
 /// The bodies and the state of a run's input.
 struct vtkSurfaceIntegralBase::Input
 {
-  /// The bodies to integrate.
+  /// The bodies to integrate, and the integrals.
   std::vector<sm::BodyIntegrals> Bodies;
+  sm::IntegralRequest Request;
   /// Number of bodies, selected or not.
   std::size_t AllBodies = 0;
   sm::RejectedInput Rejected;
@@ -230,6 +231,8 @@ void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
   {
     this->ChooseBodies(input, found.Bodies);
   }
+  found.Request = this->MakeRequest();
+  this->Engine->EstimateBackends(found.Request, found.Bodies);
 }
 
 int vtkSurfaceIntegralBase::Run(
@@ -277,11 +280,10 @@ int vtkSurfaceIntegralBase::RunAsOwner(Input& found, vtkDataObject* input, vtkIn
   }
   report.AddBodies(bodies, found.Rejected);
   report.AddFile(found.File, found.AllBodies > 0, !bodies.empty());
-  const sm::IntegralRequest wanted = this->MakeRequest();
-  const bool computed = !bodies.empty() && this->IntegrateBodies(wanted, bodies);
+  const bool computed = !bodies.empty() && this->IntegrateBodies(found.Request, bodies);
   this->Engine->FinishSharing();
   const double start = vtkTimerLog::GetUniversalTime();
-  this->Analyze(wanted, computed, bodies);
+  this->Analyze(found.Request, computed, bodies);
   this->Write(bodies, input, outputVector);
   if (this->TotalRow && computed && bodies.size() > 1)
   {

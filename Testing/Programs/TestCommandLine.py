@@ -31,8 +31,11 @@ def results():
         check_equal("the name is UTF-8", None, file["file_bytes"])
     check_equal("faces", 7, files[0]["faces"])
     _, chosen = run_json(part["path"])
-    check_true("a software renderer is not chosen", (chosen[0]["backend"], chosen[0]["renderer"].endswith(", no GPU")) in (
-        ("cpu", True), ("opengl", False)) and "llvmpipe" not in chosen[0]["renderer"], chosen[0]["renderer"])
+    check_equal("a small part is computed on the CPU", "cpu", chosen[0]["backend"])
+    check_true("the reason", re.fullmatch(r"estimated \S+ s; OpenGL \S+ s", chosen[0]["backend_reason"]), chosen[0]["backend_reason"])
+    estimate = chosen[0]["estimate"]
+    check_true("the estimate", 0 < estimate["evaluations"] and 0.0 < estimate["cpu_seconds"] < estimate["opengl_seconds"], str(estimate))
+    check_equal("a backend that was chosen needs none", [None, None], [file["backend_reason"] for file in files])
 
     # Units, density, CSV; the volume in inches.
     csv = os.path.join(options.output, "results.csv")
@@ -317,8 +320,7 @@ def no_context():
     check_equal("exit status", 0, result.returncode)
     check_equal("backend", "cpu", files[0]["backend"])
     check_true("renderer", files[0]["renderer"].startswith("CPU, "), files[0]["renderer"])
-    check_true("what it lacks is told", files[0]["renderer"].endswith(", no GPU") or any("OpenGL" in text for text in files[0]["messages"]),
-               files[0]["renderer"])
+    check_true("why is told", files[0]["backend_reason"].startswith("estimated "), files[0]["backend_reason"])
     check_equal("status", "ok", files[0]["status"])
     check_true("volume", abs(files[0]["total"]["volume"] - solid["volume"]) <= 1e-9 * solid["volume"])
 

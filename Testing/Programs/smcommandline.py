@@ -24,8 +24,9 @@ BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments",
              "mass_radii_of_gyration", "inertia_at_origin", "about", "bounding_box"}
 BOUND_KEYS = {"volume", "area", "center_of_mass", "inertia", "mass", "mass_center", "mass_inertia", "radii_of_gyration",
               "inertia_at_origin", "bounding_box"}
-FILE_KEYS = {"file", "file_bytes", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer", "frame", "total",
-             "solids", "faces", "free_faces", "integrals", "waterlines", "sections", "diagonal", "evaluations", "dispatches", "seconds"}
+FILE_KEYS = {"file", "file_bytes", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer",
+             "backend_reason", "estimate", "frame", "total", "solids", "faces", "free_faces", "integrals", "waterlines", "sections", "diagonal",
+             "evaluations", "dispatches", "seconds"}
 # Names of files may be no UTF-8.
 run = functools.partial(smprogram.run, options.program, errors="surrogateescape")
 

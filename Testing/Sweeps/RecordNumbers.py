@@ -24,7 +24,7 @@ VARIANTS = {
 RENAMED = {"moved_by_closing": "closure_correction", "leak": "closure_residual", "plumb_foot": "projected_center_of_mass",
            "work_to_tip": "center_of_mass_rise", "margin": "stability_margin"}
 # Seconds differ from run to run; names of files, versions and dispatches are no numbers of the solids.
-LEFT_OUT = {"seconds", "file", "version", "messages", "dispatches", "renderer"}
+LEFT_OUT = {"seconds", "file", "version", "messages", "dispatches", "renderer", "backend_reason", "estimate"}
 
 
 def clean(value):

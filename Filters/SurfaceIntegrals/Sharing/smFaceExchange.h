@@ -16,7 +16,7 @@
 namespace sm
 {
 /// Numbers that are added up over all ranks.
-using RankNumbers = std::array<double, 4>;
+using RankNumbers = std::array<double, 5>;
 
 /**
  * Every method is collective: all ranks call it, in the same order, and it returns as soon as the calling rank has its data. It

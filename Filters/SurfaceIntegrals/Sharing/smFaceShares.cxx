@@ -1,5 +1,6 @@
 #include "smFaceShares.h"
 
+#include "Items/smBackendCost.h"
 #include "smFaceBytes.h"
 
 #include <algorithm>
@@ -16,26 +17,10 @@ constexpr std::uint64_t RunsKeptByReceivers = 2 * RunsKept;
 
 double EstimateCost(const Face& face)
 {
-  // One panel and one ribbon per piece of a trim curve, and one panel per cell.
-  double pieces = 0.0;
-  for (const Loop& loop : face.Loops)
-  {
-    for (const Coedge& coedge : loop.Coedges)
-    {
-      pieces += 1.0 + coedge.Curve.GetNumberOfPieces() + coedge.Use->Curve.GetNumberOfPieces();
-    }
-  }
-  const NURBSSurface& surface = face.Surface;
-  double cells = 1.0;
-  double points = 1.0;
-  for (int d = 0; d < 2; ++d)
-  {
-    cells *= std::max(1, surface.NumberOfControlPoints[d] - surface.Degree[d]);
-    points *= 1.0 + surface.Degree[d];
-  }
+  const double points = (1.0 + face.Surface.Degree[0]) * (1.0 + face.Surface.Degree[1]);
   // An item takes about as many points as a patch has coefficients, and each point costs as many products; the constant is the
   // cost of planning an item.
-  return (pieces + cells) * (20.0 + points * points);
+  return CountItems(face) * (20.0 + points * points);
 }
 
 std::vector<int> FaceShares::Divide(const std::vector<FaceTask>& tasks, const std::vector<bool>& fit)

@@ -1,6 +1,7 @@
 // Under mpirun: faces shared among ranks give the bits of one process, put out once; edits, budgets, aborts and ranks that
 // cannot take part. Every rank runs this program; the first has the bodies.
 #include "smRankComparison.h"
+#include "smRatedFilter.h"
 
 #include <vtkComputeContext.h>
 #include <vtkDataSetAttributes.h>
@@ -187,6 +188,22 @@ void TestNoOpenGL(const std::string& file, int backend)
   CheckEqual("ranks", ranks, shared.Mass->GetNumberOfRanks());
   Check("volume", alone.Mass->GetVolume(), shared.Mass->GetVolume(),
     alone.Mass->GetVolumeBound() + shared.Mass->GetVolumeBound(), "the sum of the bounds");
+}
+
+/// All ranks take the backend that the one with the bodies prefers by its estimate: they seek a GPU, or make no context.
+void TestChoice(const std::string& file, bool prefersGPU)
+{
+  Pipeline pipeline(file);
+  vtkNew<RatedFilter<vtkMassPropertiesGPU>> mass;
+  mass->SetInputConnection(pipeline.Reader->GetOutputPort());
+  mass->SetController(controller);
+  mass->SetRates((rank == 0) == prefersGPU ? MakeGPURates(1e-9) : sm::BackendRates());
+  UpdateTogether(mass);
+  const int status = mass->GetComputeContext()->GetStatus();
+  CheckTrue(prefersGPU ? "a GPU was sought" : "no GPU was sought",
+    (status != vtkComputeContext::NOT_STARTED) == prefersGPU, std::to_string(status));
+  CheckTrue("no rank differs", rank != 0 || !Says(mass, "different devices"), GetMessages(mass));
+  CheckTrue("all took part", rank != 0 || mass->GetNumberOfRanks() == ranks);
 }
 
 /// The rank that has the bodies cannot compute: the others are not kept waiting.
@@ -415,6 +432,11 @@ void RunMode(const std::string& mode, const std::vector<std::string>& files)
   {
     TestNoOpenGL(
       files.at(0), mode == "mixed" ? vtkSurfaceIntegralGPU::AUTOMATIC : vtkSurfaceIntegralGPU::OPENGL);
+  }
+  else if (mode == "choice")
+  {
+    TestChoice(files.at(0), false);
+    TestChoice(files.at(0), true);
   }
   else if (mode == "nothing")
   {

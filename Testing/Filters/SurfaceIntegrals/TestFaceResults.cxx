@@ -82,7 +82,7 @@ void CheckStopped()
   Check("the same", area, results[0].Face[0], 0.0);
 }
 
-bool HaveSameBits(const std::vector<double>& a, const std::vector<double>& b)
+bool AreSameIntegrals(const std::vector<double>& a, const std::vector<double>& b)
 {
   return !a.empty() && a.size() == b.size() &&
     std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
@@ -103,8 +103,9 @@ int TestFaceResults(int, char*[])
     {
       const sm::FaceIntegrals alone = Integrate({ faces[i] }, rows)[0];
       CheckTrue(std::to_string(rows) + " rows, face " + std::to_string(i) + ": the bits of a run of its own",
-        HaveSameBits(alone.Face, together[i].Face) && HaveSameBits(alone.Rounding, together[i].Rounding) &&
-          HaveSameBits(alone.QuadratureError, together[i].QuadratureError));
+        AreSameIntegrals(alone.Face, together[i].Face) &&
+          AreSameIntegrals(alone.Rounding, together[i].Rounding) &&
+          AreSameIntegrals(alone.QuadratureError, together[i].QuadratureError));
       CheckTrue("something was compared", alone.Estimated && alone.Face[1] > 0.1);
     }
   }

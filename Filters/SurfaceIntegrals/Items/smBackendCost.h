@@ -1,0 +1,94 @@
+/**
+ * @file smBackendCost.h
+ * @brief Estimates what a run takes on the CPU backend and on a GPU, from the sizes of its faces alone
+ *
+ * Nothing is cut, planned or measured for it, and no OpenGL context is made: the estimate is a function of the input and of the constants
+ * below, so that a choice by it is the same for an edit, its undo and a full run.
+ *
+ * A face has about one item of integration (panel, ribbon) for each piece of its trim curves and edges, each coedge and each cell between
+ * knots, and an item takes about as many evaluations as a patch has coefficients, twice as many where it is rational and curved in both
+ * directions. Of 95 real files at a tolerance of 1e-9 the estimate is within a factor of 2 for 73, of 3 for 86, of 4 for 88; it is 13 times
+ * too high for a cube of 24 evaluations, and 19 times too low for `occt_linkrods`, where normals nearly vanish. Between tolerances of 1e-3
+ * and 1e-12 the evaluations differ by a factor of 2 to 7, so that the tolerance is not considered. Expressions, which are refined by
+ * comparison, are not estimated.
+ */
+#ifndef smBackendCost_h
+#define smBackendCost_h
+
+#include "smFace.h"
+#include "smFiltersSurfaceIntegralsModule.h"
+
+#include <cstddef>
+#include <string>
+
+namespace sm
+{
+/// Approximate number of panels and ribbons of a face, from its trim curves and the cells between its knots.
+double CountItems(const Face& face);
+
+/// What a run evaluates, and what a GPU has to be sent for it.
+struct RunSize
+{
+  double Evaluations = 0.0;
+  double Bytes = 0.0;
+
+  void Add(const RunSize& other)
+  {
+    this->Evaluations += other.Evaluations;
+    this->Bytes += other.Bytes;
+  }
+};
+SMFILTERSSURFACEINTEGRALS_EXPORT RunSize EstimateSize(const Face& face);
+
+/**
+ * Rates of the machine. The constants of the CPU were measured (Documentation/Performance.md). Those of a GPU were not, since none was at
+ * hand: they are derived from published data, and are those of a modest GPU for graphics. Testing/gpu.py prints estimates beside what it
+ * measures; its figures belong here.
+ */
+struct BackendRates
+{
+  /// Evaluations a second of one thread with 1, 2, 4 and 8 lanes, for the integrands of mass properties. Measured: every fourth of the real
+  /// files, one thread of a processor with AVX-512.
+  double CPUEvaluationsPerSecond[4] = { 5.3e6, 8.6e6, 16e6, 20e6 };
+  /// Seconds of a run that do not depend on its size: its threads and batches. Measured: a cube.
+  double CPURunSeconds = 1e-3;
+
+  /// Seconds until there is a context: the driver's libraries and the device. Assumed; 0.04 to 0.17 s were measured for Mesa's llvmpipe.
+  double ContextSeconds = 0.2;
+  /// Seconds of some ten programs that the driver has kept from an earlier run, 20 ms each. Assumed; compiling them takes seconds.
+  double ProgramSeconds = 0.2;
+  /// Seconds of a run's dispatches and its read-back: some fifty calls at 20 microseconds. Assumed.
+  double GPURunSeconds = 1e-3;
+  /// Bytes a second of the upload: 40 % of PCI Express 3.0 x16 (15.75e9), as memory of the process is not pinned.
+  double UploadBytesPerSecond = 6e9;
+  /// Evaluations a second: 300 operations each (Testing/gpu.py) at a quarter of 0.24e12 operations a second in double precision, which is
+  /// 1/64 of the single precision of a GeForce RTX 4060. A GPU for computing has 10 to 34e12.
+  double GPUEvaluationsPerSecond = 2e8;
+};
+
+/// The processor's share: threads, and the lanes of each (1, 2, 4 or 8).
+struct ProcessorSize
+{
+  int Threads = 1;
+  int Lanes = 1;
+};
+
+struct BackendCost
+{
+  RunSize Size;
+  /// Estimated seconds of the integration by either backend; those of the GPU begin without a context.
+  double CPUSeconds = 0.0;
+  double OpenGLSeconds = 0.0;
+
+  bool PrefersOpenGL() const { return this->OpenGLSeconds < this->CPUSeconds; }
+};
+
+/// Estimates a run with so many integrands. All seconds increase with the size and the number of integrands.
+SMFILTERSSURFACEINTEGRALS_EXPORT BackendCost EstimateBackends(
+  const RunSize& size, std::size_t integrands, const ProcessorSize& processor, const BackendRates& rates);
+
+/// "0.25 s".
+std::string FormatEstimate(double seconds);
+}
+
+#endif
