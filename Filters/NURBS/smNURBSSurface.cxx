@@ -16,12 +16,19 @@ using Homogeneous = std::array<double, 4>;
 // Patches are extracted in extended precision and stored in double, so that neighbours differ by the rounding of their stored points only.
 using Wide = long double;
 
-/// Index k with knots[k] <= (a+b)/2 < knots[k+1]: the span that [a,b] lies in, clamped to the domain.
-int FindSpan(const std::vector<double>& knots, int degree, double middle)
+/// Index k with knots[k] <= x < knots[k+1], clamped to the domain.
+int FindSpan(const std::vector<double>& knots, int degree, double x)
 {
   const int last = static_cast<int>(knots.size()) - 2 - degree;
-  const auto after = std::upper_bound(knots.begin() + degree, knots.begin() + last + 1, middle);
+  const auto after = std::upper_bound(knots.begin() + degree, knots.begin() + last + 1, x);
   return std::clamp(static_cast<int>(after - knots.begin()) - 1, degree, last);
+}
+
+/// Returns the span that [a,b] lies in. Between neighbouring doubles there is no middle.
+int FindSpanOf(const std::vector<double>& knots, int degree, double a, double b)
+{
+  const double middle = 0.5 * (a + b);
+  return FindSpan(knots, degree, middle < b ? middle : a);
 }
 
 /// Several rows or columns of control points, each a curve of its own.
@@ -222,8 +229,8 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
 {
   const int p = this->Degree[0];
   const int q = this->Degree[1];
-  const int ku = FindSpan(this->Knots[0], p, 0.5 * (u0 + u1));
-  const int kv = FindSpan(this->Knots[1], q, 0.5 * (v0 + v1));
+  const int ku = FindSpanOf(this->Knots[0], p, u0, u1);
+  const int kv = FindSpanOf(this->Knots[1], q, v0, v1);
   std::array<Wide, 4> cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
   ExtractCell(*this, ku, kv, { u0, u1 }, { v0, v1 }, cell);
   double farthest = 0.0;
