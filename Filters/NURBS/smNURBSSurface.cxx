@@ -166,6 +166,50 @@ void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, do
 }
 }
 
+namespace
+{
+/// True if the control points at an index of a direction are those at another one.
+bool AreRowsEqual(const NURBSSurface& surface, int direction, int first, int second)
+{
+  const int columns = surface.NumberOfControlPoints[0];
+  const int count = surface.NumberOfControlPoints[1 - direction];
+  const auto get = [&](int index, int i) -> const Homogeneous&
+  {
+    return surface.ControlPoints[direction == 0 ? index + static_cast<std::size_t>(columns) * i
+                                                : i + static_cast<std::size_t>(columns) * index];
+  };
+  for (int i = 0; i < count; ++i)
+  {
+    if (get(first, i) != get(second, i))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Returns the first knot inside the domain that occurs more often than the degree, with other control points on either side; NaN if there
+/// is none.
+double FindJump(const NURBSSurface& surface, int direction)
+{
+  const std::vector<double>& knots = surface.Knots[direction];
+  const auto degree = static_cast<std::ptrdiff_t>(surface.Degree[direction]);
+  auto first = std::upper_bound(knots.begin(), knots.end(), surface.GetDomainStart(direction));
+  while (first != knots.end() && *first < surface.GetDomainEnd(direction))
+  {
+    const auto last = std::upper_bound(first, knots.end(), *first);
+    const auto left = static_cast<int>(first - knots.begin()) - 1;
+    const auto right = static_cast<int>(last - knots.begin() - degree) - 1;
+    if (last - first > degree && !AreRowsEqual(surface, direction, left, right))
+    {
+      return *first;
+    }
+    first = last;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+}
+
 std::vector<double> NURBSSurface::GetSpanBreaks(int direction) const
 {
   const std::vector<double>& knots = this->Knots[direction];
@@ -211,6 +255,16 @@ std::string NURBSSurface::Check() const
     what << this->ControlPoints.size() << " control points instead of " << this->NumberOfControlPoints[0]
          << " x " << this->NumberOfControlPoints[1];
     return what.str();
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    const double jump = FindJump(*this, d);
+    if (!std::isnan(jump))
+    {
+      what << "the surface jumps at " << (d == 0 ? "u" : "v") << " = " << jump
+           << ", where a knot occurs more often than the degree";
+      return what.str();
+    }
   }
   for (std::size_t i = 0; i < this->ControlPoints.size(); ++i)
   {
