@@ -32,6 +32,8 @@ struct Tetrahedron
   std::array<std::array<int, 3>, 4> Corners{};
   std::array<double, 3> Middle{};
   double Unit = 1.0;
+  /// Distance, in units, by which the ends of edges miss the corners, in a direction of each edge.
+  double Miss = 0.0;
 
   int GetDeterminant() const
   {
@@ -117,8 +119,10 @@ vtkSmartPointer<vtkNURBSDataSet> MakeBody(const Tetrahedron& solid)
       const auto [entry, isNew] = edges.emplace(std::minmax(from, to), 0);
       if (isNew)
       {
-        const std::array<double, 3> start = solid.GetCorner(std::min(from, to));
-        const std::array<double, 3> end = solid.GetCorner(std::max(from, to));
+        std::array<double, 3> start = solid.GetCorner(std::min(from, to));
+        std::array<double, 3> end = solid.GetCorner(std::max(from, to));
+        start[edges.size() % 3] += solid.Miss * solid.Unit;
+        end[(edges.size() + 1) % 3] -= solid.Miss * solid.Unit;
         entry->second =
           model->AddEdge(unit, MakeArray(3, { start[0], start[1], start[2], end[0], end[1], end[2] }));
       }
@@ -173,7 +177,8 @@ void CheckTetrahedron(const std::string& what, const Tetrahedron& solid, double 
     integral->GetIntegral("volume"), integral->GetIntegralBound("volume") + rounding, "the bound");
   // Rounding moves every point by 4 u of its distance for the section and 20 u for the integral.
   const double far = std::hypot(solid.Middle[0], solid.Middle[1], solid.Middle[2]);
-  const double most = 1e3 * 1.2e-16 * (far + 1e2 * solid.Unit) * std::pow(1e2 * solid.Unit, 2.0);
+  const double most = 1e3 * 1.2e-16 * (far + 1e2 * solid.Unit) * std::pow(1e2 * solid.Unit, 2.0) +
+    1e3 * std::pow(solid.Miss * solid.Unit, 2.0) * (far + 1e2 * solid.Unit);
   CheckRange(what + ", bound of the displaced", 0.0, buoyancy->GetDisplacedVolumeBound(), most);
   CheckRange(what + ", bound of the placed", 0.0, integral->GetIntegralBound("volume"), most);
 }
@@ -207,6 +212,9 @@ int TestFarBodies(int, char*[])
       }
     }
     CheckTetrahedron("tetrahedron " + std::to_string(i), solid, 0.25);
+    solid.Middle = {};
+    solid.Miss = 1e-4;
+    CheckTetrahedron("tetrahedron " + std::to_string(i) + " with open corners", solid, 0.25);
   }
   return Finish();
 }
