@@ -188,6 +188,17 @@ void CheckTubeWithDiscs()
   CheckTrue("tube with small discs, said", HasMessage(open.Mass, "4 borders"));
 }
 
+/// Squares of areas, and second moments, of so small a body are 0 in doubles, and so are their bounds.
+void CheckSize(double size, const std::string& status)
+{
+  BoxBody box;
+  box.Add({ { 0, 0, 0 }, { size, 2.0 * size, 3.0 * size } });
+  Filters filters(box.Make());
+  const std::string what = "box of 1e" + std::to_string(std::lround(std::log10(size)));
+  CheckEqual(what + ", mass", status, filters.Mass->GetStatus());
+  CheckEqual(what + ", integral", status, filters.Integral->GetStatus());
+}
+
 /// A ball of two halves without loops, a ring, and a tube with discs, whose borders differ: no edge and no ribbon closes what is between.
 void CheckApart(double gap)
 {
@@ -353,6 +364,11 @@ int TestUnusualBodies(int, char*[])
   {
     CheckApart(gap);
   }
+  for (const double size : { 1e-100, 1e-64, 1e50, 1e100 })
+  {
+    CheckSize(size, "suspect");
+  }
+  CheckSize(1e-30, "ok");
   CheckTubeWithDiscs();
   CheckGaps();
   CheckNames();
