@@ -91,6 +91,8 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
     panels.Overlap = source.Panels.Overlap;
     panels.Outside = source.Panels.Outside;
     panels.AreTrimsMoved = source.Panels.AreTrimsMoved;
+    panels.OpenCorners = source.Panels.OpenCorners;
+    panels.VertexReach = source.Panels.VertexReach;
   }
   cut->Panels = std::move(panels);
   return cut;

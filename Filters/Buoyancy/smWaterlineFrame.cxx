@@ -13,6 +13,24 @@ namespace
 {
 using Wide = long double;
 using Wide3 = std::array<Wide, 3>;
+
+/// Rounding of a coordinate of a sample, R p + t with p in the model's coordinates: u for p, u for the entries of R, 3 u for products and
+/// sums, and with t, which is as large where the result is small, 2 u; 8 u with some room. The bound of a sample's rounding has that for
+/// coordinates as large as the body; here p is the middle of the body.
+double GetEvaluationError(const std::array<double, 12>& placement, const std::array<double, 3>& middle)
+{
+  double largest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    double sum = 0.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      sum += std::abs(placement[4 * k + j] * middle[j]);
+    }
+    largest = std::max(largest, sum);
+  }
+  return 8.0 * UnitRoundoff * largest;
+}
 }
 
 WaterlineFrame WaterlineFrame::Make(const BodyIntegrals& body, const Waterline& waterline)
@@ -51,8 +69,7 @@ WaterlineFrame WaterlineFrame::Make(const BodyIntegrals& body, const Waterline& 
   }
   frame.Plane.Offset = Dot(up, toModel);
   const double radius = GetRadius(*body.Model);
-  frame.PlacementBound = PlacementError::Make(body).Moved;
-  frame.PlaneBound = 16.0 * WideRoundoff * distance + frame.PlacementBound;
+  frame.PlacementBound = PlacementError::Make(body, false).Moved;
   const std::array<Wide, 3> middle = { Dot(axes[0], toMiddle), Dot(axes[1], toMiddle),
     Dot(axes[2], toMiddle) };
   for (int k = 0; k < 3; ++k)
@@ -69,6 +86,8 @@ WaterlineFrame WaterlineFrame::Make(const BodyIntegrals& body, const Waterline& 
     }
     frame.Placement[4 * k + 3] = static_cast<double>(Dot(axes[k], toModel) - (k < 2 ? middle[k] : 0.0L));
   }
+  frame.PlacementBound += GetEvaluationError(frame.Placement, frame.LocalMiddle);
+  frame.PlaneBound = 16.0 * WideRoundoff * distance + frame.PlacementBound;
   frame.Plane.Up = { frame.Placement[8], frame.Placement[9], frame.Placement[10] };
   for (int i = 0; i < 3; ++i)
   {

@@ -34,7 +34,8 @@ struct WaterlineFrame
   /// Middle of the body's box, in the model's coordinates and in the world's.
   std::array<double, 3> LocalMiddle{};
   std::array<double, 3> Middle{};
-  /// Bound of the displacement of the body by rounding of its placement, and of the plane by rounding, against the body.
+  /// Bound of the displacement of the body by rounding of its placement and by that of placing its points, and of the plane by rounding,
+  /// against the body.
   double PlacementBound = 0.0;
   double PlaneBound = 0.0;
   /// Radius about the frame's origin within which all points of the body lie.

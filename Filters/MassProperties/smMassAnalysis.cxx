@@ -159,7 +159,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   row.Properties = ComputeMassProperties(moments);
   if (options.HasBounds)
   {
-    SetMeasuredBounds(GetMoments(body, body.MeasuredBound), body.MeasuredBound[MassArea], row);
+    SetMeasuredBounds(GetMoments(body, body.MeasuredBound), row.MeasuredBounds[1], row);
     row.ClosureCorrection = std::abs(body.Value[MassVolume] - body.FaceValue[MassVolume]);
   }
   else
@@ -204,11 +204,14 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
 {
   MassRow row;
   row.Area = body.Value[MassArea];
-  row.AreaBound = body.Bound[MassArea];
+  // An affine map that lengthens nothing by more than this lengthens normals by twice as much.
+  const double stretched =
+    options.HasBounds ? 2.0 * PlacementError::GetTurned(body) * body.Value[MassArea] : 0.0;
+  row.AreaBound = body.Bound[MassArea] + stretched;
   row.GapSquared = body.GapSquared;
   row.MaxGap = body.MaxGap;
   row.GapArea = body.GapArea;
-  row.MeasuredBounds[1] = std::min(body.MeasuredBound[MassArea], row.AreaBound);
+  row.MeasuredBounds[1] = std::min(body.MeasuredBound[MassArea] + stretched, row.AreaBound);
   if (!body.Faces)
   {
     return row;

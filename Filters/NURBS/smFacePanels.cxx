@@ -218,9 +218,19 @@ void Builder::AddPanel(
       { this->Grid.U.front(), this->Grid.V.front() }, { this->Grid.U.back(), this->Grid.V.back() }));
   if (runsInV && leavesLeft)
   {
-    this->Result.Panels.push_back({ patch, trim, static_cast<std::uint8_t>(piece.Degree),
-      this->ShapeOfPatch[patch], negative, this->Source.Reversed != this->Transposed, segment.Start,
-      segment.End, false, segment.StartPoint, segment.EndPoint });
+    Panel panel{ patch, trim, static_cast<std::uint8_t>(piece.Degree), this->ShapeOfPatch[patch], negative,
+      this->Source.Reversed != this->Transposed, segment.Start, segment.End, false, segment.StartPoint,
+      segment.EndPoint };
+    if (segment.Start == segment.End)
+    {
+      // The piece crosses a cell that is narrower than a unit in the last place of its parameter.
+      const Point2 line[2] = { segment.StartPoint, segment.EndPoint };
+      panel.Trim = this->AddTrim({ line, 1 });
+      panel.TrimDegree = 1;
+      panel.Start = 0.0;
+      panel.End = 1.0;
+    }
+    this->Result.Panels.push_back(panel);
   }
 }
 
@@ -324,6 +334,9 @@ void Builder::AddCorner(const Coedge& before, const Coedge& after, const Point2&
   const Edge& edge0 = *before.Use;
   const Edge& edge1 = *after.Use;
   const Point3 vertex = before.Reversed ? edge0.StartVertex : edge0.EndVertex;
+  const double open = Norm(Subtract(after.Reversed ? edge1.EndVertex : edge1.StartVertex, vertex));
+  this->Result.OpenCorners += open * open;
+  this->Result.VertexReach = std::max(this->Result.VertexReach, open > 0.0 ? Norm(vertex) + open : 0.0);
   const Point3 curveEnd = before.Reversed ? edge0.Curve.GetStartPoint() : edge0.Curve.GetEndPoint();
   const Point3 curveStart = after.Reversed ? edge1.Curve.GetEndPoint() : edge1.Curve.GetStartPoint();
   const auto surfacePoint = [this](const Point2& uv)
@@ -370,12 +383,6 @@ void Builder::AddLoop(const Loop& loop)
   { return this->Transpose(c.Reversed ? c.Curve.GetEndPoint() : c.Curve.GetStartPoint()); };
   const auto endOf = [this](const Coedge& c)
   { return this->Transpose(c.Reversed ? c.Curve.GetStartPoint() : c.Curve.GetEndPoint()); };
-  const auto same = [this](const Point2& a, const Point2& b)
-  {
-    const double scale[2] = { std::max(std::abs(this->Grid.U.front()), std::abs(this->Grid.U.back())),
-      std::max(std::abs(this->Grid.V.front()), std::abs(this->Grid.V.back())) };
-    return std::abs(a[0] - b[0]) <= 4e-16 * scale[0] && std::abs(a[1] - b[1]) <= 4e-16 * scale[1];
-  };
   for (std::size_t i = 0; i < count; ++i)
   {
     const Coedge& before = loop.Coedges[(i + count - 1) % count];
@@ -386,7 +393,7 @@ void Builder::AddLoop(const Loop& loop)
     }
     const Point2 from = endOf(before);
     const Point2 to = startOf(coedge);
-    const bool joined = same(from, to);
+    const bool joined = this->Grid.AreSame(from, to);
     this->AddCorner(before, coedge, from, joined ? from : to);
     this->AddCoedge(coedge, joined ? &from : nullptr);
     ++this->CoedgeIndex;

@@ -104,6 +104,10 @@ struct FacePanels
   double Overlap = 0.0;
   /// Trim curves beyond the surface's domain, to which the surface is continued.
   Overhang Outside;
+  /// Edges that follow each other may end at different points: the sum of their squared distances, and the largest distance of such a point
+  /// from the model's origin.
+  double OpenCorners = 0.0;
+  double VertexReach = 0.0;
   /// True if trim curves led where the denominator of the surface may vanish, or where, with weights that differ much, the surface would have
   /// to be continued farther than it is wide: these curves were moved to the border, and ribbons close the rest.
   bool AreTrimsMoved = false;

@@ -16,12 +16,19 @@ using Homogeneous = std::array<double, 4>;
 // Patches are extracted in extended precision and stored in double, so that neighbours differ by the rounding of their stored points only.
 using Wide = long double;
 
-/// Index k with knots[k] <= (a+b)/2 < knots[k+1]: the span that [a,b] lies in, clamped to the domain.
-int FindSpan(const std::vector<double>& knots, int degree, double middle)
+/// Index k with knots[k] <= x < knots[k+1], clamped to the domain.
+int FindSpan(const std::vector<double>& knots, int degree, double x)
 {
   const int last = static_cast<int>(knots.size()) - 2 - degree;
-  const auto after = std::upper_bound(knots.begin() + degree, knots.begin() + last + 1, middle);
+  const auto after = std::upper_bound(knots.begin() + degree, knots.begin() + last + 1, x);
   return std::clamp(static_cast<int>(after - knots.begin()) - 1, degree, last);
+}
+
+/// Returns the span that [a,b] lies in. Between neighbouring doubles there is no middle.
+int FindSpanOf(const std::vector<double>& knots, int degree, double a, double b)
+{
+  const double middle = 0.5 * (a + b);
+  return FindSpan(knots, degree, middle < b ? middle : a);
 }
 
 /// Several rows or columns of control points, each a curve of its own.
@@ -159,6 +166,50 @@ void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, do
 }
 }
 
+namespace
+{
+/// True if the control points at an index of a direction are those at another one.
+bool AreRowsEqual(const NURBSSurface& surface, int direction, int first, int second)
+{
+  const int columns = surface.NumberOfControlPoints[0];
+  const int count = surface.NumberOfControlPoints[1 - direction];
+  const auto get = [&](int index, int i) -> const Homogeneous&
+  {
+    return surface.ControlPoints[direction == 0 ? index + static_cast<std::size_t>(columns) * i
+                                                : i + static_cast<std::size_t>(columns) * index];
+  };
+  for (int i = 0; i < count; ++i)
+  {
+    if (get(first, i) != get(second, i))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Returns the first knot inside the domain that occurs more often than the degree, with other control points on either side; NaN if there
+/// is none.
+double FindJump(const NURBSSurface& surface, int direction)
+{
+  const std::vector<double>& knots = surface.Knots[direction];
+  const auto degree = static_cast<std::ptrdiff_t>(surface.Degree[direction]);
+  auto first = std::upper_bound(knots.begin(), knots.end(), surface.GetDomainStart(direction));
+  while (first != knots.end() && *first < surface.GetDomainEnd(direction))
+  {
+    const auto last = std::upper_bound(first, knots.end(), *first);
+    const auto left = static_cast<int>(first - knots.begin()) - 1;
+    const auto right = static_cast<int>(last - knots.begin() - degree) - 1;
+    if (last - first > degree && !AreRowsEqual(surface, direction, left, right))
+    {
+      return *first;
+    }
+    first = last;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+}
+
 std::vector<double> NURBSSurface::GetSpanBreaks(int direction) const
 {
   const std::vector<double>& knots = this->Knots[direction];
@@ -205,6 +256,16 @@ std::string NURBSSurface::Check() const
          << " x " << this->NumberOfControlPoints[1];
     return what.str();
   }
+  for (int d = 0; d < 2; ++d)
+  {
+    const double jump = FindJump(*this, d);
+    if (!std::isnan(jump))
+    {
+      what << "the surface jumps at " << (d == 0 ? "u" : "v") << " = " << jump
+           << ", where a knot occurs more often than the degree";
+      return what.str();
+    }
+  }
   for (std::size_t i = 0; i < this->ControlPoints.size(); ++i)
   {
     const Homogeneous& p = this->ControlPoints[i];
@@ -222,8 +283,8 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
 {
   const int p = this->Degree[0];
   const int q = this->Degree[1];
-  const int ku = FindSpan(this->Knots[0], p, 0.5 * (u0 + u1));
-  const int kv = FindSpan(this->Knots[1], q, 0.5 * (v0 + v1));
+  const int ku = FindSpanOf(this->Knots[0], p, u0, u1);
+  const int kv = FindSpanOf(this->Knots[1], q, v0, v1);
   std::array<Wide, 4> cell[(MaximumDegree + 1) * (MaximumDegree + 1)];
   ExtractCell(*this, ku, kv, { u0, u1 }, { v0, v1 }, cell);
   double farthest = 0.0;

@@ -1,6 +1,7 @@
 #include "smTrimCutting.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sm
 {
@@ -170,6 +171,24 @@ int CellGrid::Find(const std::vector<double>& breaks, double x)
   return static_cast<int>(after - breaks.begin()) - 1;
 }
 
+bool CellGrid::AreSame(const std::array<double, 2>& a, const std::array<double, 2>& b) const
+{
+  for (int d = 0; d < 2; ++d)
+  {
+    const std::vector<double>& breaks = d == 0 ? this->U : this->V;
+    double scale = std::max(std::abs(breaks.front()), std::abs(breaks.back()));
+    for (const int cell : { Find(breaks, a[d]), Find(breaks, b[d]) })
+    {
+      scale = std::min(scale, breaks[cell + 1] - breaks[cell]);
+    }
+    if (!(std::abs(a[d] - b[d]) <= 4e-16 * scale))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 void FindSignChanges(const double* coefficients, int degree, std::vector<double>& roots)
 {
   Isolate(coefficients, degree, 0.0, 1.0, 0, roots);
@@ -188,26 +207,52 @@ void CutAtKnotLines(const BernsteinPiece<2>& piece, const CellGrid& grid, std::v
   {
     segment.End = end;
     segment.EndPoint = point;
-    const std::array<double, 2> middle = piece.Evaluate(0.5 * (segment.Start + end));
+    std::array<double, 2> middle = piece.Evaluate(0.5 * (segment.Start + end));
+    for (int d = 0; d < 2; ++d)
+    {
+      const auto [low, high] = std::minmax(segment.StartPoint[d], point[d]);
+      middle[d] = segment.Start == end ? 0.5 * (low + high) : middle[d];
+      // Between neighbouring doubles there is no middle.
+      middle[d] = middle[d] >= high && std::nextafter(low, high) == high ? low : middle[d];
+    }
     segment.Column = CellGrid::Find(grid.U, middle[0]);
     segment.Row = CellGrid::Find(grid.V, middle[1]);
     segments.push_back(segment);
     segment.Start = end;
     segment.StartPoint = point;
   };
-  for (std::size_t i = 0; i < cuts.size(); ++i)
+  std::vector<double> knots[2];
+  for (std::size_t i = 0; i < cuts.size();)
   {
-    std::array<double, 2> point = piece.Evaluate(cuts[i].Parameter);
-    point[cuts[i].Direction] = cuts[i].Knot;
-    // A corner of the grid: both families are cut at one parameter.
-    while (i + 1 < cuts.size() && cuts[i + 1].Parameter == cuts[i].Parameter)
+    // At a corner of the grid both families are cut at one parameter, and so are neighbouring knots that are closer than rounding.
+    const double parameter = cuts[i].Parameter;
+    knots[0].clear();
+    knots[1].clear();
+    for (; i < cuts.size() && cuts[i].Parameter == parameter; ++i)
     {
-      ++i;
-      point[cuts[i].Direction] = cuts[i].Knot;
+      knots[cuts[i].Direction].push_back(cuts[i].Knot);
     }
-    if (cuts[i].Parameter > segment.Start && cuts[i].Parameter < 1.0)
+    if (!(parameter > segment.Start && parameter < 1.0))
     {
-      close(cuts[i].Parameter, point);
+      continue;
+    }
+    std::array<double, 2> point = piece.Evaluate(parameter);
+    for (int d = 0; d < 2; ++d)
+    {
+      std::sort(knots[d].begin(), knots[d].end());
+      knots[d].erase(std::unique(knots[d].begin(), knots[d].end()), knots[d].end());
+      if (!knots[d].empty() && knots[d].front() < segment.StartPoint[d])
+      {
+        std::reverse(knots[d].begin(), knots[d].end());
+      }
+    }
+    for (std::size_t k = 0; k < std::max(knots[0].size(), knots[1].size()); ++k)
+    {
+      for (int d = 0; d < 2; ++d)
+      {
+        point[d] = knots[d].empty() ? point[d] : knots[d][std::min(k, knots[d].size() - 1)];
+      }
+      close(parameter, point);
     }
   }
   close(1.0, piece.Coefficients[piece.Degree]);

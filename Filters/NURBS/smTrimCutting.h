@@ -24,6 +24,8 @@ struct SMFILTERSNURBS_EXPORT CellGrid
   int GetNumberOfRows() const { return static_cast<int>(this->V.size()) - 1; }
   /// Cell index of a coordinate; the nearest cell outside the domain.
   static int Find(const std::vector<double>& breaks, double x);
+  /// Returns true if points are no farther apart than the rounding of a panel in their cells, which may be narrow beside the parameters.
+  bool AreSame(const std::array<double, 2>& a, const std::array<double, 2>& b) const;
 };
 
 /// A part of one polynomial trim piece that lies in one cell.

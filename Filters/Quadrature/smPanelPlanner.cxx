@@ -40,6 +40,12 @@ double GetPrismaticDeviation(int q)
   return 1e-14 * (q <= 5 ? std::exp2(4 * q) / (4 * q) : 5.0);
 }
 
+/// Bound of the part of the parameters that a panel covers: |s| up to extent[0], r from 1 - extent[1] to extent[1].
+double GetCovered(const double extent[2])
+{
+  return extent[0] * (2.0 * extent[1] - 1.0);
+}
+
 /// Highest degree of the factors g. A height is one degree more than x.n along a straight ruling.
 int GetDegree(const PlanRequest& request)
 {
@@ -63,10 +69,11 @@ PanelPlanner::PanelPlanner(
 {
 }
 
-void PanelPlanner::AddFlatError(const Patch& patch, double reach)
+void PanelPlanner::AddFlatError(const Patch& patch, const double extent[2], double reach)
 {
   // With d = P00 - P10 - P01 + P11, a position is within |d| / 4 of the parallelogram's, and Ss and Sr are within |d| / 2 of their
-  // means. A rule is off by at most twice the largest difference from what it is exact for.
+  // means; for s and r of up to an extent beyond 1, within that minus 1/2 times |d|, and their product minus 3/4 times |d|. A rule is off by
+  // at most twice the largest difference from what it is exact for.
   const std::array<double, 4>* p = this->Panels.Points.data() + patch.FirstPoint;
   double d[3];
   for (int c = 0; c < 3; ++c)
@@ -78,12 +85,14 @@ void PanelPlanner::AddFlatError(const Patch& patch, double reach)
   {
     return;
   }
-  const double rotated = 0.5 * moved * (patch.Stretch[0] + patch.Stretch[1] + moved);
+  const double rotated =
+    (std::max(extent[0], extent[1]) - 0.5) * moved * (patch.Stretch[0] + patch.Stretch[1] + moved);
   const double area = patch.Stretch[0] * patch.Stretch[1];
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    this->Result.QuadratureBound[i] +=
-      2.0 * GetIntegrandChange(this->Request.Classes[i], 0.25 * moved, rotated, area, reach);
+    this->Result.QuadratureBound[i] += 2.0 * GetCovered(extent) *
+      GetIntegrandChange(
+        this->Request.Classes[i], (extent[0] * extent[1] - 0.75) * moved, rotated, area, reach);
   }
 }
 
@@ -105,12 +114,23 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
     const double x = patch.Center[c] + this->Request.Shift[c];
     center += x * x;
   }
-  const double reach = std::sqrt(center) + 2.0 * patch.Radius;
+  // The patch is continued to trim curves beyond it.
+  double extent[2] = { 1.0, 1.0 };
+  for (int i = 0; i <= panel.TrimDegree; ++i)
+  {
+    for (int d = 0; d < 2; ++d)
+    {
+      const double local =
+        (this->Panels.Coefficients[panel.Trim + 2 * i + d] - patch.Start[d]) / patch.Width[d];
+      extent[d] = std::max({ extent[d], std::abs(local), std::abs(local - 1.0) });
+    }
+  }
+  const double reach = std::sqrt(center) + 2.0 * std::max(extent[0], extent[1]) * patch.Radius;
   this->FlatReach = std::max(this->FlatReach, reach);
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
-    const double area = 4.0 * patch.Radius * patch.Radius;
+    const double area = 4.0 * patch.Radius * patch.Radius * GetCovered(extent);
     this->Result.Magnitude[i] += c.Kind == BoundClass::VectorArea ? area
       : c.Kind == BoundClass::AreaMoment                          ? area * IntegerPower(reach, c.Degree)
       : c.Kind == BoundClass::HeightMoment                        ? area * IntegerPower(reach, c.Degree + 1)
@@ -119,7 +139,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   PlannedItem item{ ItemKind::Panel, index };
   item.Along = along;
   item.Across = (this->Degree + 2) / 2;
-  this->AddFlatError(patch, reach);
+  this->AddFlatError(patch, extent, reach);
   this->Result.Items.push_back(item);
   this->Result.Evaluations += item.Along * item.Across;
   return true;

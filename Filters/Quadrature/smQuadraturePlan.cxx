@@ -195,6 +195,26 @@ void AddCap(const FacePanels& panels, const PlanRequest& request, std::uint32_t 
   }
 }
 
+/**
+ * Edges that do not meet leave a hole in the closed chain at their corner, whose border has as many sides as faces meet there, n, and is
+ * closed by a surface of no more than its length squared over 4 pi, at most n / (4 pi) times the sum of the squares of the sides. The factor
+ * 4 is for up to 50 faces.
+ */
+void AddOpenCorners(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
+{
+  const double area = 4.0 * panels.OpenCorners;
+  const double reach = panels.VertexReach + Norm(request.Shift.data());
+  for (std::size_t i = 0; area > 0.0 && i < request.Classes.size(); ++i)
+  {
+    const BoundClass& c = request.Classes[i];
+    plan.ConversionBound[i] += c.Kind == BoundClass::VolumeMoment
+      ? area * std::pow(reach, c.Degree + 1) / (3 + c.Degree)
+      : c.Kind == BoundClass::HeightMoment ? area * std::pow(reach, c.Degree + 1)
+      : c.Kind == BoundClass::VectorArea   ? area
+                                           : 0.0;
+  }
+}
+
 /// The request for one item: with a class for the area, and equal shares of the tolerances; ribbons have no area.
 PlanRequest MakeShares(const FacePanels& panels, const PlanRequest& request)
 {
@@ -376,6 +396,7 @@ FacePlan FacePlanner::Join() const
   AddFitError(this->Source, panels, all.Classes, reach, area, plan);
   plan.ResidualBound = plan.ConversionBound;
   AddDisplacementError(panels, all, area, plan);
+  AddOpenCorners(panels, all, plan);
   plan.Area = area;
   plan.Reading = ReadingError::Make(this->Source, panels, std::min(reach, GetReach(panels, this->Request)));
   for (std::vector<double>* values :

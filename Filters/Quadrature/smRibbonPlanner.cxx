@@ -95,7 +95,7 @@ void RibbonPlanner::AddNoiseError(const Majorants& real)
   }
 }
 
-void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real)
+void RibbonPlanner::AddResidualError(const Ribbon& ribbon, bool sound, const Majorants& real)
 {
   if (ribbon.Coedge < 0)
   {
@@ -109,6 +109,11 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, const Majorants& real
   const double dr = trim[this->Transposed ? 0 : 1] / patch.Width[1];
   if (ds == 0.0 && dr == 0.0 && edge == 0.0)
   {
+    return;
+  }
+  if (!sound)
+  {
+    this->HasUnboundedResidual = true;
     return;
   }
   // The faces' boundary moves by Ss ds + Sr dr, and sweeps |Ss x Sr| |ds r' - dr s'| of their area. The chain stays closed, and its
@@ -216,7 +221,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
       this->Result.Magnitude[i] += this->Supremum[i];
     }
     this->AddNoiseError(real);
-    this->AddResidualError(ribbon, real);
+    this->AddResidualError(ribbon, true, real);
     return;
   }
   PlannedItem item{ ItemKind::Ribbon, index };
@@ -227,15 +232,29 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   if (sound)
   {
     this->AddNoiseError(real);
-    this->AddResidualError(ribbon, real);
   }
+  this->AddResidualError(ribbon, sound, real);
 }
 
 void RibbonPlanner::Plan(std::uint32_t index)
 {
   const std::vector<double> before = this->Result.Magnitude;
+  this->HasUnboundedResidual = false;
   this->PlanPart(index, 0.0, 1.0, 0);
-  this->Result.LimitMagnitude(before, this->Request.Classes,
-    BoundRibbonByHull(this->Panels, this->Panels.Ribbons[index], this->Request.Shift));
+  const HullBound hull = BoundRibbonByHull(this->Panels, this->Panels.Ribbons[index], this->Request.Shift);
+  this->Result.LimitMagnitude(before, this->Request.Classes, hull);
+  if (this->HasUnboundedResidual)
+  {
+    // The ribbon of the exact curves, and what lies between both trim curves on the patch, are in the same hulls.
+    const HullBound patch =
+      BoundPatchByHull(this->Panels, this->Panels.Ribbons[index].Patch, this->Request.Shift);
+    for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+    {
+      const BoundClass& c = this->Request.Classes[i];
+      this->Result.ConversionBound[i] += patch.GetMagnitude(c) +
+        (c.Kind == BoundClass::AreaMoment ? 0.0
+                                          : this->Result.Magnitude[i] - before[i] + hull.GetMagnitude(c));
+    }
+  }
 }
 }

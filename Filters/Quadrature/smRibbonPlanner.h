@@ -35,7 +35,8 @@ private:
   bool IsRounding(const Ribbon& ribbon, const Majorants& real) const;
   void Bound(const Majorants& majorants, std::vector<double>& bounds) const;
   void AddNoiseError(const Majorants& real);
-  void AddResidualError(const Ribbon& ribbon, const Majorants& real);
+  /// `sound`: the series have bounds, `real`.
+  void AddResidualError(const Ribbon& ribbon, bool sound, const Majorants& real);
 
   const FacePanels& Panels;
   const PlanRequest& Request;
@@ -45,6 +46,8 @@ private:
   /// True if the panels have u and v exchanged, see smFacePanels.h.
   bool Transposed;
 
+  /// True if a part of the current ribbon whose curves have a residual has no series with bounds.
+  bool HasUnboundedResidual = false;
   // Values of the current part.
   GapSeries Gap;
   DirectionBound AlongT;

@@ -25,9 +25,10 @@ struct DirectionValue
 
 /// Lowers the enclosure to the least of a function inside a range of directions, of which the ends are included already. `curvature`
 /// bounds the second derivative: where the slope at the middle is larger than it can change by, the least is at an end; elsewhere
-/// Taylor's formula bounds the function.
+/// Taylor's formula bounds the function, which is nowhere below `floor`.
 template <typename Function>
-void SearchDirections(double from, double to, double curvature, const Function& evaluate, double (&least)[2])
+void SearchDirections(
+  double from, double to, double curvature, double floor, const Function& evaluate, double (&least)[2])
 {
   std::vector<std::pair<double, double>> ranges{ { 0.5 * (from + to), 0.5 * (to - from) } };
   for (int count = 0; !ranges.empty(); ++count)
@@ -41,7 +42,7 @@ void SearchDirections(double from, double to, double curvature, const Function& 
       continue;
     }
     least[1] = std::min(least[1], at.Value + at.Error);
-    const double low = at.Value - at.Error - (std::abs(at.Slope) + 0.5 * variation) * half;
+    const double low = std::max(floor, at.Value - at.Error - (std::abs(at.Slope) + 0.5 * variation) * half);
     if (low >= least[0])
     {
       continue;
@@ -88,6 +89,33 @@ struct CornerTip
   }
   double GetReach() const { return std::hypot(this->Offset[0], this->Offset[1]); }
   double GetLean() const { return std::hypot(this->Body.Up[0], this->Body.Up[1]); }
+  /// Returns the least m in a range of directions, below 0 where it is not known: a sine that is positive at both ends, less than pi
+  /// apart, is nowhere less in between.
+  double GetLeastM(double from, double to) const
+  {
+    return to - from < 3.0 ? std::min(this->Resolve(from).M, this->Resolve(to).M) - this->Bound : -1.0;
+  }
+  /// On level ground angle and rise grow with m, and are least at the ends of the range.
+  bool IsLeastAtEnds(double from, double to) const
+  {
+    return this->GetLean() == 0.0 && this->GetLeastM(from, to) > 0.0;
+  }
+  /// Lower bounds of the angle and of the rise in a range, which do not depend on derivatives.
+  double GetAngleFloor(double from, double to) const
+  {
+    const double m = this->GetLeastM(from, to);
+    return m > 0.0 ? std::atan2(m, this->Body.Height + this->Bound) -
+        std::atan2(this->GetLean(), this->Body.Up[2]) - 16.0 * UnitRoundoff
+                   : -2.0 * HalfPi;
+  }
+  double GetRiseFloor(double from, double to) const
+  {
+    const double angle = this->GetAngleFloor(from, to);
+    const double half = std::sin(0.5 * angle);
+    return angle > 0.0 ? (2.0 - 64.0 * UnitRoundoff) * this->Body.Up[2] *
+        std::hypot(this->GetLeastM(from, to), this->Body.Height - this->Bound) * half * half
+                       : 0.0;
+  }
   /// Returns a bound of the angle's error, valid in every direction.
   double GetAngleError() const { return HalfPi * this->Bound / this->Body.Height + 8.0 * UnitRoundoff; }
 
@@ -185,16 +213,21 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
         bound };
       const double from = normals[(i + count - 1) % count];
       const double to = from + GetTurn(from, normals[i], count);
+      if (corner.IsLeastAtEnds(from, to))
+      {
+        continue;
+      }
       if (rise)
       {
         SearchDirections(
-          from, to, corner.GetRiseCurvature(), [&](double a) { return corner.EvaluateRise(a); }, least.Rise);
+          from, to, corner.GetRiseCurvature(), corner.GetRiseFloor(from, to),
+          [&](double a) { return corner.EvaluateRise(a); }, least.Rise);
       }
       else
       {
         SearchDirections(
-          from, to, corner.GetAngleCurvature(), [&](double a) { return corner.EvaluateAngle(a); },
-          least.Angle);
+          from, to, corner.GetAngleCurvature(), corner.GetAngleFloor(from, to),
+          [&](double a) { return corner.EvaluateAngle(a); }, least.Angle);
       }
     }
   }

@@ -28,6 +28,10 @@ namespace
 {
 // Distance of a trim curve from its surface, relative to the body, above which it is not attributed to rounding.
 constexpr double LargeOverhang = 1e-5;
+// Half the diagonal of a body, below and above which products of lengths, of which second moments have five, may leave the range of doubles:
+// they become 0 without an error that a bound counts.
+constexpr double SmallestSize = 1e-40;
+constexpr double LargestSize = 1e40;
 
 std::string NameOf(vtkInformation* info, const std::string& otherwise)
 {
@@ -142,6 +146,13 @@ void CheckTopology(BodyIntegrals& body)
     body.Flag(Status::Suspect,
       "its placement scales, shears or projects it, or is not finite; only rotations, mirrors and "
       "translations are supported");
+  }
+  const double size = GetRadius(*body.Model);
+  if (size > 0.0 && !(size >= SmallestSize && size <= LargestSize))
+  {
+    body.Flag(Status::Suspect,
+      "its size, " + FormatBound(size) +
+        ", is beyond 1e-40 to 1e40: products of lengths leave the range of doubles");
   }
   CountOpenEdges(body);
 }

@@ -2,11 +2,14 @@
 
 #include "smBodyIntegrals.h"
 #include "smFormat.h"
+#include "smUnitRoundoff.h"
 #include "smVector.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace sm
 {
@@ -18,6 +21,10 @@ constexpr double JoinTolerance = 1e-3;
 /// Largest distance of the chords of a border from it, relative to its extent, and most halvings of a span to reach it.
 constexpr double ChordTolerance = 1e-5;
 constexpr int MostHalvings = 16;
+/// Number of a border's points whose distance from the other one is measured.
+constexpr std::size_t MostMeasured = 32;
+/// Borders that are so far apart, in units of u times size and distance from the origin, coincide but for rounding.
+constexpr double CoincidenceRoundings = 64.0;
 
 /// Returns parameters that determine a rational curve of the surface's degree in this direction: two borders that coincide there coincide.
 std::vector<double> MakeSamples(const NURBSSurface& surface, int direction)
@@ -67,7 +74,19 @@ struct Border
   Vector3 Center{};
   Vector3 Area{};
   bool IsJoined = false;
+  const NURBSSurface* Surface = nullptr;
+  int Direction = 0;
+  double At = 0.0;
+  /// Parameters of its points, which increase, and the points.
+  std::vector<std::pair<double, Vector3>> Points;
 
+  Vector3 Evaluate(double along) const
+  {
+    Vector3 point;
+    this->Surface->Evaluate(
+      this->Direction == 0 ? along : this->At, this->Direction == 0 ? this->At : along, point.data());
+    return point;
+  }
   void AddChord(const Vector3& a, const Vector3& b)
   {
     const double length = Norm(Subtract(b, a));
@@ -97,26 +116,28 @@ class BorderWalk
 {
 public:
   BorderWalk(const NURBSSurface& surface, int direction, double at)
-    : Surface(surface)
-    , Direction(direction)
-    , At(at)
   {
+    this->Result.Surface = &surface;
+    this->Result.Direction = direction;
+    this->Result.At = at;
   }
 
   Border Follow(bool backwards)
   {
-    const std::vector<double> breaks = this->Surface.GetSpanBreaks(this->Direction);
-    this->Origin = this->Evaluate(breaks.front());
+    const std::vector<double> breaks = this->Result.Surface->GetSpanBreaks(this->Result.Direction);
+    this->Origin = this->Result.Evaluate(breaks.front());
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
     {
-      const Vector3 from = this->Evaluate(breaks[k]);
-      const Vector3 to = this->Evaluate(breaks[k + 1]);
-      const Vector3 between = this->Evaluate(0.5 * (breaks[k] + breaks[k + 1]));
+      const Vector3 from = this->Result.Evaluate(breaks[k]);
+      const Vector3 to = this->Result.Evaluate(breaks[k + 1]);
+      const Vector3 between = this->Result.Evaluate(0.5 * (breaks[k] + breaks[k + 1]));
       this->Extent = std::max(Norm(Subtract(to, from)), Norm(Subtract(between, from)));
       this->AddSpan(breaks[k], from, breaks[k + 1], to, 0);
     }
     // The points were taken relative to the first one.
-    const Vector3 last = Subtract(this->Evaluate(breaks.back()), this->Origin);
+    const Vector3 end = this->Result.Evaluate(breaks.back());
+    this->Result.Points.emplace_back(breaks.back(), end);
+    const Vector3 last = Subtract(end, this->Origin);
     for (double& c : this->Result.Center)
     {
       c /= this->Result.Length;
@@ -131,24 +152,18 @@ public:
   }
 
 private:
-  Vector3 Evaluate(double along) const
-  {
-    Vector3 point;
-    const bool isU = this->Direction == 0;
-    this->Surface.Evaluate(isU ? along : this->At, isU ? this->At : along, point.data());
-    return point;
-  }
-
   void AddSpan(double start, const Vector3& from, double end, const Vector3& to, int depth)
   {
     const double middle = 0.5 * (start + end);
-    const Vector3 between = this->Evaluate(middle);
+    const Vector3 between = this->Result.Evaluate(middle);
     // Two halvings at least, since a curve may cross its chord in the middle.
     const double twice = Norm(Cross(Subtract(to, from), Subtract(between, from)));
     const double chord = Norm(Subtract(to, from));
     const bool isFlat = depth >= 2 && twice <= ChordTolerance * this->Extent * chord && chord > 0.0;
     if (isFlat || depth == MostHalvings)
     {
+      this->Result.Points.emplace_back(start, from);
+      this->Result.Points.emplace_back(middle, between);
       this->Result.AddChord(Subtract(from, this->Origin), Subtract(between, this->Origin));
       this->Result.AddChord(Subtract(between, this->Origin), Subtract(to, this->Origin));
       return;
@@ -157,17 +172,64 @@ private:
     this->AddSpan(middle, between, end, to, depth + 1);
   }
 
-  const NURBSSurface& Surface;
-  int Direction;
-  double At;
   Vector3 Origin{};
   /// Of the span.
   double Extent = 0.0;
   Border Result;
 };
 
-/// Adds the borders of a face without loops at which it neither closes by itself nor ends in a point.
-void AddBorders(const Face& face, std::vector<Border>& borders)
+/// Distance of a point from the border between two parameters, by the golden section.
+double GetDistance(const Border& border, double low, double high, const Vector3& point)
+{
+  constexpr double golden = 0.6180339887498949;
+  const auto measure = [&](double along) { return Norm(Subtract(border.Evaluate(along), point)); };
+  double inner[2] = { high - golden * (high - low), low + golden * (high - low) };
+  double distance[2] = { measure(inner[0]), measure(inner[1]) };
+  for (int i = 0; i < 64; ++i)
+  {
+    const int nearer = distance[0] <= distance[1] ? 0 : 1;
+    (nearer == 0 ? high : low) = inner[1 - nearer];
+    inner[1 - nearer] = inner[nearer];
+    distance[1 - nearer] = distance[nearer];
+    inner[nearer] = nearer == 0 ? high - golden * (high - low) : low + golden * (high - low);
+    distance[nearer] = measure(inner[nearer]);
+  }
+  return std::min(distance[0], distance[1]);
+}
+
+/// Largest distance of points of a border from another one.
+double GetGap(const Border& from, const Border& to)
+{
+  double gap = 0.0;
+  const std::size_t last = to.Points.size() - 1;
+  const std::size_t step = from.Points.size() / MostMeasured + 1;
+  for (std::size_t i = 0; i < from.Points.size(); i += step)
+  {
+    const Vector3& point = from.Points[i].second;
+    const auto nearest = std::min_element(to.Points.begin(), to.Points.end(),
+      [&point](const auto& a, const auto& b)
+      { return Norm(Subtract(a.second, point)) < Norm(Subtract(b.second, point)); });
+    const auto at = static_cast<std::size_t>(nearest - to.Points.begin());
+    double distance = Norm(Subtract(nearest->second, point));
+    // Beside the ends of a closed border both are near.
+    for (const std::size_t k : { at > 0 ? at - 1 : last - 1, at < last ? at : std::size_t(0) })
+    {
+      distance = std::min(distance, GetDistance(to, to.Points[k].first, to.Points[k + 1].first, point));
+    }
+    gap = std::max(gap, distance);
+  }
+  return gap;
+}
+
+/// Returns 0 for a gap that is no more than rounding.
+double IgnoreRounding(double gap, double size, const Vector3& at)
+{
+  return gap > CoincidenceRoundings * UnitRoundoff * (size + Norm(at)) ? gap : 0.0;
+}
+
+/// Adds the borders of a face without loops at which it neither closes by itself nor ends in a point. Raises `gap` to the distance by which
+/// it closes by itself.
+void AddBorders(const Face& face, std::vector<Border>& borders, double& gap)
 {
   // What is wrong with a surface is said where the face is cut.
   if (!face.Loops.empty() || !face.Surface.Check().empty())
@@ -187,6 +249,7 @@ void AddBorders(const Face& face, std::vector<Border>& borders)
       GetLargestDistance(middle, std::vector<Vector3>(middle.size(), middle.front())) });
     if (across <= CoincidenceTolerance * size)
     {
+      gap = std::max(gap, IgnoreRounding(across, size, first.front()));
       continue;
     }
     for (const bool isLast : { false, true })
@@ -204,13 +267,15 @@ void AddBorders(const Face& face, std::vector<Border>& borders)
   }
 }
 
-/// Returns the number of borders that no other one joins: the same curve in the opposite direction.
-int CountOpenBorders(const vtkTrimmedNURBSModel& model)
+/// Returns the number of borders that no other one joins: the same curve in the opposite direction. Sets `gap` to the largest distance of
+/// those that are joined.
+int CountOpenBorders(const vtkTrimmedNURBSModel& model, double& gap)
 {
   std::vector<Border> borders;
+  gap = 0.0;
   for (const FacePointer& face : model.GetFaces())
   {
-    AddBorders(*face, borders);
+    AddBorders(*face, borders, gap);
   }
   std::sort(
     borders.begin(), borders.end(), [](const Border& a, const Border& b) { return a.Length < b.Length; });
@@ -223,6 +288,8 @@ int CountOpenBorders(const vtkTrimmedNURBSModel& model)
       if (!borders[j].IsJoined && borders[i].IsOpposite(borders[j]))
       {
         borders[i].IsJoined = borders[j].IsJoined = true;
+        const double own = std::max(GetGap(borders[i], borders[j]), GetGap(borders[j], borders[i]));
+        gap = std::max(gap, IgnoreRounding(own, borders[i].Length, borders[i].Center));
       }
     }
   }
@@ -258,7 +325,8 @@ void CountOpenEdges(BodyIntegrals& body)
       }
     }
   }
-  const int borders = CountOpenBorders(*body.Model);
+  double gap = 0.0;
+  const int borders = CountOpenBorders(*body.Model, gap);
   std::vector<int> open;
   for (const auto& [edge, sum] : uses)
   {
@@ -268,6 +336,12 @@ void CountOpenEdges(BodyIntegrals& body)
     }
   }
   body.OpenEdges = static_cast<int>(open.size()) + borders;
+  if (gap > 0.0 && body.IsSolid())
+  {
+    body.Flag(Status::Suspect,
+      "borders of faces without loops are up to " + FormatBound(gap) +
+        " apart: no edge closes the gap between them, which no bound includes");
+  }
   if (body.OpenEdges == 0)
   {
     if (!body.IsSolid())

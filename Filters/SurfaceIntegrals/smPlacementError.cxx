@@ -1,6 +1,7 @@
 #include "smPlacementError.h"
 
 #include "smBodyIntegrals.h"
+#include "smBodyScales.h"
 #include "smPatchMajorants.h"
 #include "smVector.h"
 
@@ -14,6 +15,21 @@ namespace sm
 namespace
 {
 constexpr std::array<double, 16> Identity{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+
+/**
+ * A sample is placed as R p + t. Rounding moves p by u |p_i| in every coordinate, a sum of three products by 3 u |p|, its sum with t by
+ * u (|p| + |t|); and t, the sum of the placed origin o of the model and a translation, by 4 u |o| + u |translation| before. With the root
+ * of 3 for three coordinates these are 9 u |p|, 9 u |o| and 4 u |translation|. The bound of a sample's rounding has that for positions
+ * as large as the body; here p is the middle of the body, whose distance may cancel.
+ */
+double GetEvaluationError(const BodyIntegrals& body, double translation)
+{
+  const std::array<double, 6> box = GetBox(*body.Model);
+  const double middle = 0.5 * std::hypot(box[0] + box[1], box[2] + box[3], box[4] + box[5]);
+  return UnitRoundoff *
+    (9.0 * middle +
+      (body.Placement == Identity ? 0.0 : 9.0 * Norm(body.Model->GetOrigin()) + 4.0 * translation));
+}
 }
 
 bool PlacementError::IsRounded(const BodyIntegrals& body)
@@ -36,14 +52,20 @@ double PlacementError::GetTurned(const BodyIntegrals& body)
       deviation = std::max(deviation, std::abs(product - (i == j ? 1.0 : 0.0)));
     }
   }
-  // With M = R S and S symmetric, |S - 1| is at most |M^T M - 1|, of nine entries. A rotation in doubles has some u.
-  return (IsRounded(body) ? 3.0 * Rounding : 0.0) + (deviation > Rounding ? 3.0 * deviation : 0.0);
+  // With M = R S and S symmetric, |S - 1| is at most |M^T M - 1|, of nine entries.
+  return (IsRounded(body) ? 3.0 * Rounding : 0.0) + 3.0 * deviation;
 }
 
-PlacementError PlacementError::Make(const BodyIntegrals& body)
+PlacementError PlacementError::Make(const BodyIntegrals& body, bool withSamples)
 {
   PlacementError error;
   error.Turned = GetTurned(body);
+  const double* origin = body.Model->GetOrigin();
+  const double translation = std::hypot(body.Placement[3], body.Placement[7], body.Placement[11]);
+  if (withSamples && (body.Placement != Identity || Norm(origin) > 0.0))
+  {
+    error.Moved = GetEvaluationError(body, translation);
+  }
   if (!(error.Turned > 0.0))
   {
     return error;
@@ -56,9 +78,9 @@ PlacementError PlacementError::Make(const BodyIntegrals& body)
       radius = std::max(radius, Norm(p.data()) / p[3]);
     }
   }
-  const double translation[3] = { body.Placement[3], body.Placement[7], body.Placement[11] };
   // Twice the radius: trim curves and edges may leave the control points.
-  error.Moved = error.Turned * (Norm(body.Model->GetOrigin()) + 2.0 * radius) + Rounding * Norm(translation);
+  error.Moved +=
+    error.Turned * (Norm(origin) + 2.0 * radius) + (IsRounded(body) ? Rounding * translation : 0.0);
   return error;
 }
 

@@ -22,7 +22,7 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT PlacementError
   /// Rounding of an entry of a placement, and of a translation relative to itself: decimals, directions made orthogonal and of length 1,
   /// units, and products of the placements of nested assemblies. An estimate, which counts in BoundsMeasured.
   static constexpr double Rounding = 32.0 * UnitRoundoff;
-  /// Bound of the displacement of any point of the body, a length; 0: the placement is exact.
+  /// Bound of the displacement of any point of the body, a length; 0: no placement.
   double Moved = 0.0;
   /// Bound of the norm of the error of the rotation.
   double Turned = 0.0;
@@ -36,7 +36,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT PlacementError
   static bool IsRounded(const BodyIntegrals& body);
   /// Returns Turned: 3 Rounding, the norm of nine entries, if the placement is rounded, and what makes it no rotation.
   static double GetTurned(const BodyIntegrals& body);
-  static PlacementError Make(const BodyIntegrals& body);
+  /// `withSamples`: Moved has the rounding of samples that this placement and the model's origin place.
+  static PlacementError Make(const BodyIntegrals& body, bool withSamples = true);
   /// Returns the bound for an integral of this class over a face. `area` and `gaps` are upper bounds of the areas of the face and of its
   /// ribbons; `reach` is one of their distance from the point that moments are about.
   double GetBound(const BoundClass& integrand, double area, double gaps, double reach) const;

@@ -162,6 +162,24 @@ void CheckFaceErrors()
   CheckRefused("too few points", "instead of 2 x 2", s, attempt(1, s.Knots, s.Knots, s.Line));
   CheckRefused("a negative weight", "weight", s, attempt(1, s.Knots, s.Knots, negative));
   CheckRefused("not a number", "not finite", s, attempt(1, s.Knots, s.Knots, unknown));
+  // Two squares side by side, the second one lifted or not.
+  const auto twice = MakeArray(1, { 0, 0, 0.5, 0.5, 1, 1 });
+  const auto thrice = MakeArray(1, { 0, 0, 0.5, 0.5, 0.5, 1, 1 });
+  const auto across = [](double lift)
+  {
+    return MakeArray(
+      3, { 0, 0, 0, 1, 0, 0, 1, 0, lift, 2, 0, lift, 0, 1, 0, 1, 1, 0, 1, 1, lift, 2, 1, lift });
+  };
+  const auto along = [](double lift)
+  {
+    return MakeArray(3,
+      { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 7, 7, 7, 7, 7, 7, 0, 1, lift, 1, 1, lift, 0, 2, lift, 1, 2,
+        lift });
+  };
+  CheckRefused("a jump in u", "jumps at u = 0.5", s, attempt(1, twice, s.Knots, across(1e-9)));
+  CheckRefused("a jump in v", "jumps at v = 0.5", s, attempt(1, s.Knots, thrice, along(1e-9)));
+  CheckTrue("no jump in u", attempt(1, twice, s.Knots, across(0.0))());
+  CheckTrue("no jump in v", attempt(1, s.Knots, thrice, along(0.0))());
 }
 
 void CheckCurveErrors()

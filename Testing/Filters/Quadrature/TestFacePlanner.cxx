@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -89,6 +90,32 @@ void CheckThreads(int degree, double tolerance, int repeats)
   CheckTrue("the face has many portions", expected.Items.size() >= 128);
   CheckEqual("plans by several threads that differ, degree " + std::to_string(degree), 0, different);
 }
+
+/// A plane is continued to trim curves beyond its patch, and so are the bounds.
+void CheckBeyond(double extent)
+{
+  const double bend = 1e-15;
+  sm::FacePanels face;
+  sm::Patch patch{};
+  patch.Degree[0] = patch.Degree[1] = 1;
+  patch.Width[0] = patch.Width[1] = 1.0;
+  face.Points = { { 0, 0, 0, 1 }, { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 1, 1, bend, 1 } };
+  sm::MeasurePatch(face.Points.data(), patch);
+  face.Patches.push_back(patch);
+  face.Coefficients = { extent, 0.0, extent, extent };
+  face.Panels.push_back({ 0, 0, 1, sm::PanelShape::Flat, false, false, 0.0, 1.0 });
+  sm::PlanRequest request;
+  request.Classes = { { sm::BoundClass::VolumeMoment, 1 }, { sm::BoundClass::AreaMoment, 1 } };
+  request.Tolerances = { 1e-9, 1e-9 };
+  const sm::FacePlan plan = sm::PlanFace({}, face, request);
+  const std::string label = "plane to " + std::to_string(extent);
+  // The flux of x is that of |x . n| = bend s r, and the area's moment of x half of the cube of the extent.
+  CheckRange(label + ", largest moment", 0.5 * std::pow(extent, 3.0), plan.Magnitude[1],
+    100.0 * std::pow(extent, 3.0));
+  // One point misses the square in x of a square's x y x by a twelfth.
+  CheckRange(label + ", bound", bend * std::pow(extent, 5.0) / (12.0 * 2.0 * 4.0), plan.QuadratureBound[0],
+    100.0 * bend * std::pow(extent, 5.0));
+}
 }
 
 int TestFacePlanner(int, char*[])
@@ -99,6 +126,10 @@ int TestFacePlanner(int, char*[])
     {
       CheckThreads(degree, tolerance, 40);
     }
+  }
+  for (const double extent : { 1.0, 3.0, 30.0, 1000.0 })
+  {
+    CheckBeyond(extent);
   }
   return Finish();
 }

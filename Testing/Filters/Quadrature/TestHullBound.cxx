@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -88,6 +89,55 @@ void CheckMagnitudes(int p, int q, double exponent, std::mt19937_64& random)
   smtest::CheckTrue(name + ": no more than the hull's",
     plan.Magnitude[1] <= 6.0 * p * q && plan.Magnitude[0] <= 6.0 * p * q * 6.05 / 3.0);
 }
+
+/// Residuals of curves count along ribbons without an ellipse, too.
+void CheckResidual(double exponent, std::mt19937_64& random)
+{
+  sm::Face face = MakePatchFace(3, 3, 0.0, random);
+  // Beside a corner of weight 1.
+  for (std::size_t i = 1; i < face.Surface.ControlPoints.size(); ++i)
+  {
+    for (double& coordinate : face.Surface.ControlPoints[i])
+    {
+      coordinate *= std::pow(10.0, exponent);
+    }
+  }
+  const std::array<double, 2> corners[5] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0 } };
+  sm::Loop loop;
+  for (int i = 0; i < 4; ++i)
+  {
+    auto edge = std::make_shared<sm::Edge>();
+    std::array<double, 3> ends[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      face.Surface.Evaluate(corners[i + k][0], corners[i + k][1], ends[k].data(), nullptr, nullptr);
+    }
+    edge->StartVertex = ends[0];
+    edge->EndVertex = ends[1];
+    edge->Curve.Breaks = { 0.0 };
+    edge->Curve.AppendPiece(1.0, ends, 1);
+    sm::Coedge coedge;
+    coedge.Use = edge;
+    coedge.Curve.Breaks = { 0.0 };
+    coedge.Curve.AppendPiece(1.0, corners + i, 1);
+    loop.Coedges.push_back(coedge);
+  }
+  face.Loops.push_back(loop);
+  sm::PlanRequest request;
+  request.Classes = { { sm::BoundClass::VolumeMoment, 0 }, { sm::BoundClass::AreaMoment, 0 } };
+  request.Tolerances = { 1e-9, 1e-9 };
+  const double exact = sm::PlanFace(face, sm::BuildFacePanels(face), request).ResidualBound[0];
+  for (sm::Coedge& coedge : face.Loops[0].Coedges)
+  {
+    coedge.Curve.Residual = { 1e-30, 1e-30 };
+  }
+  const double fitted = sm::PlanFace(face, sm::BuildFacePanels(face), request).ResidualBound[0];
+  const std::string label = "weights of 1 to 1e" + std::to_string(static_cast<int>(exponent));
+  smtest::CheckEqual(label + ", exact curves", 0.0, exact);
+  // The residual is far below the surface's size, 1, but where no ellipse exists it counts as much as the surface.
+  smtest::CheckRange(
+    label + ", fitted curves", exponent < 1.0 ? 1e-31 : 1.0, fitted, exponent < 1.0 ? 1e-27 : 1e4);
+}
 }
 
 int TestHullBound(int, char*[])
@@ -102,6 +152,10 @@ int TestHullBound(int, char*[])
         CheckMagnitudes(p, q, exponent, random);
       }
     }
+  }
+  for (const double exponent : { 0.0, 15.0 })
+  {
+    CheckResidual(exponent, random);
   }
   return smtest::Finish();
 }

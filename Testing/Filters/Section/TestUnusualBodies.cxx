@@ -188,6 +188,44 @@ void CheckTubeWithDiscs()
   CheckTrue("tube with small discs, said", HasMessage(open.Mass, "4 borders"));
 }
 
+/// Squares of areas, and second moments, of so small a body are 0 in doubles, and so are their bounds.
+void CheckSize(double size, const std::string& status)
+{
+  BoxBody box;
+  box.Add({ { 0, 0, 0 }, { size, 2.0 * size, 3.0 * size } });
+  Filters filters(box.Make());
+  const std::string what = "box of 1e" + std::to_string(std::lround(std::log10(size)));
+  CheckEqual(what + ", mass", status, filters.Mass->GetStatus());
+  CheckEqual(what + ", integral", status, filters.Integral->GetStatus());
+}
+
+/// A ball of two halves without loops, a ring, and a tube with discs, whose borders differ: no edge and no ribbon closes what is between.
+void CheckApart(double gap)
+{
+  const double h = std::sqrt(0.5);
+  const std::vector<double> line = { 0, 0, 1, 1 };
+  const std::vector<double> quarter = { 0, 0, 0, 1, 1, 1 };
+  const std::pair<std::string, vtkSmartPointer<vtkNURBSDataSet>> bodies[] = {
+    { "halves of a ball",
+      MakeLeaf({ MakeRevolvedFace({ { 0, -2, 1 }, { 2, -2, h }, { 2, 0, 1 } }, 2, quarter),
+        MakeRevolvedFace({ { 2, gap, 1 }, { 2, 2 + gap, h }, { 0, 2 + gap, 1 } }, 2, quarter) }) },
+    { "tube with discs",
+      MakeLeaf({ MakeRevolvedFace({ { 1, 0, 1 }, { 1, 2, 1 } }, 1, line),
+        MakeRevolvedFace({ { 0, 0, 1 }, { 1, 0, 1 } }, 1, line, 1),
+        MakeRevolvedFace({ { 1, 2 + gap, 1 }, { 0, 2 + gap, 1 } }, 1, line) }) },
+    { "ring",
+      MakeRevolved({ { 4, 0, 1 }, { 4, 1, 1 }, { 2, 1, 1 }, { 2, -1, 1 }, { 4, -1, 1 }, { 4, -gap, 1 } }, 1,
+        { 0, 0, 1, 2, 3, 4, 5, 5 }) }
+  };
+  for (const auto& [name, body] : bodies)
+  {
+    const Filters filters(body);
+    const std::string label = name + ", " + std::to_string(gap * 1e9) + "e-9 apart";
+    CheckEqual(label, gap == 0.0 ? "ok" : "suspect", filters.Mass->GetStatus());
+    CheckTrue(label + ", said", (gap > 0.0) == HasMessage(filters.Mass, "no edge closes the gap"));
+  }
+}
+
 /// Faces without loops: a ball and a ring are closed by themselves, a tube and a cone are not, although the vector area of the tube is 0.
 void CheckWithoutLoops()
 {
@@ -322,6 +360,15 @@ int TestUnusualBodies(int, char*[])
   far->SetPlacement(placement);
   CheckEqual("1e300 away", "tolerance-not-met", Filters(far).Mass->GetStatus());
   CheckWithoutLoops();
+  for (const double gap : { 0.0, 1e-12, 1e-9, 1e-6, 1e-3 })
+  {
+    CheckApart(gap);
+  }
+  for (const double size : { 1e-100, 1e-64, 1e50, 1e100 })
+  {
+    CheckSize(size, "suspect");
+  }
+  CheckSize(1e-30, "ok");
   CheckTubeWithDiscs();
   CheckGaps();
   CheckNames();

@@ -1,4 +1,5 @@
 // TestSolidStabilityTip FOLDER: least angle and rise over round contacts and over corners, where the centre of mass is beyond them.
+#include "smBoxBodies.h"
 #include "smStabilityTesting.h"
 #include "smStandingSolids.h"
 
@@ -93,6 +94,29 @@ void CheckOblique(const std::string& folder, bool half, double lean, double turn
   CheckBounded(standing.Filter, names::CenterOfMassRise,
     static_cast<double>(FindLeast([&](Real d) { return exact.GetRise(d); })), most * Height);
 }
+
+/// A plate lies on the ground, which may slope against its short side: it tips by nearly a right angle, over the middle of a side.
+void CheckPlate(double thickness, double slope)
+{
+  BoxBody body;
+  body.Add({ { 0, 0, 0 }, { 300, 200, thickness } });
+  vtkNew<vtkSolidStability> filter;
+  filter->SetBackend(vtkMassPropertiesGPU::CPU);
+  filter->SetInputDataObject(body.Make());
+  filter->SetGroundNormal(0, 0, 1);
+  filter->SetGravityDirection(0, -std::sin(slope), -std::cos(slope));
+  filter->Update();
+  const std::string label = "plate of " + std::to_string(thickness) + " on " + std::to_string(slope);
+  const Real z = Real(thickness) / 2;
+  const Real angle = std::atan2(Real(100), z) - slope;
+  const Real half = std::sin(angle / 2);
+  Check(label + ", tip angle", static_cast<double>(angle * 180 / Pi), filter->GetTipAngle(),
+    filter->GetTipAngleBound(), "the bound");
+  CheckRange(label + ", bound of the tip angle", 0.0, filter->GetTipAngleBound(), 1e-5);
+  Check(label + ", rise", static_cast<double>(2 * std::hypot(Real(100), z) * half * half),
+    filter->GetCenterOfMassRise(), filter->GetCenterOfMassRiseBound(), "the bound");
+  CheckRange(label + ", bound of the rise", 0.0, filter->GetCenterOfMassRiseBound(), 1e-5);
+}
 }
 
 int TestSolidStabilityTip(int argc, char* argv[])
@@ -126,5 +150,10 @@ int TestSolidStabilityTip(int argc, char* argv[])
   }
   // Nearly over the round side.
   CheckOblique(folder, false, 10.0 + 1e-6, 0.77, 0.0, 1e-8);
+  for (const double thickness : { 100.0, 5.0, 0.5, 0.05 })
+  {
+    CheckPlate(thickness, 0.0);
+    CheckPlate(thickness, 0.02);
+  }
   return Finish();
 }

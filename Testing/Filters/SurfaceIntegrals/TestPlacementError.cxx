@@ -95,7 +95,11 @@ void CheckNearlyRigid(double stretch)
   const std::string label = "stretched by " + std::to_string(stretch * 1e13) + "e-13";
   Check(label + ", volume", static_cast<double>(30.0L * scale * scale * scale), mass->GetVolume(),
     mass->GetVolumeBound(), "(the bound)");
-  CheckRange(label + ", bound", 0.0, mass->GetVolumeBound(), 30.0 * (1e-14 + 40.0 * stretch));
+  CheckRange(label + ", bound", 0.0, mass->GetVolumeBound(), 30.0 * (2e-14 + 40.0 * stretch));
+  Check(label + ", area", static_cast<double>(62.0L * scale * scale), mass->GetSurfaceArea(),
+    mass->GetSurfaceAreaBound(), "(the bound)");
+  CheckRange(
+    label + ", bound of the area", 0.0, mass->GetSurfaceAreaBound(), 62.0 * (2e-14 + 40.0 * stretch));
   CheckEqual(label + ", status", "ok", mass->GetStatus());
 }
 }
@@ -105,7 +109,7 @@ int TestPlacementError(int, char*[])
   CheckPlacement(0.0);
   CheckPlacement(1000.0);
   CheckExact();
-  for (const double stretch : { 0.0, 1e-14, 1e-13, 4e-13 })
+  for (const double stretch : { 0.0, 1.5e-15, 1e-14, 1e-13, 4e-13 })
   {
     CheckNearlyRigid(stretch);
   }
