@@ -85,6 +85,7 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
   cut->Source = std::move(face);
   cut->Degree[0] = source.Degree[exchanged ? 1 : 0];
   cut->Degree[1] = source.Degree[exchanged ? 0 : 1];
+  panels.LargestTrim = source.Panels.LargestTrim;
   if (!exchanged)
   {
     panels.CoverageDefects = source.Panels.CoverageDefects;

@@ -175,6 +175,7 @@ std::uint32_t Builder::AddTrim(const BernsteinPiece<2>& piece)
   {
     this->Result.Coefficients.push_back(piece.Coefficients[i][0]);
     this->Result.Coefficients.push_back(piece.Coefficients[i][1]);
+    this->Result.LargestTrim = std::max(this->Result.LargestTrim, std::abs(piece.Coefficients[i][1]));
   }
   return first;
 }
@@ -452,10 +453,7 @@ FacePanels Builder::Build()
   this->Result.CoverageDefects += HasWrongLoops(this->Source) ? 1 : 0;
   return std::move(this->Result);
 }
-}
 
-namespace
-{
 // From this ratio of neighbours' weights a surface is not continued farther than it is wide.
 constexpr double LargeWeightRatio = 8.0;
 

@@ -104,6 +104,8 @@ struct FacePanels
   double Overlap = 0.0;
   /// Trim curves beyond the surface's domain, to which the surface is continued.
   Overhang Outside;
+  /// Largest absolute value of a trim piece's coefficient in r's direction: where pieces cross knot lines is known to their rounding.
+  double LargestTrim = 0.0;
   /// Edges that follow each other may end at different points: the sum of their squared distances, and the largest distance of such a point
   /// from the model's origin.
   double OpenCorners = 0.0;

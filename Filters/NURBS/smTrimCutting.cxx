@@ -213,7 +213,7 @@ void CutAtKnotLines(const BernsteinPiece<2>& piece, const CellGrid& grid, std::v
       const auto [low, high] = std::minmax(segment.StartPoint[d], point[d]);
       middle[d] = segment.Start == end ? 0.5 * (low + high) : middle[d];
       // Between neighbouring doubles there is no middle.
-      middle[d] = middle[d] >= high && std::nextafter(low, high) == high ? low : middle[d];
+      middle[d] = low < high && middle[d] >= high && std::nextafter(low, high) == high ? low : middle[d];
     }
     segment.Column = CellGrid::Find(grid.U, middle[0]);
     segment.Row = CellGrid::Find(grid.V, middle[1]);

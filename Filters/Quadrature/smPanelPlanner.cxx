@@ -214,7 +214,8 @@ void PanelPlanner::AddEndError(const Panel& panel, const PanelPart& part)
   }
   const Patch& patch = this->Panels.Patches[panel.Patch];
   const double width = this->Bounds.GetTrim().GetHigh(1) - this->Bounds.GetTrim().GetLow(1);
-  const double largest = std::max(std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]));
+  const double largest = std::max(
+    { std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]), this->Panels.LargestTrim });
   const double rounding = EndRounding * UnitRoundoff * largest / patch.Width[1];
   int ends = 0;
   ends += part.Start == 0.0 && std::abs(this->Bounds.GetTrim().GetLow(1)) > RowBorder ? 1 : 0;

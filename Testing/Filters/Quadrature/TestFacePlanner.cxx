@@ -3,6 +3,7 @@
 #include "smQuadraturePlan.h"
 #include "smTesting.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -116,6 +117,22 @@ void CheckBeyond(double extent)
   CheckRange(label + ", bound", bend * std::pow(extent, 5.0) / (12.0 * 2.0 * 4.0), plan.QuadratureBound[0],
     100.0 * bend * std::pow(extent, 5.0));
 }
+
+/// The end of a covered edge is where trim pieces cross it, whose coefficients may be large beside the surface's parameters.
+void CheckCoveredEnd(double largest)
+{
+  sm::FacePanels face = MakePanels(2, 1);
+  face.Coefficients = { 1.0, 0.0, 1.0, 0.5 };
+  face.Panels[0].TrimDegree = 1;
+  face.Panels[0].Covered = true;
+  face.LargestTrim = largest;
+  sm::PlanRequest request;
+  request.Classes = { { sm::BoundClass::AreaMoment, 0 } };
+  request.Tolerances = { 1e-18 };
+  const double bound = sm::PlanFace({}, face, request).QuadratureBound[0];
+  CheckRange("covered end of pieces of " + std::to_string(largest), 50.0 * 1.1e-16 * std::max(largest, 1.0),
+    bound, 1e3 * 1.1e-16 * std::max(largest, 1e2));
+}
 }
 
 int TestFacePlanner(int, char*[])
@@ -126,6 +143,10 @@ int TestFacePlanner(int, char*[])
     {
       CheckThreads(degree, tolerance, 40);
     }
+  }
+  for (const double largest : { 0.5, 1e2, 1e7 })
+  {
+    CheckCoveredEnd(largest);
   }
   for (const double extent : { 1.0, 3.0, 30.0, 1000.0 })
   {
