@@ -6,6 +6,7 @@
 #include <Precision.hxx>
 #include <StepGeom_CartesianPoint.hxx>
 #include <StepGeom_Circle.hxx>
+#include <StepGeom_CompositeCurve.hxx>
 #include <StepGeom_Ellipse.hxx>
 #include <StepGeom_Point.hxx>
 #include <StepGeom_RectangularTrimmedSurface.hxx>
@@ -129,6 +130,33 @@ void CheckShortArcs(const Handle(StepData_StepModel) & model, double unit, std::
           " mm apart: OpenCASCADE takes them as one and the curve as a whole. The short part between them "
           "may "
           "be meant.";
+    }
+  }
+  if (!first.empty())
+  {
+    messages.push_back(first + (others > 0 ? " So it is with " + std::to_string(others) + " more." : ""));
+  }
+}
+
+void CheckCompositeEdges(const Handle(StepData_StepModel) & model, std::vector<std::string>& messages)
+{
+  std::string first;
+  int others = 0;
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const auto edge = Handle(StepShape_EdgeCurve)::DownCast(model->Value(i));
+    Handle(StepGeom_Curve) curve = edge.IsNull() ? nullptr : edge->EdgeGeometry();
+    const auto onSurface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
+    curve = onSurface.IsNull() ? curve : onSurface->Curve3d();
+    if (!Handle(StepGeom_CompositeCurve)::DownCast(curve).IsNull())
+    {
+      others += first.empty() ? 0 : 1;
+      first = !first.empty() ? first
+                             : "Edge #" + std::to_string(model->IdentLabel(edge)) +
+          " of the file is on a composite curve (#" + std::to_string(model->IdentLabel(curve)) +
+          "), of which OpenCASCADE makes nothing: its faces are left out. Export it with an edge for each "
+          "segment, or "
+          "with splines.";
     }
   }
   if (!first.empty())

@@ -402,6 +402,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   SkipDamagedAttributes(model, reader, document);
   CheckSpindleTori(model, document.Defects);
   CheckShortArcs(model, document.FileUnitInMillimetres, document.Messages, document.Defects);
+  CheckCompositeEdges(model, document.Messages);
   const bool isAngleKnown =
     used != declared.Census.Contexts.end() && used->Angle.Status == CensusUnit::State::Stated;
   CheckParameterCurves(

@@ -121,6 +121,9 @@ def check_solids():
            ["run against their loops or their curves, with the same points, in 1 entity, first #21", "export the file again"])
     damage("wavy_plate-plain.step", "spline_reversed", [(r"(#62 = EDGE_CURVE\('',#\d+,#\d+,#\d+,)\.T\.", r"\1.F.")], {"ok"}, ["in 1 entity, first #62"])
     check_parameter_curves()
+    damage("box-nopcurves.step", "composite_edge", [(r"(EDGE_CURVE\('',#\d+,#\d+,)(#\d+)(,\.T\.\);)", r"\1#901\3\n#901=COMPOSITE_CURVE('',(#902),.F.);\n"
+           r"#902=COMPOSITE_CURVE_SEGMENT(.DISCONTINUOUS.,.T.,#903);\n#903=TRIMMED_CURVE('',\2,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(10.)),.T.,.PARAMETER.);")],
+           FLAGGED, ["is on a composite curve (#901)", "Export it with an edge for each segment"])
     # The same occurrences with a record for each of their types; a quantity beside them is another usage.
     parts = (r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\(([^;]*),\s*(\$)\s*\);", r"(ASSEMBLY_COMPONENT_USAGE(\2)NEXT_ASSEMBLY_USAGE_OCCURRENCE()"
              r"PRODUCT_DEFINITION_RELATIONSHIP(\1)PRODUCT_DEFINITION_USAGE());")
