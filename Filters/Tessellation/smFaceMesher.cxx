@@ -32,6 +32,10 @@ constexpr std::size_t MostTurns = 300;
 constexpr double TurnShare = 1e-2;
 /// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller for it.
 constexpr double LargestGapShare = 0.5;
+/// Exchanged diagonals, in all and for each point, after which no more points are inserted: triangles are needles then, and each point
+/// changes a large part of them. Usual faces need about ten for each point.
+constexpr std::size_t MostFlips = 1000000;
+constexpr std::size_t MostFlipsOfPoint = 100;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
 constexpr double LeastNormal = 1e-10;
 /// Loops that are narrower than this part of their parameters, some 50 neighbouring doubles, are lines.
@@ -97,6 +101,7 @@ public:
     {
       return result;
     }
+    result.IsUnproved = this->IsUnfinished && result.Deviation > this->Limits.Deflection;
     if (result.Triangles.empty())
     {
       result.Reason = "Its boundary runs back along itself.";
@@ -234,6 +239,10 @@ private:
   /// Adds a point unless it is outside, or too near to a corner or to the boundary, by `scale` points per unit.
   void AddInner(const Parameters& at, const Parameters& scale)
   {
+    if (this->IsExhausted())
+    {
+      return;
+    }
     const GridPoint p = this->ToGrid(at);
     const Triangulation::Triangle& t = this->Mesh.GetTriangles()[this->Mesh.Locate(p)];
     if (!t.Inside)
@@ -278,6 +287,11 @@ private:
                                                            : this->Limits.Deflection - gap;
   }
 
+  bool IsExhausted() const
+  {
+    return this->Mesh.GetNumberOfFlips() > MostFlips + MostFlipsOfPoint * this->Vertices.size();
+  }
+
   /// Inserts points until all triangles are good, or no more can be done.
   void Refine()
   {
@@ -289,7 +303,7 @@ private:
     }
     const std::size_t most = 2 * this->Vertices.size() + MostRefinement;
     std::size_t turns = MostTurns + this->Vertices.size() / 4;
-    while (!open.empty() && this->Vertices.size() < most)
+    while (!open.empty() && this->Vertices.size() < most && !this->IsExhausted())
     {
       const Triangulation::Triangle& t = this->Mesh.GetTriangles()[open.back()];
       open.pop_back();
@@ -317,6 +331,7 @@ private:
         open.insert(open.end(), this->Mesh.GetChanged().begin(), this->Mesh.GetChanged().end());
       }
     }
+    this->IsUnfinished = !open.empty();
   }
 
   /// The middle of the side that adds most to the error and is no segment; of the triangle where all are.
@@ -437,6 +452,8 @@ private:
   Triangulation Mesh;
   std::vector<MeshVertex> Vertices;
   TriangleJudge Judge;
+  /// Refinement ended before all triangles were good.
+  bool IsUnfinished = false;
   std::vector<Parameters> TurnedSpeeds;
   /// The point at which each segment starts.
   std::vector<const BoundaryPoint*> Starts;

@@ -28,6 +28,8 @@ struct FaceMesh
   std::vector<std::array<int, 3>> Triangles;
   /// Bound of the distance of the triangles from the surface, across it, see smSurfaceBlocks.h.
   double Deviation = 0.0;
+  /// Refinement ended with a Deviation above the deflection: it would take too many points.
+  bool IsUnproved = false;
   /// Bound of the angle, in radians, by which the surface's normal turns within a triangle, see TriangleJudge::GetNormalTurn().
   double NormalTurn = 0.0;
   /// Triangles whose normals are against the surface's, which nothing mends; Reason says why.

@@ -12,9 +12,13 @@ namespace sm
 {
 namespace
 {
-/// Parts of a span, per direction, on which its second derivatives are bounded; of a polynomial of low degree, and of others.
-constexpr int PlainParts = 1;
-constexpr int CurvedParts = 2;
+/// Spans of polynomials of low degree are one block, others two per direction. Where weights differ by more than EvenWeights, parameters run
+/// unevenly towards the ends of a span, up to the ratio of the weights: its parts are halved towards its ends as often, if MostParts in a
+/// direction of the face allow. Strips stay wider than ThinShare; weights that differ by more than MostHalves allow have bounds that
+/// no mesh keeps, so that parts do not help.
+constexpr double EvenWeights = 4.0;
+constexpr int MostHalves = 13;
+constexpr std::size_t MostParts = 64;
 
 /// Normals are not looked for where S_u and S_v are nearer to parallel, and turns not where the speed is this part of the block's.
 constexpr double LeastSine = 1e-6;
@@ -36,6 +40,19 @@ constexpr double EnoughShare = 0.4;
 
 /// Jump of a derivative, relative to it, that is rounding.
 constexpr double SmoothJump = 1e-8;
+
+/// Largest weight over the smallest one; 1 without weights.
+double GetWeightRatio(const NURBSSurface& surface)
+{
+  double lightest = HUGE_VAL;
+  double heaviest = 0.0;
+  for (const Homogeneous& h : surface.ControlPoints)
+  {
+    lightest = std::min(lightest, h[3]);
+    heaviest = std::max(heaviest, h[3]);
+  }
+  return surface.Rational && lightest > 0.0 ? heaviest / lightest : 1.0;
+}
 
 /// Derivatives at a corner of the net, by its own parameters.
 struct CornerDerivatives
@@ -190,19 +207,34 @@ int SurfaceBlocks::ListBreaks(const NURBSSurface& surface, int d, std::vector<do
     }
   }
   const int degree = surface.Degree[d];
-  const int parts = degree == 1 || (degree <= 3 && !surface.Rational) ? PlainParts : CurvedParts;
+  std::vector<double> shares = { 0.0 };
+  const double ratio = GetWeightRatio(surface);
+  if (degree > 1 && (degree > 3 || surface.Rational))
+  {
+    const bool isUneven = ratio > EvenWeights && ratio <= std::ldexp(1.0, MostHalves);
+    const int wanted = isUneven ? static_cast<int>(std::ceil(std::log2(ratio))) : 1;
+    const std::size_t allowed = std::max<std::size_t>(MostParts / (2 * (spans.size() - 1)), 1);
+    const int halves = std::min(wanted, static_cast<int>(allowed));
+    for (int i = halves; i > 1; --i)
+    {
+      shares.push_back(std::ldexp(1.0, -i));
+    }
+    for (int i = 1; i <= halves; ++i)
+    {
+      shares.push_back(1.0 - std::ldexp(1.0, -i));
+    }
+  }
   for (std::size_t k = 0; k + 1 < spans.size(); ++k)
   {
-    for (int i = 0; i < parts; ++i)
+    for (const double share : shares)
     {
-      const double share = static_cast<double>(i) / parts;
       this->Breaks[d].push_back((1.0 - share) * spans[k] + share * spans[k + 1]);
     }
   }
   this->Breaks[d].push_back(spans.back());
   this->Breaks[d].front() = std::min(this->Breaks[d].front(), this->Covered.Low[d]);
   this->Breaks[d].back() = std::max(this->Breaks[d].back(), this->Covered.High[d]);
-  return parts;
+  return static_cast<int>(shares.size());
 }
 
 void SurfaceBlocks::MeasureBlock(const PatchNet& net, const std::array<double, 2>& low,

@@ -81,6 +81,7 @@ void Triangulation::SetNeighbor(int triangle, int from, int neighbor)
 
 void Triangulation::Flip(int triangle, int side)
 {
+  ++this->NumberOfFlips;
   Triangle& t = this->Triangles[triangle];
   const int other = t.Sides[side].Neighbor;
   Triangle& o = this->Triangles[other];

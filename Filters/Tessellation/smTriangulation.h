@@ -78,6 +78,8 @@ public:
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
   /// Triangles that the last Insert() made or changed; some may be named twice.
   const std::vector<int>& GetChanged() const { return this->Changed; }
+  /// Number of diagonals that were exchanged: some for each point, but one for each triangle of a fan in which triangles are needles.
+  std::size_t GetNumberOfFlips() const { return this->NumberOfFlips; }
 
 private:
   static int NextCorner(int k) { return k == 2 ? 0 : k + 1; }
@@ -126,6 +128,7 @@ private:
   std::vector<Triangle> Triangles;
   std::vector<int> Changed;
   std::vector<Place> Stack;
+  std::size_t NumberOfFlips = 0;
   int Last = 0;
 };
 }

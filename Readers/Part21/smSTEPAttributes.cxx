@@ -17,7 +17,18 @@ STEPAttributes::STEPAttributes(const Part21File& file)
       const STEPEntityType* type = this->GetType(i, k);
       this->Roles[i] |= type ? type->Roles : 0;
     }
+    // The types that an occurrence has above its own make it no other usage.
+    this->Roles[i] &= this->IsOccurrenceInParts(i) ? ~STEPRole::OtherUsage : ~std::uint64_t{ 0 };
   }
+}
+
+bool STEPAttributes::IsOccurrenceInParts(Index i) const
+{
+  std::string_view parameters;
+  return this->Has(i, STEPRole::Occurrence) && this->File.GetNumberOfRecords(i) == 4 &&
+    this->FindRecord(i, "ASSEMBLY_COMPONENT_USAGE", parameters) &&
+    this->FindRecord(i, "PRODUCT_DEFINITION_RELATIONSHIP", parameters) &&
+    this->FindRecord(i, "PRODUCT_DEFINITION_USAGE", parameters);
 }
 
 bool STEPAttributes::FindRecord(Index i, std::string_view record, std::string_view& parameters) const

@@ -43,6 +43,9 @@ public:
   /// Returns true if the type of the entity is known to the census.
   bool IsKnown(Index i) const { return i != None && this->Roles[i] != 0; }
 
+  /// Returns true for a NEXT_ASSEMBLY_USAGE_OCCURRENCE that is written as a complex instance of its own types.
+  bool IsOccurrenceInParts(Index i) const;
+
   /// Gets the parameters of the record with this name, or of a simple instance of this type. Returns false if there is none, or for None.
   bool FindRecord(Index i, std::string_view record, std::string_view& parameters) const;
   /// Returns the value of an attribute; Malformed if there is none, or for None.

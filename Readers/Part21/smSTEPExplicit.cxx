@@ -67,13 +67,13 @@ public:
       {
         this->CompleteCone(i);
       }
-      else if (roles & STEPRole::Relationship)
+      else if (roles & (STEPRole::Relationship | STEPRole::MappedItem))
       {
-        relationships.push_back(i);
+        (roles & STEPRole::Relationship ? relationships : mapped).push_back(i);
       }
-      else if (roles & STEPRole::MappedItem)
+      else if (roles & STEPRole::Occurrence)
       {
-        mapped.push_back(i);
+        this->SimplifyOccurrence(i);
       }
     }
     for (const Index i : relationships)
@@ -236,6 +236,19 @@ private:
       this->Changes.Replace(this->File.GetText(i),
         "#" + std::to_string(this->File.GetId(i)) + "=CYLINDRICAL_SURFACE('',#" +
           std::to_string(this->Entities.Get(i, PositionOfCone).Id) + "," + FormatPart21Real(radius) + ");");
+    }
+  }
+
+  void SimplifyOccurrence(Index i)
+  {
+    std::string_view parts[2];
+    if (this->Entities.IsOccurrenceInParts(i) &&
+      this->Entities.FindRecord(i, "PRODUCT_DEFINITION_RELATIONSHIP", parts[0]) &&
+      this->Entities.FindRecord(i, "ASSEMBLY_COMPONENT_USAGE", parts[1]))
+    {
+      this->Changes.Replace(this->File.GetText(i),
+        "#" + std::to_string(this->File.GetId(i)) + "=NEXT_ASSEMBLY_USAGE_OCCURRENCE(" +
+          std::string(parts[0]) + "," + std::string(parts[1]) + ");");
     }
   }
 

@@ -56,6 +56,10 @@ public:
     {
       this->Crossing.push_back(face);
     }
+    if (mesh.IsUnproved)
+    {
+      this->Unproved.push_back(face);
+    }
   }
   void AppendTo(std::vector<std::string>& messages) const
   {
@@ -73,11 +77,17 @@ public:
       messages.push_back(
         "Loops cross on " + CountFaces(this->Crossing) + "; the display mesh may be open there.");
     }
+    if (!this->Unproved.empty())
+    {
+      messages.push_back("The display mesh of " + CountFaces(this->Unproved) +
+        " is not proved to lie within the deflection: parameters run too unevenly there.");
+    }
   }
 
 private:
   std::vector<const Face*> Missing;
   std::vector<const Face*> Crossing;
+  std::vector<const Face*> Unproved;
   std::map<std::string, std::vector<const Face*>> Turned;
 };
 

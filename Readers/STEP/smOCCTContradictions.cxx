@@ -6,6 +6,7 @@
 #include <Precision.hxx>
 #include <StepGeom_CartesianPoint.hxx>
 #include <StepGeom_Circle.hxx>
+#include <StepGeom_CompositeCurve.hxx>
 #include <StepGeom_Ellipse.hxx>
 #include <StepGeom_Point.hxx>
 #include <StepGeom_RectangularTrimmedSurface.hxx>
@@ -44,6 +45,30 @@ bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face)
   }
   return true;
 }
+
+/// A message about the first of several entities, and the number of the others.
+class FirstOfSeveral
+{
+public:
+  template <class Describe>
+  void Add(const Describe& describe)
+  {
+    this->Others += this->First.empty() ? 0 : 1;
+    this->First = this->First.empty() ? describe() : this->First;
+  }
+  void Report(std::vector<std::string>& messages) const
+  {
+    if (!this->First.empty())
+    {
+      messages.push_back(
+        this->First + (this->Others > 0 ? " So it is with " + std::to_string(this->Others) + " more." : ""));
+    }
+  }
+
+private:
+  std::string First;
+  int Others = 0;
+};
 
 /// Returns the radius of a circle, the first one of an ellipse; 0 for other curves.
 double GetRadius(Handle(StepGeom_Curve) curve)
@@ -100,8 +125,7 @@ void CheckSpindleTori(const ModelEntities& entities, std::vector<std::string>& d
 void CheckShortArcs(const ModelEntities& entities, double unit, std::vector<std::string>& messages,
   std::vector<std::string>& defects)
 {
-  std::string first;
-  int others = 0;
+  FirstOfSeveral found;
   const auto check = [&](const Handle(StepShape_EdgeCurve) & edge)
   {
     gp_Pnt start;
@@ -121,20 +145,47 @@ void CheckShortArcs(const ModelEntities& entities, double unit, std::vector<std:
     else if (distance * unit <= Precision::Confusion() &&
       distance > Rounding * (start.XYZ().Modulus() + end.XYZ().Modulus()))
     {
-      others += first.empty() ? 0 : 1;
-      first = !first.empty()
-        ? first
-        : getName() + " of the file is on a closed curve, between two vertices that are " +
-          FormatDistance(distance * unit) +
-          " mm apart: OpenCASCADE takes them as one and the curve as a whole. The short part between them "
-          "may be meant.";
+      found.Add(
+        [&]()
+        {
+          return getName() + " of the file is on a closed curve, between two vertices that are " +
+            FormatDistance(distance * unit) +
+            " mm apart: OpenCASCADE takes them as one and the curve as a whole. The short part between them "
+            "may be meant.";
+        });
     }
   };
   entities.ForEach<StepShape_EdgeCurve>(check);
-  if (!first.empty())
+  found.Report(messages);
+}
+
+void CheckCompositeEdges(const ModelEntities& entities, std::vector<std::string>& messages)
+{
+  if (entities.Find({ STANDARD_TYPE(StepGeom_CompositeCurve) }).empty())
   {
-    messages.push_back(first + (others > 0 ? " So it is with " + std::to_string(others) + " more." : ""));
+    return;
   }
+  FirstOfSeveral found;
+  const auto check = [&](const Handle(StepShape_EdgeCurve) & edge)
+  {
+    Handle(StepGeom_Curve) curve = edge->EdgeGeometry();
+    const auto onSurface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
+    curve = onSurface.IsNull() ? curve : onSurface->Curve3d();
+    if (!Handle(StepGeom_CompositeCurve)::DownCast(curve).IsNull())
+    {
+      found.Add(
+        [&]()
+        {
+          return "Edge #" + std::to_string(entities.GetModel()->IdentLabel(edge)) +
+            " of the file is on a composite curve (#" +
+            std::to_string(entities.GetModel()->IdentLabel(curve)) +
+            "), of which OpenCASCADE makes nothing: its faces are left out. Export it with an edge for each "
+            "segment, or with splines.";
+        });
+    }
+  };
+  entities.ForEach<StepShape_EdgeCurve>(check);
+  found.Report(messages);
 }
 
 std::string DescribeOverstep(const DraftFace& face, const NativeBox& box)

@@ -407,6 +407,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   SkipDamagedAttributes(entities, reader, document);
   CheckSpindleTori(entities, document.Defects);
   CheckShortArcs(entities, document.FileUnitInMillimetres, document.Messages, document.Defects);
+  CheckCompositeEdges(entities, document.Messages);
   const bool isAngleKnown =
     used != declared.Census.Contexts.end() && used->Angle.Status == CensusUnit::State::Stated;
   CheckParameterCurves(

@@ -121,6 +121,18 @@ def check_solids():
            ["run against their loops or their curves, with the same points, in 1 entity, first #21", "export the file again"])
     damage("wavy_plate-plain.step", "spline_reversed", [(r"(#62 = EDGE_CURVE\('',#\d+,#\d+,#\d+,)\.T\.", r"\1.F.")], {"ok"}, ["in 1 entity, first #62"])
     check_parameter_curves()
+    damage("box-nopcurves.step", "composite_edge", [(r"(EDGE_CURVE\('',#\d+,#\d+,)(#\d+)(,\.T\.\);)", r"\1#901\3\n#901=COMPOSITE_CURVE('',(#902),.F.);\n"
+           r"#902=COMPOSITE_CURVE_SEGMENT(.DISCONTINUOUS.,.T.,#903);\n#903=TRIMMED_CURVE('',\2,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(10.)),.T.,.PARAMETER.);")],
+           FLAGGED, ["is on a composite curve (#901)", "Export it with an edge for each segment"])
+    # The same occurrences with a record for each of their types; a quantity beside them is another usage.
+    parts = (r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\(([^;]*),\s*(\$)\s*\);", r"(ASSEMBLY_COMPONENT_USAGE(\2)NEXT_ASSEMBLY_USAGE_OCCURRENCE()"
+             r"PRODUCT_DEFINITION_RELATIONSHIP(\1)PRODUCT_DEFINITION_USAGE());")
+    damage("assembly.step", "occurrence_in_parts", [parts], {"ok"}, [])
+    entries = [run(path)[1] for path in (os.path.join(options.output, "damaged_occurrence_in_parts.step"), os.path.join(options.solids, "assembly.step"))]
+    check_equal("an occurrence in parts: the same", entries[1]["total"], entries[0]["total"])
+    check_equal("an occurrence in parts: nothing is told", entries[1]["messages"], entries[0]["messages"])
+    damage("assembly.step", "occurrence_with_another_type", [parts, (r"PRODUCT_DEFINITION_USAGE\(\)", "PRODUCT_DEFINITION_USAGE()QUANTIFIED_ASSEMBLY_COMPONENT_USAGE($)")],
+           FLAGGED | {"unreadable"}, ["export"])
     # OpenCASCADE crashes on such files, or reads them for ever.
     damage("bicylinder-plain.step", "edge_of_itself", [(r"(#\d+) = (ORIENTED_EDGE\('',\*,\*,)#\d+", r"\1 = \2\1")],
            {"unreadable"}, ["cyclic reference", "export it again"])

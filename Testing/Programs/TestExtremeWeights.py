@@ -8,11 +8,12 @@ import json
 import math
 import os
 import random
+import struct
 import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
-from smcheck import check_true, finish  # noqa: E402
+from smcheck import check_equal, check_true, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
 for option in ("--program", "--output"):
@@ -133,6 +134,20 @@ def check_box(name, degree, weight, limit=math.inf):
             check_true(f"{name}: the bound of {key} says something", bound <= limit * exact, f"{bound}")
 
 
+def check_mesh(name, degree, weight, most, proved):
+    """Checks the mesh of a box whose top has one such weight: binary STL, which has the number of its triangles after its header."""
+    path, mesh = (os.path.join(options.output, f"weights_{name}.{end}") for end in ("step", "stl"))
+    write_box(path, degree, [[weight if i == j == 1 else 1.0 for j in range(degree + 1)] for i in range(degree + 1)])
+    done = subprocess.run([options.program, "--quiet", "--backend", "cpu", "--tolerance", "1e-3", "--max-evaluations", "1000000", "--mesh", mesh, "--json", "-", path],
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+    entry = json.loads(done.stdout)["files"][0]
+    with open(mesh, "rb") as file:
+        count = struct.unpack("<I", file.read()[80:84])[0]
+    check_true(f"{name}: triangles", 12 < count <= most, f"{count} of {most} at most")
+    said = [text for text in entry["messages"] if "is not proved to lie within the deflection" in text]
+    check_equal(f"{name}: says that the deflection is not proved", not proved, len(said) == 1)
+
+
 spread = random.Random(14)
 exponents = [[spread.uniform(0.0, 12.0) for _ in range(4)] for _ in range(4)]
 check_box("bilinear_corner", 1, lambda i, j: HUGE if i == j == 0 else 1.0)
@@ -144,6 +159,11 @@ check_box("cubic_huge", 3, lambda i, j: HUGE if (i, j) == (1, 2) else 1.0)
 check_box("cubic_tiny", 3, lambda i, j: 1.0 / HUGE if (i, j) == (1, 2) else 1.0)
 check_box("cubic_edge", 3, lambda i, j: HUGE if (i, j) == (0, 2) else 1.0)
 check_box("cubic_spread", 3, lambda i, j: 10.0 ** exponents[i][j])
+# One weight of a hundred, or of thousands: the mesh keeps what it promises, or says that it does not, with a number of triangles that can be had.
+check_mesh("mesh_10", 3, 10.0, 20000, True)
+check_mesh("mesh_100", 3, 100.0, 100000, True)
+check_mesh("mesh_5000", 3, 5000.0, 200000, False)
+check_mesh("mesh_1e4", 3, 1e4, 100000, False)
 # A surface that can be integrated: its tolerance follows from its size, not from what its weights let its mesh deviate.
 check_box("cubic_1e4", 3, lambda i, j: 1e4 if (i, j) == (1, 2) else 1.0, limit=1e-6)
 finish()
