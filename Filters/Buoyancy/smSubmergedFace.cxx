@@ -85,7 +85,10 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
   cut->Source = std::move(face);
   cut->Degree[0] = source.Degree[exchanged ? 1 : 0];
   cut->Degree[1] = source.Degree[exchanged ? 0 : 1];
-  panels.LargestTrim = source.Panels.LargestTrim;
+  for (int d = 0; d < 2; ++d)
+  {
+    panels.LargestTrim[d] = source.Panels.LargestTrim[exchanged ? 1 - d : d];
+  }
   if (!exchanged)
   {
     panels.CoverageDefects = source.Panels.CoverageDefects;

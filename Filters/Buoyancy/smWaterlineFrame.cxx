@@ -15,21 +15,19 @@ using Wide = long double;
 using Wide3 = std::array<Wide, 3>;
 
 /// Rounding of a coordinate of a sample, R p + t with p in the model's coordinates: u for p, u for the entries of R, 3 u for products and
-/// sums, and with t, which is as large where the result is small, 2 u; 8 u with some room. The bound of a sample's rounding has that for
+/// sums, and with t, which is as large where the result is small, 2 u; 8 u with some room, and the length of the three. The bound of a sample's rounding has that for
 /// coordinates as large as the body; here p is the middle of the body.
 double GetEvaluationError(const std::array<double, 12>& placement, const std::array<double, 3>& middle)
 {
-  double largest = 0.0;
+  std::array<double, 3> sums{};
   for (int k = 0; k < 3; ++k)
   {
-    double sum = 0.0;
     for (int j = 0; j < 3; ++j)
     {
-      sum += std::abs(placement[4 * k + j] * middle[j]);
+      sums[k] += std::abs(placement[4 * k + j] * middle[j]);
     }
-    largest = std::max(largest, sum);
   }
-  return 8.0 * UnitRoundoff * largest;
+  return 8.0 * UnitRoundoff * Norm(sums);
 }
 }
 

@@ -173,9 +173,11 @@ std::uint32_t Builder::AddTrim(const BernsteinPiece<2>& piece)
   const auto first = static_cast<std::uint32_t>(this->Result.Coefficients.size());
   for (int i = 0; i <= piece.Degree; ++i)
   {
-    this->Result.Coefficients.push_back(piece.Coefficients[i][0]);
-    this->Result.Coefficients.push_back(piece.Coefficients[i][1]);
-    this->Result.LargestTrim = std::max(this->Result.LargestTrim, std::abs(piece.Coefficients[i][1]));
+    for (int d = 0; d < 2; ++d)
+    {
+      this->Result.Coefficients.push_back(piece.Coefficients[i][d]);
+      this->Result.LargestTrim[d] = std::max(this->Result.LargestTrim[d], std::abs(piece.Coefficients[i][d]));
+    }
   }
   return first;
 }
@@ -335,11 +337,16 @@ void Builder::AddCorner(const Coedge& before, const Coedge& after, const Point2&
   const Edge& edge0 = *before.Use;
   const Edge& edge1 = *after.Use;
   const Point3 vertex = before.Reversed ? edge0.StartVertex : edge0.EndVertex;
-  const double open = Norm(Subtract(after.Reversed ? edge1.EndVertex : edge1.StartVertex, vertex));
-  this->Result.OpenCorners += open * open;
-  this->Result.VertexReach = std::max(this->Result.VertexReach, open > 0.0 ? Norm(vertex) + open : 0.0);
   const Point3 curveEnd = before.Reversed ? edge0.Curve.GetStartPoint() : edge0.Curve.GetEndPoint();
   const Point3 curveStart = after.Reversed ? edge1.Curve.GetEndPoint() : edge1.Curve.GetStartPoint();
+  const Point3& nextVertex = after.Reversed ? edge1.EndVertex : edge1.StartVertex;
+  if (nextVertex != vertex)
+  {
+    // This face's side of the hole leads to the end of the next curve, its neighbour's from there to that edge's vertex.
+    const double side = Norm(Subtract(curveStart, vertex)) + Norm(Subtract(nextVertex, curveStart));
+    this->Result.OpenCorners += side * side;
+    this->Result.VertexReach = std::max(this->Result.VertexReach, Norm(vertex) + side);
+  }
   const auto surfacePoint = [this](const Point2& uv)
   {
     const std::uint32_t patch =

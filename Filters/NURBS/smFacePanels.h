@@ -104,10 +104,11 @@ struct FacePanels
   double Overlap = 0.0;
   /// Trim curves beyond the surface's domain, to which the surface is continued.
   Overhang Outside;
-  /// Largest absolute value of a trim piece's coefficient in r's direction: where pieces cross knot lines is known to their rounding.
-  double LargestTrim = 0.0;
-  /// Edges that follow each other may end at different points: the sum of their squared distances, and the largest distance of such a point
-  /// from the model's origin.
+  /// Largest absolute values of trim pieces' coefficients, in the directions of s and r: where pieces cross knot lines is known to their
+  /// rounding.
+  double LargestTrim[2] = { 0.0, 0.0 };
+  /// Edges that follow each other may end at different vertices: the sum of the squared ways from one by the end of the second edge's curve
+  /// to the other, and the largest distance of such a point from the model's origin.
   double OpenCorners = 0.0;
   double VertexReach = 0.0;
   /// True if trim curves led where the denominator of the surface may vanish, or where, with weights that differ much, the surface would have

@@ -168,7 +168,8 @@ void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, do
 
 namespace
 {
-/// True if the control points at an index of a direction are those at another one.
+/// True if the control points at an index of a direction are those at another one, but for a common factor and rounding: the surface has
+/// the same curve on both sides.
 bool AreRowsEqual(const NURBSSurface& surface, int direction, int first, int second)
 {
   const int columns = surface.NumberOfControlPoints[0];
@@ -178,9 +179,19 @@ bool AreRowsEqual(const NURBSSurface& surface, int direction, int first, int sec
     return surface.ControlPoints[direction == 0 ? index + static_cast<std::size_t>(columns) * i
                                                 : i + static_cast<std::size_t>(columns) * index];
   };
+  const double scale[2] = { get(second, 0)[3], get(first, 0)[3] };
   for (int i = 0; i < count; ++i)
   {
-    if (get(first, i) != get(second, i))
+    double size = 0.0;
+    double difference = 0.0;
+    for (int c = 0; c < 4; ++c)
+    {
+      const double a = get(first, i)[c] * scale[0];
+      const double b = get(second, i)[c] * scale[1];
+      size = std::max({ size, std::abs(a), std::abs(b) });
+      difference = std::max(difference, std::abs(a - b));
+    }
+    if (!(difference <= 8.0 * UnitRoundoff * size))
     {
       return false;
     }

@@ -127,30 +127,39 @@ double GetDistance(const Vector3& p, const std::array<Vector3, 3>& t)
 }
 
 WindingTree::WindingTree(const std::vector<MeshTriangle>& triangles)
-  : Triangles(triangles)
-  , Order(triangles.size())
+  : Order(triangles.size())
 {
   std::iota(this->Order.begin(), this->Order.end(), std::size_t{ 0 });
   if (triangles.empty())
   {
     return;
   }
-  std::vector<Shape> shapes;
-  shapes.reserve(triangles.size());
+  Input input{ triangles, {}, {} };
+  input.Centroids.reserve(triangles.size());
+  input.Extents.reserve(triangles.size());
   for (const MeshTriangle& triangle : triangles)
   {
-    shapes.push_back({ GetCentroid(triangle.Corners), GetExtent(triangle.Corners) });
+    input.Centroids.push_back(GetCentroid(triangle.Corners));
+    input.Extents.push_back(GetExtent(triangle.Corners));
   }
   this->Nodes.reserve(4 * triangles.size() / LeafSize + 1);
-  // Build() orders the indices, and takes its sums of the triangles as they are given.
-  this->Build(shapes, 0, triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  this->Build(input, 0, triangles.size());
+  for (std::size_t c = 0; c < this->Coordinates.size(); ++c)
   {
-    this->Triangles[i] = triangles[this->Order[i]];
+    this->Coordinates[c].resize(triangles.size() + LeafSize);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      this->Coordinates[c][i] = triangles[this->Order[i]].Corners[c / 3][c % 3];
+    }
+  }
+  this->Deviations.reserve(triangles.size());
+  for (const std::size_t i : this->Order)
+  {
+    this->Deviations.push_back(triangles[i].Deviation);
   }
 }
 
-std::size_t WindingTree::Build(const std::vector<Shape>& shapes, std::size_t begin, std::size_t end)
+std::size_t WindingTree::Build(const Input& input, std::size_t begin, std::size_t end)
 {
   const std::size_t index = this->Nodes.size();
   this->Nodes.emplace_back();
@@ -159,16 +168,15 @@ std::size_t WindingTree::Build(const std::vector<Shape>& shapes, std::size_t beg
   node.End = end;
   if (end - begin <= LeafSize)
   {
-    this->SumTriangles(shapes, node);
-    this->AddLeaf(node);
+    this->SumTriangles(input, node);
   }
   else
   {
-    Vector3 low = shapes[this->Order[begin]].Centroid;
+    Vector3 low = input.Centroids[this->Order[begin]];
     Vector3 high = low;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const Vector3& c = shapes[this->Order[i]].Centroid;
+      const Vector3& c = input.Centroids[this->Order[i]];
       for (int d = 0; d < 3; ++d)
       {
         low[d] = std::min(low[d], c[d]);
@@ -184,46 +192,39 @@ std::size_t WindingTree::Build(const std::vector<Shape>& shapes, std::size_t beg
     const auto last = this->Order.begin() + static_cast<std::ptrdiff_t>(end);
     // Among large triangles no part of the cluster would be far away from anything.
     auto middle = std::stable_partition(first, last,
-      [&shapes, extent = LargeShare * (high[axis] - low[axis])](std::size_t i)
-      { return shapes[i].Extent > extent; });
+      [&input, extent = LargeShare * (high[axis] - low[axis])](std::size_t i)
+      { return input.Extents[i] > extent; });
     if (std::min(middle - first, last - middle) <= (last - first) / LeastShare)
     {
       middle = first + (last - first) / 2;
       std::nth_element(first, middle, last,
-        [&shapes, axis](std::size_t a, std::size_t b)
+        [&input, axis](std::size_t a, std::size_t b)
         {
-          const double x = shapes[a].Centroid[axis];
-          const double y = shapes[b].Centroid[axis];
+          const double x = input.Centroids[a][axis];
+          const double y = input.Centroids[b][axis];
           return x < y || (x == y && a < b);
         });
     }
     const std::size_t second = begin + static_cast<std::size_t>(middle - first);
-    this->Build(shapes, begin, second);
-    node.Second = this->Build(shapes, second, end);
+    this->Build(input, begin, second);
+    node.Second = this->Build(input, second, end);
     this->SumChildren(this->Nodes[index + 1], this->Nodes[node.Second], node);
   }
   this->Nodes[index] = node;
   return index;
 }
 
-void WindingTree::AddLeaf(Node& node)
+std::array<Vector3, 3> WindingTree::GetTriangle(std::size_t i) const
 {
-  node.Leaf = this->Leaves.size();
-  Leaf& leaf = this->Leaves.emplace_back();
-  for (std::size_t i = node.Begin; i < node.End; ++i)
+  std::array<Vector3, 3> corners;
+  for (std::size_t c = 0; c < this->Coordinates.size(); ++c)
   {
-    const std::array<Vector3, 3>& corners = this->Triangles[this->Order[i]].Corners;
-    for (int k = 0; k < 3; ++k)
-    {
-      for (int d = 0; d < 3; ++d)
-      {
-        leaf.Coordinates[k][d][i - node.Begin] = corners[k][d];
-      }
-    }
+    corners[c / 3][c % 3] = this->Coordinates[c][i];
   }
+  return corners;
 }
 
-void WindingTree::SumTriangles(const std::vector<Shape>& shapes, Node& node) const
+void WindingTree::SumTriangles(const Input& input, Node& node) const
 {
   const double largest = std::numeric_limits<double>::max();
   node.Low.fill(largest);
@@ -232,7 +233,7 @@ void WindingTree::SumTriangles(const std::vector<Shape>& shapes, Node& node) con
   Vector3 mean{};
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
-    const MeshTriangle& triangle = this->Triangles[this->Order[i]];
+    const MeshTriangle& triangle = input.Triangles[this->Order[i]];
     const Vector3 vector = GetAreaVector(triangle.Corners);
     areas[i - node.Begin] = vector;
     const double area = Norm(vector);
@@ -245,15 +246,15 @@ void WindingTree::SumTriangles(const std::vector<Shape>& shapes, Node& node) con
         node.Low[d] = std::min(node.Low[d], corner[d]);
         node.High[d] = std::max(node.High[d], corner[d]);
       }
-      mean[d] += area * shapes[this->Order[i]].Centroid[d];
+      mean[d] += area * input.Centroids[this->Order[i]][d];
       node.Area[d] += vector[d];
     }
   }
   node.SetCenter(mean);
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
-    node.AddMoment(areas[i - node.Begin], shapes[this->Order[i]].Centroid);
-    for (const Vector3& corner : this->Triangles[this->Order[i]].Corners)
+    node.AddMoment(areas[i - node.Begin], input.Centroids[this->Order[i]]);
+    for (const Vector3& corner : input.Triangles[this->Order[i]].Corners)
     {
       node.Radius = std::max(node.Radius, Norm(Subtract(corner, node.Center)));
     }
@@ -312,14 +313,19 @@ void WindingTree::Node::AddMoment(const Vector3& area, const Vector3& at)
 /// The sum of the solid angles of a leaf's triangles, by the argument of a product of complex numbers.
 double WindingTree::SumAngles(const Vector3& p, const Node& node, std::size_t without) const
 {
-  const auto& corners = this->Leaves[node.Leaf].Coordinates;
+  // Triangles behind the leaf fill up the lanes.
+  const double* coordinates[9];
+  for (std::size_t c = 0; c < this->Coordinates.size(); ++c)
+  {
+    coordinates[c] = this->Coordinates[c].data() + node.Begin;
+  }
   double above[LeafSize];
   double below[LeafSize];
   double scales[LeafSize];
   for (std::size_t i = 0; i < LeafSize; ++i)
   {
-    const auto getCorner = [&corners, i](int k) {
-      return Vector3{ corners[k][0][i], corners[k][1][i], corners[k][2][i] };
+    const auto getCorner = [&coordinates, i](int k) {
+      return Vector3{ coordinates[3 * k][i], coordinates[3 * k + 1][i], coordinates[3 * k + 2][i] };
     };
     const HalfAngle angle(p, getCorner(0), getCorner(1), getCorner(2));
     above[i] = angle.Above / angle.Scale;
@@ -411,7 +417,7 @@ bool WindingTree::IsFarFrom(const Vector3& p, double slack) const
     }
     for (std::size_t i = node.Begin; i < node.End; ++i)
     {
-      if (!(GetDistance(p, this->Triangles[i].Corners) > this->Triangles[i].Deviation + slack))
+      if (!(GetDistance(p, this->GetTriangle(i)) > this->Deviations[i] + slack))
       {
         return false;
       }

@@ -79,8 +79,6 @@ private:
     std::size_t End = 0;
     /// Index of the second child; 0: a leaf.
     std::size_t Second = 0;
-    /// Index of a leaf among Leaves.
-    std::size_t Leaf = 0;
 
     void SetCenter(const Vector3& mean);
     /// Adds an area vector at a point to Moment.
@@ -89,35 +87,32 @@ private:
 
   /// Largest number of triangles of a leaf.
   static constexpr std::size_t LeafSize = 8;
-  /// The corners of a leaf's triangles by coordinates, so that the compiler computes their solid angles side by side. Missing triangles are
-  /// at the origin.
-  struct Leaf
+  /// What Build() reads.
+  struct Input
   {
-    double Coordinates[3][3][LeafSize] = {};
-  };
-  /// What Build() needs to know of each triangle.
-  struct Shape
-  {
-    Vector3 Centroid;
-    /// The longest side of the box.
-    double Extent;
+    const std::vector<MeshTriangle>& Triangles;
+    std::vector<Vector3> Centroids;
+    /// The longest side of the box of each.
+    std::vector<double> Extents;
   };
 
   /// Distance of a cluster, in its radii, from which on its expansion is used.
   static constexpr double FarRatio = 2.0;
 
-  std::size_t Build(const std::vector<Shape>& shapes, std::size_t begin, std::size_t end);
-  void SumTriangles(const std::vector<Shape>& shapes, Node& node) const;
-  void AddLeaf(Node& node);
+  std::size_t Build(const Input& input, std::size_t begin, std::size_t end);
+  void SumTriangles(const Input& input, Node& node) const;
+  std::array<Vector3, 3> GetTriangle(std::size_t i) const;
   static void SumChildren(const Node& first, const Node& second, Node& node);
   double SumAngles(const Vector3& p, const Node& node, std::size_t without) const;
   double Evaluate(const Vector3& p, std::size_t without, double farRatio) const;
 
   std::vector<Node> Nodes;
-  std::vector<Leaf> Leaves;
-  std::vector<MeshTriangle> Triangles;
-  /// Index of each of Triangles in the constructor's argument.
+  /// Index of each triangle in the constructor's argument, leaf after leaf.
   std::vector<std::size_t> Order;
+  /// Coordinates 0 to 2 of corner 0, then those of corners 1 and 2, of the triangles in this order, so that the compiler computes the solid
+  /// angles of a leaf side by side; and zeros for as many triangles as a leaf has.
+  std::array<std::vector<double>, 9> Coordinates;
+  std::vector<double> Deviations;
 };
 }
 

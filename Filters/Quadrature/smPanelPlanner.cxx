@@ -40,10 +40,11 @@ double GetPrismaticDeviation(int q)
   return 1e-14 * (q <= 5 ? std::exp2(4 * q) / (4 * q) : 5.0);
 }
 
-/// Bound of the part of the parameters that a panel covers: |s| up to extent[0], r from 1 - extent[1] to extent[1].
-double GetCovered(const double extent[2])
+/// Bound of the part of the parameters that a panel covers: |s| up to extent[0], r from 1 - extent[1] to extent[1], where it runs back and
+/// forth no more often than its degree.
+double GetCovered(const Panel& panel, const double extent[2])
 {
-  return extent[0] * (2.0 * extent[1] - 1.0);
+  return std::max<int>(panel.TrimDegree, 1) * extent[0] * (2.0 * extent[1] - 1.0);
 }
 
 /// Highest degree of the factors g. A height is one degree more than x.n along a straight ruling.
@@ -69,8 +70,9 @@ PanelPlanner::PanelPlanner(
 {
 }
 
-void PanelPlanner::AddFlatError(const Patch& patch, const double extent[2], double reach)
+void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], double reach)
 {
+  const Patch& patch = this->Panels.Patches[panel.Patch];
   // With d = P00 - P10 - P01 + P11, a position is within |d| / 4 of the parallelogram's, and Ss and Sr are within |d| / 2 of their
   // means; for s and r of up to an extent beyond 1, within that minus 1/2 times |d|, and their product minus 3/4 times |d|. A rule is off by
   // at most twice the largest difference from what it is exact for.
@@ -90,7 +92,7 @@ void PanelPlanner::AddFlatError(const Patch& patch, const double extent[2], doub
   const double area = patch.Stretch[0] * patch.Stretch[1];
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    this->Result.QuadratureBound[i] += 2.0 * GetCovered(extent) *
+    this->Result.QuadratureBound[i] += 2.0 * GetCovered(panel, extent) *
       GetIntegrandChange(
         this->Request.Classes[i], (extent[0] * extent[1] - 0.75) * moved, rotated, area, reach);
   }
@@ -130,7 +132,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
-    const double area = 4.0 * patch.Radius * patch.Radius * GetCovered(extent);
+    const double area = 4.0 * patch.Radius * patch.Radius * GetCovered(panel, extent);
     this->Result.Magnitude[i] += c.Kind == BoundClass::VectorArea ? area
       : c.Kind == BoundClass::AreaMoment                          ? area * IntegerPower(reach, c.Degree)
       : c.Kind == BoundClass::HeightMoment                        ? area * IntegerPower(reach, c.Degree + 1)
@@ -139,7 +141,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   PlannedItem item{ ItemKind::Panel, index };
   item.Along = along;
   item.Across = (this->Degree + 2) / 2;
-  this->AddFlatError(patch, extent, reach);
+  this->AddFlatError(panel, extent, reach);
   this->Result.Items.push_back(item);
   this->Result.Evaluations += item.Along * item.Across;
   return true;
@@ -215,7 +217,7 @@ void PanelPlanner::AddEndError(const Panel& panel, const PanelPart& part)
   const Patch& patch = this->Panels.Patches[panel.Patch];
   const double width = this->Bounds.GetTrim().GetHigh(1) - this->Bounds.GetTrim().GetLow(1);
   const double largest = std::max(
-    { std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]), this->Panels.LargestTrim });
+    { std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]), this->Panels.LargestTrim[1] });
   const double rounding = EndRounding * UnitRoundoff * largest / patch.Width[1];
   int ends = 0;
   ends += part.Start == 0.0 && std::abs(this->Bounds.GetTrim().GetLow(1)) > RowBorder ? 1 : 0;

@@ -29,7 +29,7 @@ private:
   /// Plans a panel in as many parts as its bounds ask for.
   void PlanInParts(std::uint32_t index);
   /// Adds the error of exact orders for what a flat patch deviates from a parallelogram.
-  void AddFlatError(const Patch& patch, const double extent[2], double reach);
+  void AddFlatError(const Panel& panel, const double extent[2], double reach);
   /// Plans a panel by the series of its patch. Returns false if their bounds do not suffice, or if series of the panel's own may need far
   /// fewer points. `withForm`: |n| may be taken for a polynomial, and the panel covers its patch or needs few points.
   bool PlanByPatch(std::uint32_t index, const PanelPart& part, bool withForm);

@@ -108,8 +108,8 @@ public:
 
   /// Sets the rates by which runs are estimated from now on.
   void SetRates(const BackendRates& rates) { this->Rates = rates; }
-  /// Estimates what the run takes on either backend, for ChooseRunner() and the report. It depends on the request and the faces of the
-  /// bodies alone, and not on what earlier runs have left.
+  /// Estimates what the run takes on either backend, for ChooseRunner() and the report. It depends on the request, the faces of the
+  /// bodies, threads and lanes, and not on what earlier runs have left.
   void EstimateBackends(const IntegralRequest& request, const std::vector<BodyIntegrals>& bodies);
   /**
    * Gives the integrator a runner that `backend` allows and the machine supports. Returns false, with a reason in the report, if

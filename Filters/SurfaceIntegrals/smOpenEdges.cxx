@@ -6,6 +6,7 @@
 #include "smVector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
@@ -80,6 +81,13 @@ struct Border
   /// Parameters of its points, which increase, and the points.
   std::vector<std::pair<double, Vector3>> Points;
 
+  /// The largest parameter relative to the range of parameters, by which rounding of a parameter moves a point.
+  double GetParameterRatio() const
+  {
+    const double first = this->Points.front().first;
+    const double last = this->Points.back().first;
+    return std::max(std::abs(first), std::abs(last)) / (last - first);
+  }
   Vector3 Evaluate(double along) const
   {
     Vector3 point;
@@ -289,7 +297,9 @@ int CountOpenBorders(const vtkTrimmedNURBSModel& model, double& gap)
       {
         borders[i].IsJoined = borders[j].IsJoined = true;
         const double own = std::max(GetGap(borders[i], borders[j]), GetGap(borders[j], borders[i]));
-        gap = std::max(gap, IgnoreRounding(own, borders[i].Length, borders[i].Center));
+        const double size =
+          borders[i].Length * (1.0 + borders[i].GetParameterRatio() + borders[j].GetParameterRatio());
+        gap = std::max(gap, IgnoreRounding(own, size, borders[i].Center));
       }
     }
   }

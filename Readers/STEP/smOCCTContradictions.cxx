@@ -159,7 +159,8 @@ void CheckShortArcs(const ModelEntities& entities, double unit, std::vector<std:
   found.Report(messages);
 }
 
-void CheckCompositeEdges(const ModelEntities& entities, std::vector<std::string>& messages)
+void CheckCompositeEdges(
+  const ModelEntities& entities, const EntityFilter& matters, std::vector<std::string>& messages)
 {
   if (entities.Find({ STANDARD_TYPE(StepGeom_CompositeCurve) }).empty())
   {
@@ -171,7 +172,8 @@ void CheckCompositeEdges(const ModelEntities& entities, std::vector<std::string>
     Handle(StepGeom_Curve) curve = edge->EdgeGeometry();
     const auto onSurface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
     curve = onSurface.IsNull() ? curve : onSurface->Curve3d();
-    if (!Handle(StepGeom_CompositeCurve)::DownCast(curve).IsNull())
+    if (!Handle(StepGeom_CompositeCurve)::DownCast(curve).IsNull() &&
+      matters(entities.GetModel()->IdentLabel(edge)))
     {
       found.Add(
         [&]()

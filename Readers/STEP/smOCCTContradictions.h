@@ -35,8 +35,9 @@ void CheckSpindleTori(const ModelEntities& entities, std::vector<std::string>& d
 void CheckShortArcs(const ModelEntities& entities, double unit, std::vector<std::string>& messages,
   std::vector<std::string>& defects);
 
-/// Reports the first edge on a composite curve, of which OpenCASCADE makes nothing, and the number of others.
-void CheckCompositeEdges(const ModelEntities& entities, std::vector<std::string>& messages);
+/// Reports the first edge for which `matters` returns true on a composite curve, of which OpenCASCADE makes nothing, and the number of others.
+void CheckCompositeEdges(
+  const ModelEntities& entities, const EntityFilter& matters, std::vector<std::string>& messages);
 
 /// Returns a sentence if loops that cover `box` in the parameters lead beyond the rectangular trimmed surface that the face is on, of which the
 /// basis surface is taken; else an empty text.

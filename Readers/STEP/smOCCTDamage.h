@@ -20,9 +20,6 @@ namespace sm
 /// Number of faces that each entity of the file (a shell) lost.
 using LostFaces = std::unordered_map<const Standard_Transient*, int>;
 
-/// Returns true if geometry or structure of a body depends on the entity with this number in the file.
-using EntityFilter = std::function<bool(int)>;
-
 /// Returns the reason why OpenCASCADE cannot process the entity with this number, which places bodies or is a part of them, although its
 /// parser has read it; empty if it can. A null function states that it can process all.
 using EntityPeril = std::function<std::string(int number, bool isPlacing)>;

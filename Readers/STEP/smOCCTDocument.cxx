@@ -394,12 +394,12 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
                                                 : 1.0;
   const std::vector<Handle(Standard_Transient)> operators = CheckOperators(entities, document.Messages);
   LostFaces lost;
+  const EntityFilter matters = [&declared](int id) { return declared.Matters(id); };
   const EntityPeril getPeril = [&declared](int id, bool isPlacing)
   { return declared.GetPeril(id, isPlacing); };
   const bool hasPerils = !declared.Perils.empty() || !declared.BrokenReferences.empty();
   document.Problem = DropDamagedFaces(
-    reader.Reader().WS(), entities, [&declared](int id) { return declared.Matters(id); },
-    hasPerils ? getPeril : EntityPeril(), document.Messages, lost);
+    reader.Reader().WS(), entities, matters, hasPerils ? getPeril : EntityPeril(), document.Messages, lost);
   if (!document.Problem.empty())
   {
     return;
@@ -407,12 +407,11 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   SkipDamagedAttributes(entities, reader, document);
   CheckSpindleTori(entities, document.Defects);
   CheckShortArcs(entities, document.FileUnitInMillimetres, document.Messages, document.Defects);
-  CheckCompositeEdges(entities, document.Messages);
+  CheckCompositeEdges(entities, matters, document.Messages);
   const bool isAngleKnown =
     used != declared.Census.Contexts.end() && used->Angle.Status == CensusUnit::State::Stated;
-  CheckParameterCurves(
-    entities, document.FileUnitInMillimetres, isAngleKnown ? used->Angle.Factor : 1.0,
-    [&declared](int id) { return declared.Matters(id); }, document.Messages, document.Defects);
+  CheckParameterCurves(entities, document.FileUnitInMillimetres, isAngleKnown ? used->Angle.Factor : 1.0,
+    matters, document.Messages, document.Defects);
   TurnNegativeTori(entities);
   ForgetOtherFiles(entities);
   ClearClosedFlags(entities);

@@ -9,12 +9,16 @@
 
 #include <StepData_StepModel.hxx>
 
+#include <functional>
 #include <initializer_list>
 #include <unordered_map>
 #include <vector>
 
 namespace sm
 {
+/// Returns true if geometry or structure of a body depends on the entity with this number in the file.
+using EntityFilter = std::function<bool(int)>;
+
 /// The entities of a model, listed by type in one pass: to ask every entity whether it is of some type takes longer than to parse it. A model
 /// whose entities are replaced must not get others of the types sought.
 class SMREADERSSTEP_EXPORT ModelEntities

@@ -19,9 +19,11 @@ constexpr double IntegrandsPerSurface = 40.0;
 int CountSpans(const NURBSSurface& surface, int direction)
 {
   const std::vector<double>& knots = surface.Knots[direction];
-  const int last = static_cast<int>(knots.size()) - 1 - surface.Degree[direction];
+  // Nothing has checked the face yet.
+  const int degree = std::max(surface.Degree[direction], 0);
+  const int last = static_cast<int>(knots.size()) - 1 - degree;
   int spans = 0;
-  for (int i = std::max(surface.Degree[direction], 0); i < last; ++i)
+  for (int i = degree; i < last; ++i)
   {
     spans += knots[i] < knots[i + 1] ? 1 : 0;
   }

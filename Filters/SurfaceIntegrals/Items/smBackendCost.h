@@ -3,7 +3,7 @@
  * @brief Estimates what a run takes on the CPU backend and on a GPU, from the sizes of its faces alone
  *
  * Nothing is cut, planned or measured for it, and no OpenGL context is made: the estimate is a function of the input and of the constants
- * below, so that a choice by it is the same for an edit, its undo and a full run.
+ * below, so that a choice by it is the same for an edit and a full run of the edited part. An edit that adds many pieces may change it.
  *
  * A face has about one item of integration (panel, ribbon) for each piece of its trim curves and edges, each coedge and each cell between
  * knots, and an item takes about as many evaluations as a patch has coefficients, twice as many where it is rational and curved in both
