@@ -144,8 +144,8 @@ public:
    * common boundary will do: the integrals close the gap between a face and its edge.
    *
    * AddFace() adds a B-spline surface. Knots do not decrease; there are (degree + 1 + number of control points) of them in each
-   * direction; where a knot occurs more often than the degree the points on both sides have to be equal. `controlPoints` holds all control points, u fastest: 4 components are homogeneous coordinates (w x, w y, w z, w) with
-   * w > 0, 3 components are points of weight 1. With `reversed` the outward normal is -(Su x Sv). Without a coedge the face covers the
+   * direction; where a knot occurs more often than the degree the points on both sides have to be equal. `controlPoints` holds all control
+   * points, u fastest: 4 components are homogeneous coordinates (w x, w y, w z, w) with w > 0, 3 components are points of weight 1. With `reversed` the outward normal is -(Su x Sv). Without a coedge the face covers the
    * whole domain of the surface, but only coedges connect it with other faces: a solid has coedges along all boundaries.
    *
    * AddCoedge() appends a use of the edge to a loop of the face: 0 to the number of its loops, which begins a new one. Coedges of a

@@ -79,6 +79,28 @@ sm::Loop MakePolygon(const std::vector<Point2>& corners)
   return loop;
 }
 
+/// Where the vertices of two edges that follow each other differ, the way between them leads by the end of the second curve.
+void CheckOpenCorner(const sm::NURBSSurface& plane)
+{
+  constexpr double apart = 1e-6;
+  constexpr double off = 1e-3;
+  sm::Face face;
+  face.Id = sm::NewId();
+  face.Surface = plane;
+  face.Loops = { MakePolygon({ { 0.5, 0.25 }, { 3, 0.25 }, { 3, 2 }, { 0.5, 2 } }) };
+  smtest::Check("edges that meet", 0.0, sm::BuildFacePanels(face).OpenCorners, 0.0);
+  auto second = std::make_shared<sm::Edge>(*face.Loops[0].Coedges[1].Use);
+  // It runs against its edge, whose end is its start.
+  second->EndVertex[2] += off;
+  face.Loops[0].Coedges[1].Use = second;
+  auto first = std::make_shared<sm::Edge>(*face.Loops[0].Coedges[0].Use);
+  first->EndVertex[2] += off + apart;
+  face.Loops[0].Coedges[0].Use = first;
+  const double side = off + apart + off;
+  smtest::Check("vertices beside the curve's end", side * side, sm::BuildFacePanels(face).OpenCorners,
+    1e-12 * side, "the square of both distances");
+}
+
 double GetPolygonArea(const std::vector<Point2>& p)
 {
   long double sum = 0.0L;
@@ -270,6 +292,7 @@ int TestFacePanels(int, char*[])
   }
 
   CheckOverhang();
+  CheckOpenCorner(MakePlane(1, 1, u, v));
 
   // A wrong model is refused by name, not integrated.
   sm::Face broken;

@@ -180,6 +180,10 @@ void CheckFaceErrors()
   CheckRefused("a jump in v", "jumps at v = 0.5", s, attempt(1, s.Knots, thrice, along(1e-9)));
   CheckTrue("no jump in u", attempt(1, twice, s.Knots, across(0.0))());
   CheckTrue("no jump in v", attempt(1, s.Knots, thrice, along(0.0))());
+  // The second square by three times its homogeneous coordinates: the same points.
+  const auto factors = MakeArray(4,
+    { 0, 0, 0, 1, 1, 0, 0, 1, 3, 0, 0, 3, 6, 0, 0, 3, 0, 1, 0, 1, 1, 1, 0, 1, 3, 3, 0, 3, 6, 3, 0, 3 });
+  CheckTrue("no jump by a common factor", attempt(1, twice, s.Knots, factors)());
 }
 
 void CheckCurveErrors()
