@@ -40,11 +40,17 @@ double GetPrismaticDeviation(int q)
   return 1e-14 * (q <= 5 ? std::exp2(4 * q) / (4 * q) : 5.0);
 }
 
-/// Bound of the part of the parameters that a panel covers: |s| up to extent[0], r from 1 - extent[1] to extent[1], where it runs back and
-/// forth no more often than its degree.
-double GetCovered(const Panel& panel, const double extent[2])
+/// Bound of the part of the parameters that a panel covers: |s| up to extent[0], times the way of r, which is no longer than that of the
+/// coefficients of its trim piece.
+double GetCovered(const FacePanels& panels, const Panel& panel, const double extent[2])
 {
-  return std::max<int>(panel.TrimDegree, 1) * extent[0] * (2.0 * extent[1] - 1.0);
+  double way = 0.0;
+  const double* trim = panels.Coefficients.data() + panel.Trim;
+  for (int i = 0; i < panel.TrimDegree; ++i)
+  {
+    way += std::abs(trim[2 * i + 3] - trim[2 * i + 1]);
+  }
+  return extent[0] * way / panels.Patches[panel.Patch].Width[1];
 }
 
 /// Highest degree of the factors g. A height is one degree more than x.n along a straight ruling.
@@ -92,7 +98,7 @@ void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], doub
   const double area = patch.Stretch[0] * patch.Stretch[1];
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    this->Result.QuadratureBound[i] += 2.0 * GetCovered(panel, extent) *
+    this->Result.QuadratureBound[i] += 2.0 * GetCovered(this->Panels, panel, extent) *
       GetIntegrandChange(
         this->Request.Classes[i], (extent[0] * extent[1] - 0.75) * moved, rotated, area, reach);
   }
@@ -132,7 +138,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
-    const double area = 4.0 * patch.Radius * patch.Radius * GetCovered(panel, extent);
+    const double area = 4.0 * patch.Radius * patch.Radius * GetCovered(this->Panels, panel, extent);
     this->Result.Magnitude[i] += c.Kind == BoundClass::VectorArea ? area
       : c.Kind == BoundClass::AreaMoment                          ? area * IntegerPower(reach, c.Degree)
       : c.Kind == BoundClass::HeightMoment                        ? area * IntegerPower(reach, c.Degree + 1)
