@@ -266,11 +266,13 @@ int TestApplyCycles(int argc, char* argv[])
   const Held before = cycles.Count();
   before.Print(0);
   ProcessResources middle = before.Process;
+  ProcessResources late = before.Process;
   for (int i = 1; i <= count; ++i)
   {
     const bool isCounted = i % std::max(1, count / 10) == 0 || i == count;
     cycles.Run(warm + i - 1, isCounted);
     middle = i == count / 2 ? GetProcessResources() : middle;
+    late = i == count - count / 10 ? GetProcessResources() : late;
     if (isCounted && i < count)
     {
       cycles.Count().Print(i);
@@ -299,7 +301,10 @@ int TestApplyCycles(int argc, char* argv[])
     std::max(after.Window.Highest, after.Own.Highest) < GLObjects::Range / 2);
   CheckEqual("threads", before.Process.Threads, after.Process.Threads);
   CheckEqual("open files", before.Process.Files, after.Process.Files);
-  const Growth growth = GetGrowth(before.Process, middle, after.Process, count);
+  // A block of the driver's that comes and goes may be there at one of both readings.
+  const Growth atEnd = GetGrowth(before.Process, middle, after.Process, count);
+  const Growth earlier = GetGrowth(before.Process, middle, late, count - count / 10);
+  const Growth growth = { std::min(atEnd.Heap, earlier.Heap), std::min(atEnd.Resident, earlier.Resident) };
   CheckTrue("bytes of the heap a cycle", growth.Heap <= limits.Heap,
     std::to_string(growth.Heap) + ", limit " + std::to_string(limits.Heap));
   CheckTrue("bytes in memory a cycle", growth.Resident <= limits.Resident,
