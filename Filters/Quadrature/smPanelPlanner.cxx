@@ -139,10 +139,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   {
     const BoundClass& c = this->Request.Classes[i];
     const double area = 4.0 * patch.Radius * patch.Radius * GetCovered(this->Panels, panel, extent);
-    this->Result.Magnitude[i] += c.Kind == BoundClass::VectorArea ? area
-      : c.Kind == BoundClass::AreaMoment                          ? area * IntegerPower(reach, c.Degree)
-      : c.Kind == BoundClass::HeightMoment                        ? area * IntegerPower(reach, c.Degree + 1)
-                                           : area * IntegerPower(reach, c.Degree + 1) / (3 + c.Degree);
+    this->Result.Magnitude[i] += HullBound{ area, reach }.GetMagnitude(c);
   }
   PlannedItem item{ ItemKind::Panel, index };
   item.Along = along;

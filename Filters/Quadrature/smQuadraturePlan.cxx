@@ -1,5 +1,6 @@
 #include "smQuadraturePlan.h"
 
+#include "smHullBound.h"
 #include "smPanelPlanner.h"
 #include "smPatchSeries.h"
 #include "smRibbonPlanner.h"
@@ -168,6 +169,16 @@ double GetReach(const FacePanels& panels, const PlanRequest& request)
   return reach + panels.Outside.Distance;
 }
 
+/// Adds the bounds of integrals over a part of the closed chain that belongs to no face, so that it has no area.
+void AddChainMagnitude(
+  const HullBound& part, const std::vector<BoundClass>& classes, std::vector<double>& bounds)
+{
+  for (std::size_t i = 0; i < classes.size(); ++i)
+  {
+    bounds[i] += classes[i].Kind == BoundClass::AreaMoment ? 0.0 : part.GetMagnitude(classes[i]);
+  }
+}
+
 /// Adds a cap, and the bound of its integrals: |x| is largest at a corner.
 void AddCap(const FacePanels& panels, const PlanRequest& request, std::uint32_t index, FacePlan& plan)
 {
@@ -183,16 +194,7 @@ void AddCap(const FacePanels& panels, const PlanRequest& request, std::uint32_t 
     reach = std::max(reach, Norm(position));
   }
   const double area = 0.5 * Norm(Subtract(cap.From, cap.Apex)) * Norm(Subtract(cap.To, cap.Apex));
-  for (std::size_t i = 0; i < request.Classes.size(); ++i)
-  {
-    const BoundClass& c = request.Classes[i];
-    // Areas are those of the face alone.
-    plan.Magnitude[i] += c.Kind == BoundClass::VolumeMoment
-      ? area * std::pow(reach, c.Degree + 1) / (3 + c.Degree)
-      : c.Kind == BoundClass::HeightMoment ? area * std::pow(reach, c.Degree + 1)
-      : c.Kind == BoundClass::VectorArea   ? area
-                                           : 0.0;
-  }
+  AddChainMagnitude({ area, reach }, request.Classes, plan.Magnitude);
 }
 
 /**
@@ -204,14 +206,9 @@ void AddOpenCorners(const FacePanels& panels, const PlanRequest& request, FacePl
 {
   const double area = 4.0 * panels.OpenCorners;
   const double reach = panels.VertexReach + Norm(request.Shift.data());
-  for (std::size_t i = 0; area > 0.0 && i < request.Classes.size(); ++i)
+  if (area > 0.0)
   {
-    const BoundClass& c = request.Classes[i];
-    plan.ConversionBound[i] += c.Kind == BoundClass::VolumeMoment
-      ? area * std::pow(reach, c.Degree + 1) / (3 + c.Degree)
-      : c.Kind == BoundClass::HeightMoment ? area * std::pow(reach, c.Degree + 1)
-      : c.Kind == BoundClass::VectorArea   ? area
-                                           : 0.0;
+    AddChainMagnitude({ area, reach }, request.Classes, plan.ConversionBound);
   }
 }
 

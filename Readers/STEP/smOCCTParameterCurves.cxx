@@ -264,8 +264,8 @@ public:
     {
       CatchFailure([&]() { this->Compare(edge, size, unit); });
     }
-    Report(this->Contradictory, defects);
-    Report(this->Rough, messages);
+    this->Contradictory.Report(defects);
+    this->Rough.Report(messages);
   }
 
 private:
@@ -275,12 +275,6 @@ private:
     Handle(StepGeom_SurfaceCurve) Curve;
     std::array<double, Fractions.size()> Parameters;
     std::array<gp_Pnt, Fractions.size()> Points;
-  };
-
-  struct Findings
-  {
-    std::string First;
-    int Others = 0;
   };
 
   void AddSamples(const Handle(StepShape_EdgeCurve) & edge, const Handle(StepGeom_SurfaceCurve) & onSurface)
@@ -312,16 +306,18 @@ private:
       {
         continue;
       }
-      Findings& findings =
+      FirstOfSeveral& findings =
         isPreferred && distance > ApproximationLimit * size ? this->Contradictory : this->Rough;
-      findings.Others += findings.First.empty() ? 0 : 1;
-      findings.First = !findings.First.empty() ? findings.First
-                                               : "Edge #" +
-          std::to_string(this->Model->IdentLabel(edge.Edge)) + " of the file: its parameter curve #" +
-          std::to_string(this->Model->IdentLabel(stated)) + " lies " + FormatDistance(distance * unit) +
-          " mm beside its curve #" + std::to_string(this->Model->IdentLabel(edge.Curve->Curve3d())) +
-          (isPreferred ? ", which is taken, although the file prefers the parameter curve."
-                       : ", which is taken.");
+      findings.Add(
+        [&]()
+        {
+          return "Edge #" + std::to_string(this->Model->IdentLabel(edge.Edge)) +
+            " of the file: its parameter curve #" + std::to_string(this->Model->IdentLabel(stated)) +
+            " lies " + FormatDistance(distance * unit) + " mm beside its curve #" +
+            std::to_string(this->Model->IdentLabel(edge.Curve->Curve3d())) +
+            (isPreferred ? ", which is taken, although the file prefers the parameter curve."
+                         : ", which is taken.");
+        });
     }
   }
 
@@ -369,24 +365,13 @@ private:
     return found->second;
   }
 
-  static void Report(const Findings& findings, std::vector<std::string>& texts)
-  {
-    if (!findings.First.empty())
-    {
-      texts.push_back(findings.First +
-        (findings.Others > 0 ? " So it is with " +
-              FormatCount(static_cast<std::size_t>(findings.Others), "other one.", "other ones.")
-                             : ""));
-    }
-  }
-
   Handle(StepData_StepModel) Model;
   double Angle;
   EntityGeometry Geometry;
   std::vector<Sampled> Edges;
   Bnd_Box Size;
-  Findings Contradictory;
-  Findings Rough;
+  FirstOfSeveral Contradictory;
+  FirstOfSeveral Rough;
   std::unordered_map<const Standard_Transient*, Handle(Geom_Surface)> Surfaces;
 };
 }

@@ -1,4 +1,5 @@
 // A model built from arrays by AddEdge(), AddFace() and AddCoedge(): what is stored, and every mistake, which changes nothing.
+#include "smTestArrays.h"
 #include "smTesting.h"
 
 #include "vtkCallbackCommand.h"
@@ -19,17 +20,7 @@ namespace
 {
 using smtest::CheckEqual;
 using smtest::CheckTrue;
-
-vtkSmartPointer<vtkDoubleArray> MakeArray(int components, std::initializer_list<double> values)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(components);
-  for (const double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  return array;
-}
+using smtest::MakeArray;
 
 /// A unit square of one bilinear face, and the edge along its side v = 0.
 struct Square
@@ -181,8 +172,8 @@ void CheckFaceErrors()
   CheckTrue("no jump in u", attempt(1, twice, s.Knots, across(0.0))());
   CheckTrue("no jump in v", attempt(1, s.Knots, thrice, along(0.0))());
   // The second square by three times its homogeneous coordinates: the same points.
-  const auto factors = MakeArray(4,
-    { 0, 0, 0, 1, 1, 0, 0, 1, 3, 0, 0, 3, 6, 0, 0, 3, 0, 1, 0, 1, 1, 1, 0, 1, 3, 3, 0, 3, 6, 3, 0, 3 });
+  const auto factors = MakeArray(
+    4, { 0, 0, 0, 1, 1, 0, 0, 1, 3, 0, 0, 3, 6, 0, 0, 3, 0, 1, 0, 1, 1, 1, 0, 1, 3, 3, 0, 3, 6, 3, 0, 3 });
   CheckTrue("no jump by a common factor", attempt(1, twice, s.Knots, factors)());
 }
 

@@ -1,5 +1,6 @@
 // Bodies that are far from the origin of their model beside their size, and a plane, or a placement, that brings them back: heights above
 // the plane and placed coordinates are small differences of large numbers, whose rounding is no part of a small result's.
+#include "smTestArrays.h"
 #include "smTesting.h"
 
 #include <vtkBuoyancy.h>
@@ -80,17 +81,6 @@ struct Tetrahedron
     return corner;
   }
 };
-
-vtkSmartPointer<vtkDoubleArray> MakeArray(int components, std::initializer_list<double> values)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(components);
-  for (const double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  return array;
-}
 
 vtkSmartPointer<vtkNURBSDataSet> MakeBody(const Tetrahedron& solid)
 {
