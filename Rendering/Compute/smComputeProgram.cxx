@@ -2,6 +2,7 @@
 
 #include "smContextResources.h"
 #include "smContextScope.h"
+#include "smDispatchLog.h"
 #include "smOpenGL.h"
 #include "smShaderSource.h"
 #include "vtkComputeContext.h"
@@ -266,6 +267,7 @@ bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize, 
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
   }
   ++this->Resources->Dispatches;
+  LogDispatch(this->Resources->Context, this->Label);
   const std::string error = TakeError();
   return error.empty() ||
     this->Fail(
