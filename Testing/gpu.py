@@ -45,6 +45,8 @@ import time
 SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader", "software rasterizer")
 # The other machine's own: the C library, and OpenGL with what its driver brings.
 SYSTEM = re.compile(r"^(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|nsl|GL|GLX|EGL|OpenGL|GLdispatch|GLESv2|drm|gbm)\.so.*)$")
+# Libraries that drivers may use, too, so that the machine's own are taken where they are as new as the packed ones: all but these.
+OWN = re.compile(r"^lib(sm|vtk|TK)")
 # The loader of OpenGL (libglvnd), used only where the machine has none.
 LOADER = ("libEGL.so.1", "libGL.so.1", "libOpenGL.so.0", "libGLX.so.0", "libGLdispatch.so.0")
 # An evaluation of a bicubic rational patch with ten moments and the area, counted in smPanel.glsl: an estimate.
@@ -55,11 +57,12 @@ SKIPPED = 77
 # Above this share of the volume the rounding error that a run measures says that the volume is a small difference of large terms: there both
 # backends only have to agree within what they measure.
 ILL_CONDITIONED = 1e-12
-# Replaced by libraries whose functions end the process: OpenCASCADE's viewer would read pictures with it, which no test does. It brings 20 others.
-EMPTY = ("libfreeimage.so.3",)
+# Replaced by libraries whose functions end the process when they are called: OpenCASCADE's viewer and VTK would read pictures with them, which no
+# test does. They bring 25 others.
+EMPTY = ("libfreeimage.so.3", "libtiff.so.6")
 LAUNCHER = """#!/bin/sh
 here=${0%%/*}/..
-LD_LIBRARY_PATH=$here/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+LD_LIBRARY_PATH=$here/lib:$here/lib/chosen${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 export LD_LIBRARY_PATH
 exec "$here/programs/%s" "$@"
 """
@@ -268,11 +271,11 @@ def pack(options):
     build = os.path.realpath(options.build)
     catalogue = Catalogue(build, options.only if not options.no_tests else "(?!)")
     with tempfile.TemporaryDirectory() as folder:
-        for part in ("bin", "programs", "lib/loader", "models", "common", "build", "source"):
+        for part in ("bin", "programs", "lib/loader", "lib/system", "models", "common", "build", "source"):
             os.makedirs(os.path.join(folder, part))
         programs = {"solidmoments", "solidmoments-read"} | {
             name for word in catalogue.get_words() for name in re.findall(r"\{bin\}/([\w.-]+)", word)}
-        libraries, needed = {}, {}
+        libraries, needed, versions = {}, {}, {}
         for name in sorted(programs):
             program = os.path.join(build, "bin", name)
             find_libraries(program, libraries, needed)
@@ -286,7 +289,9 @@ def pack(options):
             elif name in LOADER:
                 copy_stripped(path, os.path.join(folder, "lib", "loader", name))
             elif not SYSTEM.match(name):
-                copy_stripped(path, os.path.join(folder, "lib", name))
+                copy_stripped(path, os.path.join(folder, "lib" if OWN.match(name) else "lib/system", name))
+                if not OWN.match(name):
+                    versions[name] = os.path.basename(os.path.realpath(path))
         copy_tree(catalogue, folder)
         copy_named(catalogue, folder)
         for path in options.files:
@@ -297,7 +302,8 @@ def pack(options):
         commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=catalogue.source, stdout=subprocess.PIPE,
                                 stderr=subprocess.DEVNULL, encoding="utf-8", check=False).stdout.strip()
         with open(os.path.join(folder, "tests.json"), "w", encoding="utf-8") as file:
-            json.dump({"commit": commit, "tests": catalogue.tests, "setups": catalogue.setups, "left_out": catalogue.left_out}, file, indent=1)
+            json.dump({"commit": commit, "tests": catalogue.tests, "setups": catalogue.setups, "left_out": catalogue.left_out,
+                       "versions": versions}, file, indent=1)
         shutil.copy2(os.path.realpath(__file__), os.path.join(folder, "gpu.py"))
         compress(folder, options.archive, options.preset)
     size = os.path.getsize(options.archive)
@@ -320,6 +326,28 @@ def can_load(name):
         return True
     except OSError:
         return False
+
+
+def get_version(name):
+    """The numbers behind a library's .so, as in libstdc++.so.6.0.30."""
+    return [int(number) for number in re.findall(r"\d+", name.split(".so", 1)[-1])]
+
+
+def choose_libraries(folder, versions):
+    """Links those packed libraries that the machine lacks, or has in an older version, into the folder that the launchers search."""
+    chosen = os.path.join(folder, "lib", "chosen")
+    shutil.rmtree(chosen, ignore_errors=True)
+    os.makedirs(chosen)
+    places = [f"{root}/{name}" for root in ("/lib", "/usr/lib") for name in ("x86_64-linux-gnu", "")] + ["/lib64", "/usr/lib64", "/usr/local/lib"]
+    own = []
+    for name, version in versions.items():
+        found = [os.path.realpath(os.path.join(place, name)) for place in places if os.path.exists(os.path.join(place, name))]
+        if found and get_version(os.path.basename(found[0])) >= get_version(version):
+            own.append(os.path.basename(found[0]))
+        else:
+            os.symlink(os.path.join("..", "system", name), os.path.join(chosen, name))
+    if versions:
+        print(f"{len(own)} of {len(versions)} common libraries are the machine's own, for the sake of its driver: {', '.join(sorted(own))}")
 
 
 def make_environment(pack_folder, output):
@@ -516,9 +544,11 @@ def compare_models(paths, program, jobs, relative):
         return dict(row, result="failed" if row["problems"] else "passed")
 
     rows = jobs.map(compare, paths)
-    for row in rows:
-        if row["problems"]:
-            print(f"FAILED {row['model']}: " + "; ".join(row["problems"])[:600])
+    failed = [row for row in rows if row["problems"]]
+    for row in failed[:10]:
+        print(f"FAILED {row['model']}: " + "; ".join(row["problems"])[:600])
+    if len(failed) > 10:
+        print(f"FAILED, too, as the report says: {', '.join(row['model'] for row in failed[10:])}")
     missing = [row["model"] for row in rows if row["result"] == "not run"]
     if missing:
         print("not compared: " + ", ".join(missing))
@@ -637,6 +667,7 @@ def run(options):
     if is_pack:
         with open(os.path.join(folder, "tests.json"), encoding="utf-8") as file:
             content = json.load(file)
+        choose_libraries(folder, content.get("versions", {}))
         content["tests"] = [test for test in content["tests"] if re.search(only, test["name"])]
         places = {name: os.path.join(folder, name) for name in ("bin", "build", "source", "common")}
         places["shared"] = os.path.realpath(options.shared) if options.shared else ""
