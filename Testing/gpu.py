@@ -188,17 +188,27 @@ def find_libraries(program, found, needed):
 
 def list_symbols(path, kind):
     lines = subprocess.run(["nm", "-D", kind, path], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout.splitlines()
-    return {line.split()[-1].split("@")[0] for line in lines if line.strip()}
+    return {line.split()[-1] for line in lines if line.strip()}
 
 
 def make_empty(path, target, users):
-    """A library with the functions of another one that the packed ones name; each ends the process when it is called."""
+    """A library with the functions of another one that the packed ones name, in the versions that they name; each ends the process when it
+    is called."""
     wanted = set()
     for other in users:
         wanted |= list_symbols(other, "--undefined-only")
-    code = "".join(f"void {name}(void) {{ __builtin_trap(); }}\n" for name in sorted(wanted & list_symbols(path, "--defined-only")))
-    subprocess.run([os.environ.get("CC", "cc"), "-shared", "-nostdlib", "-fno-builtin", "-w", f"-Wl,-soname,{os.path.basename(target)}",
-                    "-o", target, "-xc", "-"], input=code, encoding="utf-8", check=True)
+    wanted &= {symbol.replace("@@", "@") for symbol in list_symbols(path, "--defined-only")}
+    versions = {}
+    for name, _, version in sorted(symbol.partition("@") for symbol in wanted):
+        versions.setdefault(version, []).append(name)
+    code = "".join(f"void {name}(void) {{ __builtin_trap(); }}\n" for names in versions.values() for name in names)
+    command = [os.environ.get("CC", "cc"), "-shared", "-nostdlib", "-fno-builtin", "-w", f"-Wl,-soname,{os.path.basename(target)}"]
+    with tempfile.NamedTemporaryFile("w", suffix=".map", encoding="utf-8") as script:
+        for version, names in versions.items():
+            script.write(f"{version} {{ global: {'; '.join(names)}; }};\n" if version else "")
+        script.flush()
+        command += [f"-Wl,--version-script={script.name}"] if any(versions) else []
+        subprocess.run(command + ["-o", target, "-xc", "-"], input=code, encoding="utf-8", check=True)
 
 
 def copy_stripped(path, target):

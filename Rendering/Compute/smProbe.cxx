@@ -73,7 +73,7 @@ double SumVectors(const Operand& x)
 }
 
 // Drivers for graphics cards make quotients and roots by iteration, some units in the last place off; in single precision they would be off
-// by 1e-8. Products and sums of positive numbers may be fused.
+// by 1e-8. Products and sums of positive numbers may be fused. NVIDIA's compiler reads 0.1 one unit in the last place off.
 const Construct Used[] = {
   { "a quotient", 8 * Epsilon, [](const Operand& x) { return x[0] / x[1]; } },
   { "a square root", 8 * Epsilon, [](const Operand& x) { return std::sqrt(x[1]); } },
@@ -82,7 +82,7 @@ const Construct Used[] = {
   { "the rounding error of a sum", 0.0, [](const Operand& x) { return GetSumError(x[0], x[1]); } },
   { "the rounding error of a product", 0.0,
     [](const Operand& x) { return std::fma(x[0], x[1], -(x[0] * x[1])); } },
-  { "a constant of double precision", 0.0, [](const Operand& x) { return x[0] * 0.1; } },
+  { "a constant of double precision", 4 * Epsilon, [](const Operand& x) { return x[0] * 0.1; } },
   { "a conversion from int and float", 0.0, [](const Operand&) { return 8.0 + (1.5 + 8.0 * 0x1p-23); } },
   { "a double as two uints", 0.0, [](const Operand& x) { return x[0]; } },
   { "an array of doubles as uints", 4 * Epsilon, SumProducts },
@@ -186,22 +186,22 @@ bool ProbeConstructs(vtkComputeContext* context, std::string& complaint)
 {
   std::string error;
   const std::vector<ProbeResult> results = ProbeUsed(context, error);
-  const auto wrong =
-    std::find_if(results.begin(), results.end(), [](const ProbeResult& result) { return !result.IsRight; });
-  if (wrong == results.end())
-  {
-    return true;
-  }
   if (!error.empty())
   {
     complaint = "cannot run a compute shader with doubles: " + error;
     return false;
   }
   std::ostringstream text;
-  text << "computes " << wrong->Construct << " wrong, with a relative error of " << std::setprecision(2)
-       << wrong->Error;
+  for (const ProbeResult& result : results)
+  {
+    if (!result.IsRight)
+    {
+      text << (text.tellp() > 0 ? ", " : "computes ") << result.Construct << " wrong, with a relative error of "
+           << std::setprecision(2) << result.Error;
+    }
+  }
   complaint = text.str();
-  return false;
+  return complaint.empty();
 }
 
 std::vector<ProbeResult> ProbeAllConstructs(vtkComputeContext* context)

@@ -27,7 +27,7 @@ struct ProbeResult
 };
 
 /// Tests the constructs that shaders use, by one dispatch in the context, which must be READY. On failure `complaint` continues a sentence that
-/// starts with the driver's name, and names the first construct that is wrong. Not counted as a dispatch.
+/// starts with the driver's name, and names the constructs that are wrong. Not counted as a dispatch.
 bool ProbeConstructs(vtkComputeContext* context, std::string& complaint);
 
 /// Returns a row for each construct, used or not. The context must be READY.
