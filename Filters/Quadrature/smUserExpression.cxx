@@ -83,6 +83,24 @@ bool IsSinglePrecision(const std::string& name)
   return names.count(name) > 0 || name.compare(0, 3, "mat") == 0 || name.compare(0, 6, "unpack") == 0;
 }
 
+/// The type of a name that has a value by itself; Unknown for others.
+ExpressionType GetQuantityType(const std::string& name)
+{
+  if (name == "true" || name == "false")
+  {
+    return { ExpressionType::Bool, 1 };
+  }
+  const bool isVector = name == "position" || name == "normal";
+  for (const SampleName& sample : SampleNames)
+  {
+    if (name == sample.Name)
+    {
+      return { ExpressionType::Double, std::strcmp(sample.Type, "dvec3") == 0 ? 3 : 1 };
+    }
+  }
+  return isVector ? ExpressionType{ ExpressionType::Double, 3 } : ExpressionType{};
+}
+
 bool IsReserved(const std::string& name)
 {
   return name.compare(0, 2, "sm") == 0 || name.compare(0, 2, "SM") == 0 || name.compare(0, 3, "gl_") == 0;
@@ -133,10 +151,27 @@ void UserExpression::Read(const Constants& constants)
   {
     this->Error = "the expression is empty";
   }
-  else if (!this->HasAreaElement())
+  else if (this->CheckTypes() && !this->HasAreaElement())
   {
     this->Error = "the expression has no area element: multiply it by dA, or a vector by normal";
   }
+}
+
+bool UserExpression::CheckTypes()
+{
+  std::vector<ExpressionToken> tokens;
+  for (const Token& token : this->Tokens)
+  {
+    tokens.push_back(token.Checked);
+    if (token.Checked.Text.empty())
+    {
+      tokens.back().Text = token.Glsl;
+    }
+  }
+  const ExpressionMistake mistake = FindMistake(tokens);
+  return mistake.What.empty() ||
+    this->Fail(
+      mistake.Token < this->Tokens.size() ? this->Tokens[mistake.Token].At : this->Text.size(), mistake.What);
 }
 
 bool UserExpression::HasAreaElement() const
@@ -235,9 +270,11 @@ void UserExpression::AddName(const std::string& name, std::size_t at, const Cons
   const std::size_t next = this->Text.find_first_not_of(" \t\r\n", at + name.size());
   const bool isCalled = next != std::string::npos && this->Text[next] == '(';
   const auto constant = isCalled ? constants.end() : constants.find(name);
+  ExpressionType type;
   if (!isComponent && constant != constants.end())
   {
     glsl = "(" + MakeLiteral(constant->second) + ")";
+    type = { ExpressionType::Double, 1 };
   }
   else if (!isComponent)
   {
@@ -250,8 +287,9 @@ void UserExpression::AddName(const std::string& name, std::size_t at, const Cons
       this->Detail = name == sample.Name ? std::max(this->Detail, sample.Detail) : this->Detail;
     }
     this->Names.push_back(name);
+    type = GetQuantityType(name);
   }
-  this->Tokens.push_back({ glsl, at });
+  this->Tokens.push_back({ glsl, at, false, { ExpressionToken::Name, name, type } });
 }
 
 bool UserExpression::AddNumber(const std::string& number, std::size_t at)
@@ -279,7 +317,12 @@ bool UserExpression::AddNumber(const std::string& number, std::size_t at)
   {
     glsl += isWhole ? ".0LF" : "LF";
   }
-  this->Tokens.push_back({ glsl, at });
+  const bool isUnsigned = std::strchr("uU", number.back()) != nullptr;
+  const ExpressionType type{ isUnsigned       ? ExpressionType::Uint
+      : isHexadecimal || (isWhole && isIndex) ? ExpressionType::Int
+                                              : ExpressionType::Double,
+    1 };
+  this->Tokens.push_back({ glsl, at, false, { ExpressionToken::Number, number, type } });
   return true;
 }
 
@@ -371,22 +414,31 @@ std::string UserExpression::MakeFunction(const std::string& name, bool forMessag
 
 std::string UserExpression::Explain(const std::string& log) const
 {
-  // "0:12(5): error: text" (Mesa), "0(12) : error C1008: text" (NVIDIA), "ERROR: 0:12: text" (others).
+  // "0:12(5): error: text" (Mesa), "0(12) : error C1008: text" (NVIDIA), "ERROR: 0:12: text", "ERROR: 0:12: error(#143) text" (others). Lines
+  // of other forms, among them warnings and lists of candidates, say nothing of a place.
   static const std::regex pattern(
-    R"(^(?:ERROR: )?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(?:error[^:]*:\s*)?(.*)$)");
+    R"(^(?:ERROR:\s*)?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:(?!\s*(?:warning|note)))"
+    R"(\s*(?:(?:preprocessor |fatal )?error(?: C\d+|\(#\d+\))?:?\s+)?(.*)$)");
   std::istringstream lines(log);
   std::vector<std::string> told;
+  std::set<std::string> places;
   std::string ofWhole;
   std::string line;
   while (std::getline(lines, line) && told.size() < ToldAtMost)
   {
     line.resize(std::min(line.size(), LongestLine));
     std::smatch match;
-    if (!std::regex_match(line, match, pattern) || line.find("warning") != std::string::npos)
+    line.erase(line.find_last_not_of(" \r") + 1);
+    if (!std::regex_match(line, match, pattern))
     {
       continue;
     }
-    const long token = std::stol(match[1].matched ? match[1] : match[2]) - FirstLine;
+    const std::string number = match[1].matched ? match[1] : match[2];
+    if (number.size() > 9)
+    {
+      continue;
+    }
+    const long token = std::stol(number) - FirstLine;
     std::string what = match[3];
     for (const auto& [function, ours] : Functions)
     {
@@ -399,11 +451,11 @@ std::string UserExpression::Explain(const std::string& log) const
     }
     // A message about text behind the last token is about our own text: the expression ended too early.
     const bool isBeyond = token >= static_cast<long>(this->Tokens.size());
-    const std::string message =
-      this->GetPlace(isBeyond ? this->Text.size() : this->Tokens[token].At) + ": " + what;
-    if (std::find(told.begin(), told.end(), message) == told.end())
+    const std::string place = this->GetPlace(isBeyond ? this->Text.size() : this->Tokens[token].At);
+    // Further messages about a place list candidates.
+    if (places.insert(place).second)
     {
-      told.push_back(message);
+      told.push_back(place + ": " + what);
     }
   }
   std::string text = told.empty() && !ofWhole.empty() ? this->GetPlace(0) + ": " + ofWhole : "";

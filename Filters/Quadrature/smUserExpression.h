@@ -5,6 +5,7 @@
 #ifndef smUserExpression_h
 #define smUserExpression_h
 
+#include "smExpressionTypes.h"
 #include "smFiltersQuadratureModule.h"
 #include <map>
 #include <string>
@@ -34,7 +35,8 @@ public:
 
   UserExpression(const std::string& text, const Constants& constants);
 
-  /// The reason why the text is refused, with the place; empty when it was accepted.
+  /// The reason why the text is refused, with the place; empty when it was accepted. Names, arities and types are checked here, so that the
+  /// place does not depend on a driver's compiler.
   const std::string& GetError() const { return this->Error; }
   int GetDetail() const { return this->Detail; }
   /// True if it uses functions with kinks or steps: abs, min, ?: and so on. Gauss rules converge slowly there.
@@ -59,6 +61,8 @@ private:
     std::size_t At;
     /// A bracket around arguments.
     bool IsCall = false;
+    /// As FindMistake() sees it; the text of names is the user's.
+    ExpressionToken Checked = {};
   };
   void Read(const Constants& constants);
   bool ReadToken(std::size_t& at, const Constants& constants);
@@ -67,6 +71,7 @@ private:
   bool TrackBracket(char c, std::size_t at);
   bool Fail(std::size_t at, const std::string& what);
   std::string GetPlace(std::size_t at) const;
+  bool CheckTypes();
   /// False for an expression that would be integrated over the parameter domain, which has no meaning for the solid.
   bool HasAreaElement() const;
   std::size_t FindBracketEnd(std::size_t token) const;

@@ -64,8 +64,8 @@ public:
   /**
    * Adds the integrand `expression` (GLSL, double precision, see above) under `name`, on the domain `support`. The following are
    * reported as errors and add nothing: an empty name or expression; a name for which the column, or the column of its bound,
-   * exists or has another meaning in the outputs (ReservedColumnNames in smIntegralNames.h). The result of an expression that
-   * does not compile is NaN, with a message that has the compiler's text and the column; the other integrands are computed.
+   * exists or has another meaning in the outputs (ReservedColumnNames in smIntegralNames.h). The result of an expression with a
+   * mistake is NaN, with a message that has the mistake and its column; the other integrands are computed.
    */
   void AddIntegrand(const std::string& name, const std::string& expression, int support = FACES);
   /** Adds the volume integral of x^i y^j z^k, computed by the divergence theorem as the flux of

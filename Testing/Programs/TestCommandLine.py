@@ -87,12 +87,16 @@ def integrals():
     table = run(*arguments).stdout
     check_true("table", "moment_2_0_0" in table and "willmore" in table and "34.48718" in table, table)
 
-    # A mistake costs its own integral alone; the CPU has no expressions.
-    result, files = run_json("--integral", "bad=foo * dA", "--integral", "area=dA", part["path"])
-    check_equal("exit status of a mistake", 3, result.returncode)
+    # A mistake is wrong usage. One that only a driver's compiler finds costs its own integral alone; the CPU has no expressions.
+    result = run("--integral", "bad=2 * foo * dA", "--integral", "area=dA", part["path"])
+    check_equal("exit status of a mistake", 1, result.returncode)
+    check_true("its integral and its column", "the integral bad cannot be computed: column 5: 'foo' is not defined" in result.stderr,
+               result.stderr)
+    result, files = run_json("--integral", "bad=cross(dmat3(1)[0], dmat2(1)[0]).x * dA", "--integral", "area=dA", part["path"])
+    check_equal("exit status of a mistake for the compiler", 3, result.returncode)
     check_equal("status of a mistake", "not-computed", files[0]["status"])
     check_equal("mistake", {"value": None, "bound": None}, files[0]["integrals"]["bad"])
-    check_true("its column", any("column 1" in text and "foo" in text for text in files[0]["messages"]),
+    check_true("its column", any("column " in text and "cross" in text for text in files[0]["messages"]),
                str(files[0]["messages"]))
     check("beside it", part["area"], files[0]["integrals"]["area"]["value"], 1e-9 * part["area"])
     check("volume beside it", part["volume"], files[0]["total"]["volume"], 1e-9 * part["volume"])
