@@ -32,7 +32,17 @@ constexpr double Rounding = 1e-14;
 /// Largest depth of trimmed surfaces of trimmed surfaces that is examined.
 constexpr int MostTrimmedSurfaces = 4;
 
-/// Returns true if no edge bounds the face: it is the whole surface.
+/// Returns the radius of a circle, the first one of an ellipse; 0 for other curves.
+double GetRadius(Handle(StepGeom_Curve) curve)
+{
+  const auto onSurface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
+  curve = onSurface.IsNull() ? curve : onSurface->Curve3d();
+  const auto circle = Handle(StepGeom_Circle)::DownCast(curve);
+  const auto ellipse = Handle(StepGeom_Ellipse)::DownCast(curve);
+  return !circle.IsNull() ? circle->Radius() : !ellipse.IsNull() ? ellipse->SemiAxis1() : 0.0;
+}
+}
+
 bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face)
 {
   for (int i = 1; i <= face->NbBounds(); ++i)
@@ -44,17 +54,6 @@ bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face)
     }
   }
   return true;
-}
-
-/// Returns the radius of a circle, the first one of an ellipse; 0 for other curves.
-double GetRadius(Handle(StepGeom_Curve) curve)
-{
-  const auto onSurface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
-  curve = onSurface.IsNull() ? curve : onSurface->Curve3d();
-  const auto circle = Handle(StepGeom_Circle)::DownCast(curve);
-  const auto ellipse = Handle(StepGeom_Ellipse)::DownCast(curve);
-  return !circle.IsNull() ? circle->Radius() : !ellipse.IsNull() ? ellipse->SemiAxis1() : 0.0;
-}
 }
 
 Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & face)

@@ -46,6 +46,9 @@ private:
 /// Returns the surface of a face without rectangular trims; null if it has none.
 Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & face);
 
+/// Returns true if no edge bounds the face: it is the whole surface.
+bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face);
+
 /// Reads the point of a vertex, in the unit of the file. Returns false if it is no point in space.
 bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position);
 

@@ -1,5 +1,6 @@
 #include "smOCCTLoop.h"
 
+#include "smOCCTFaceDomain.h"
 #include "smOCCTFailure.h"
 
 #include <BRep_CurveRepresentation.hxx>
@@ -238,10 +239,14 @@ NativeBox GetBox(const DraftLoop& loop)
 std::string SetTrim(
   const DraftFace& face, const TopLoc_Location& location, MissingTrim missing, DraftCoedge& coedge)
 {
-  if (!FindStoredTrim(coedge.Edge, face.Stored, location, coedge.Trim))
+  // A trim curve that cannot be moved into the domain passes a pole, where a curve of the surface continues on the other side.
+  const bool isUsable = FindStoredTrim(coedge.Edge, face.Stored, location, coedge.Trim) &&
+    (MoveIntoDomain(face, coedge.Edge, coedge.Trim) || missing == MissingTrim::Approximated);
+  if (!isUsable)
   {
-    double first;
-    double last;
+    coedge.Trim = NativeTrim();
+    double first = 0.0;
+    double last = 0.0;
     TopLoc_Location edgeLocation;
     const bool hasCurve = !BRep_Tool::Curve(coedge.Edge, edgeLocation, first, last).IsNull();
     if (hasCurve && !Handle(Geom_Plane)::DownCast(face.Surface).IsNull())
@@ -335,10 +340,8 @@ DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edg
   {
     throw std::runtime_error("it has no surface");
   }
-  face.Surface = GetBasisSurface(face.Stored);
   face.Location = location.Transformation();
-  face.Period[0] = face.Surface->IsUPeriodic() ? face.Surface->UPeriod() : 0.0;
-  face.Period[1] = face.Surface->IsVPeriodic() ? face.Surface->VPeriod() : 0.0;
+  FindFaceDomain(face);
   bool bounded = false;
   for (TopoDS_Iterator wires(face.Face); wires.More(); wires.Next())
   {
