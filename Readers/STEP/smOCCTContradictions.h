@@ -56,6 +56,11 @@ bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position);
 /// DEGENERATE_TOROIDAL_SURFACE selects.
 void CheckSpindleTori(const ModelEntities& entities, std::vector<std::string>& defects);
 
+/// Reports cones whose VERTEX_LOOP is not their apex: it is the only other statement of the cone's size on this side. `unit` and `angle` are the
+/// file's units in mm and radians.
+void CheckApexes(const ModelEntities& entities, double unit, double angle, const EntityFilter& matters,
+  std::vector<std::string>& defects);
+
 /// Reports edges on circles and ellipses between two different points that are closer to each other than OpenCASCADE's tolerance, which takes
 /// the whole curve. `unit` is the file's length unit in mm. It takes the whole curve, too, where the arc is that short relative to its
 /// radius, however far the points are apart, which is a defect.

@@ -412,6 +412,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   const bool isAngleKnown =
     used != declared.Census.Contexts.end() && used->Angle.Status == CensusUnit::State::Stated;
   const double angle = isAngleKnown ? used->Angle.Factor : 1.0;
+  CheckApexes(entities, document.FileUnitInMillimetres, angle, matters, document.Defects);
   CheckParameterCurves(
     entities, document.FileUnitInMillimetres, angle, matters, document.Messages, document.Defects);
   FlattenTrims(entities);
