@@ -28,6 +28,8 @@ struct EdgeUseStatement
 {
   std::uint64_t Edge = 0;
   bool IsForward = true;
+  /// True for a part of a circle or an ellipse: the rest of the curve connects the same vertices.
+  bool IsArc = false;
 };
 
 struct FaceStatement
@@ -40,11 +42,17 @@ struct FaceStatement
   SurfaceExtent Extent = SurfaceExtent::Open;
   /// Area of the whole surface; infinite for one that is not closed.
   double WholeArea = std::numeric_limits<double>::infinity();
+  /// Volume that the whole surface encloses; NaN if it is not closed, or crosses itself.
+  double WholeVolume = std::numeric_limits<double>::quiet_NaN();
+  /// False if the orientation of the face's shell in its body is .F. (ORIENTED_CLOSED_SHELL).
+  bool IsShellForward = true;
   /// Mean of the vertices.
   Vector3 Center{};
   /// Integrals along all bounds about the centre, in the directions of EDGE_CURVE, ORIENTED_EDGE and
   /// FACE_BOUND, which refer to the face's normal.
   LineIntegrals Boundary;
+  /// Change of the vector area if each arc is replaced by the rest of its curve.
+  Vector3 OtherArcs{};
   /// Largest gap between two edges of a bound.
   double LargestGap = 0.0;
   int EdgeLoops = 0;

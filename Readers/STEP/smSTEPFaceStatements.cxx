@@ -16,6 +16,8 @@ constexpr STEPAttribute SenseOfOriented = { "ORIENTED_EDGE", 1, 4, "orientation"
 constexpr STEPAttribute SenseOfEdgeCurve = { "EDGE_CURVE", 1, 4, "same sense" };
 constexpr STEPAttribute SurfaceOfStatedFace = { "FACE_SURFACE", 0, 2, "surface" };
 constexpr STEPAttribute SenseOfFace = { "FACE_SURFACE", 1, 3, "same sense" };
+/// CLOSED_SHELL has no such attribute.
+constexpr STEPAttribute SenseOfShell = { "ORIENTED_CLOSED_SHELL", 1, 3, "orientation" };
 constexpr STEPAttribute PolygonOfLoop = { "POLY_LOOP", 0, 1, "polygon" };
 constexpr STEPAttribute VertexOfStatedLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
 constexpr STEPAttribute BasisOfTrimmedSurface = { "RECTANGULAR_TRIMMED_SURFACE", 0, 1, "basis surface" };
@@ -23,6 +25,9 @@ constexpr STEPAttribute RadiusOfStatedSphere = { "SPHERICAL_SURFACE", 0, 2, "rad
 constexpr STEPAttribute RadiiOfStatedTorus[] = { { "TOROIDAL_SURFACE", 0, 2, "major radius" },
   { "TOROIDAL_SURFACE", 1, 3, "minor radius" } };
 constexpr STEPAttribute ElementOfOrientedFace = { "ORIENTED_FACE", 0, 2, "face" };
+
+/// Vertices of a loop that are closer than this, relative to its extent, are one, as in smSTEPLoops.cxx.
+constexpr double SameLoopVertex = 1e-3;
 
 constexpr double Pi2 = 2.0 * 3.14159265358979323846;
 
@@ -32,6 +37,10 @@ struct StatedEdge
   bool IsKnown = false;
   Vector3 Ends[2]{};
   LineIntegrals Integrals;
+  bool IsStraight = false;
+  bool IsArc = false;
+  /// Vector area of the whole curve of an arc, in the direction of the arc.
+  Vector3 WholeCurve{};
 };
 
 class StatementReader
@@ -58,9 +67,11 @@ public:
            ++s)
       {
         const CensusShell& shell = this->Census.Shells[this->Census.ShellUses[s].Shell];
+        const Index use = this->File.Find(this->Census.ShellUses[s].Id);
+        const bool isForward = this->Entities.Get(use, SenseOfShell).Text != "F";
         for (std::uint32_t f = shell.FirstFace; f < shell.FirstFace + shell.NumberOfFaces; ++f)
         {
-          this->ReadFace(this->Census.Faces[this->Census.FaceUses[f]], unit);
+          this->ReadFace(this->Census.Faces[this->Census.FaceUses[f]], unit, isForward);
         }
       }
     }
@@ -87,7 +98,7 @@ private:
     }
   }
 
-  void ReadFace(const CensusFace& census, double unit)
+  void ReadFace(const CensusFace& census, double unit, bool isShellForward)
   {
     const auto [found, isNew] = this->Result.emplace(census.Id, FaceStatement());
     const Index face = this->File.Find(census.Id);
@@ -97,6 +108,7 @@ private:
     }
     FaceStatement& statement = found->second;
     statement.Id = census.Id;
+    statement.IsShellForward = isShellForward;
     statement.IsForward = this->Entities.Get(face, SenseOfFace).Text != "F";
     this->ReadSurface(this->Entities.Follow(this->Entities.Get(face, SurfaceOfStatedFace)), unit, statement);
     this->Vertices.clear();
@@ -127,6 +139,7 @@ private:
     {
       statement.Extent = SurfaceExtent::Closed;
       statement.WholeArea = 2.0 * Pi2 * radii[0] * radii[0] * unit * unit;
+      statement.WholeVolume = statement.WholeArea * radii[0] * unit / 3.0;
     }
     else if ((this->Entities.FindRecord(surface, "TOROIDAL_SURFACE", record) ||
                this->Entities.FindRecord(surface, "DEGENERATE_TOROIDAL_SURFACE", record)) &&
@@ -140,6 +153,10 @@ private:
       // A torus that crosses itself has an apple and a lemon, which together have no more than this area.
       const double major = std::max(std::abs(radii[0]), radii[1]);
       statement.WholeArea = Pi2 * Pi2 * major * radii[1] * unit * unit;
+      if (std::abs(radii[0]) >= radii[1])
+      {
+        statement.WholeVolume = 0.5 * statement.WholeArea * radii[1] * unit;
+      }
     }
   }
 
@@ -160,6 +177,16 @@ private:
           this->Entities, this->Entities.Follow(this->Entities.Get(edge, CurveOfEdge)), curve, isReversed) &&
         IntegrateEdge(curve, result.Ends[0], result.Ends[1], isForward != isReversed, result.Integrals) &&
         std::isfinite(result.Integrals.Length);
+      result.IsStraight = curve.Kind == SpaceCurve::Type::Line || curve.Points.size() == 2;
+      result.IsArc =
+        curve.Kind == SpaceCurve::Type::Ellipse && start != end && result.Ends[0] != result.Ends[1];
+      const Vector3 normal = Cross(curve.Axes[0], curve.Axes[1]);
+      const double area =
+        0.5 * Pi2 * curve.Radii[0] * curve.Radii[1] * (isForward != isReversed ? 1.0 : -1.0);
+      for (int c = 0; c < 3; ++c)
+      {
+        result.WholeCurve[c] = result.IsArc ? area * normal[c] : 0.0;
+      }
     }
     return result;
   }
@@ -214,48 +241,87 @@ private:
 
   bool ReadEdges(Index loop, double sense, FaceStatement& statement)
   {
+    this->Loop.clear();
     Part21Values values(this->Entities.Get(loop, EdgesOfLoop).Text);
-    bool isFirst = true;
-    Vector3 begin{};
-    Vector3 at{};
     for (Part21Value value; values.Next(value);)
     {
       const Index oriented = this->Entities.Follow(value);
       const Index edge = this->Entities.Has(oriented, STEPRole::OrientedEdge)
         ? this->Entities.Follow(this->Entities.Get(oriented, EdgeOfOriented))
         : Part21File::None;
-      if (!this->Entities.Has(edge, STEPRole::Edge))
-      {
-        return false;
-      }
-      const StatedEdge& stated = this->GetEdge(edge);
-      if (!stated.IsKnown)
+      if (!this->Entities.Has(edge, STEPRole::Edge) || !this->GetEdge(edge).IsKnown)
       {
         return false;
       }
       const bool isForward = this->Entities.Get(oriented, SenseOfOriented).Text != "F";
-      const Vector3& start = stated.Ends[isForward ? 0 : 1];
-      this->Vertices.push_back(start);
-      this->Parts.push_back({ &stated.Integrals, stated.Ends[0], isForward ? sense : -sense });
-      statement.Uses.push_back({ this->File.GetId(edge), isForward == (sense > 0.0) });
-      if (isFirst)
-      {
-        begin = start;
-      }
-      else
-      {
-        statement.LargestGap = std::max(statement.LargestGap, Norm(Subtract(start, at)));
-        this->AddGap(at, start, sense);
-      }
-      isFirst = false;
-      at = stated.Ends[isForward ? 1 : 0];
+      this->Loop.push_back({ &this->GetEdge(edge), this->File.GetId(edge), isForward });
     }
-    if (!isFirst)
+    this->MendLines();
+    for (std::size_t k = 0; k < this->Loop.size(); ++k)
     {
-      statement.LargestGap = std::max(statement.LargestGap, Norm(Subtract(begin, at)));
-      this->AddGap(at, begin, sense);
+      const LoopUse& use = this->Loop[k];
+      const double sign = use.IsForward ? sense : -sense;
+      this->Vertices.push_back(use.GetStart());
+      this->Parts.push_back({ &use.Edge->Integrals, use.Edge->Ends[0], sign });
+      statement.Uses.push_back({ use.Id, sign > 0.0, use.Edge->IsArc });
+      for (int c = 0; c < 3; ++c)
+      {
+        statement.OtherArcs[c] -= sign * use.Edge->WholeCurve[c];
+      }
+      const Vector3& next = this->Loop[k + 1 < this->Loop.size() ? k + 1 : 0].GetStart();
+      statement.LargestGap = std::max(statement.LargestGap, Norm(Subtract(next, use.GetEnd())));
+      this->AddGap(use.GetEnd(), next, sense);
     }
-    return !isFirst;
+    return !this->Loop.empty();
+  }
+
+  /// Reverses straight edges that run against their loop, if the loop closes then. They have the same points
+  /// in both directions, so that the order of the loop is certain.
+  void MendLines()
+  {
+    double size = 0.0;
+    for (const LoopUse& use : this->Loop)
+    {
+      size = std::max(size, Norm(Subtract(use.GetStart(), this->Loop[0].GetStart())));
+      size = std::max(size, Norm(Subtract(use.GetEnd(), this->Loop[0].GetStart())));
+    }
+    const auto meet = [size](const LoopUse& from, const LoopUse& to)
+    { return Norm(Subtract(to.GetStart(), from.GetEnd())) <= SameLoopVertex * size; };
+    bool isChain = true;
+    for (std::size_t k = 0; k < this->Loop.size(); ++k)
+    {
+      isChain = isChain && meet(this->Loop[k], this->Loop[k + 1 < this->Loop.size() ? k + 1 : 0]);
+    }
+    std::size_t fewest = this->Loop.size() + 1;
+    for (const bool isFirstReversed : { false, true })
+    {
+      if (isChain || this->Loop.size() < 3 || (isFirstReversed && !this->Loop[0].Edge->IsStraight))
+      {
+        continue;
+      }
+      std::vector<LoopUse> mended = this->Loop;
+      mended[0].IsForward = mended[0].IsForward != isFirstReversed;
+      std::size_t reversed = isFirstReversed ? 1 : 0;
+      bool isClosed = true;
+      for (std::size_t k = 1; k < mended.size() && isClosed; ++k)
+      {
+        if (!meet(mended[k - 1], mended[k]) && mended[k].Edge->IsStraight)
+        {
+          mended[k].IsForward = !mended[k].IsForward;
+          ++reversed;
+        }
+        isClosed = meet(mended[k - 1], mended[k]);
+      }
+      if (isClosed && meet(mended.back(), mended[0]) && reversed < fewest)
+      {
+        fewest = reversed;
+        this->Mended = std::move(mended);
+      }
+    }
+    if (fewest <= this->Loop.size())
+    {
+      this->Loop.swap(this->Mended);
+    }
   }
 
   void AddGap(const Vector3& from, const Vector3& to, double sense)
@@ -293,9 +359,19 @@ private:
     for (int c = 0; c < 3; ++c)
     {
       statement.Center[c] = unit * center[c];
+      statement.OtherArcs[c] *= unit * unit;
     }
   }
 
+  /// Use of an edge in a loop.
+  struct LoopUse
+  {
+    const StatedEdge* Edge;
+    std::uint64_t Id;
+    bool IsForward;
+    const Vector3& GetStart() const { return this->Edge->Ends[this->IsForward ? 0 : 1]; }
+    const Vector3& GetEnd() const { return this->Edge->Ends[this->IsForward ? 1 : 0]; }
+  };
   struct Part
   {
     const LineIntegrals* Integrals;
@@ -316,6 +392,8 @@ private:
   FaceStatements Result;
   /// Of the face that is being read.
   std::vector<Vector3> Vertices;
+  std::vector<LoopUse> Loop;
+  std::vector<LoopUse> Mended;
   std::vector<Part> Parts;
   std::vector<Gap> Gaps;
 };
