@@ -20,6 +20,7 @@
 #include "smPart21Remains.h"
 #include "smPart21Unparsable.h"
 #include "smSTEPExplicit.h"
+#include "smSTEPFaceStatements.h"
 #include "smSTEPReconciliation.h"
 #include "smSTEPTessellations.h"
 
@@ -440,6 +441,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   ReportTurnedShells(log, document);
   Reconcile(declared.Census, document);
+  document.Statements = ReadFaceStatements(declared.Text, declared.Census);
   CompareUnits(entities, completed.Contexts, document.Defects);
   for (const STEPDoubt& doubt : completed.Doubts)
   {

@@ -29,10 +29,6 @@ OPEN = {
     # Issue 21
     "flip_screw_874.step",
     "o02_ball_pocket_sense.step",
-    "q30_cap_bound_turned.step",
-    "q30h_lune_bound.step",
-    "q30p_window_bound.step",
-    "q30r_arc60_all_edges.step",
     "06_vertex_off_closed_circle.step",
     "07_ball_without_bounds.step",
     "08_brep_of_draw.brep",

@@ -277,6 +277,41 @@ void CheckOutsideFaces()
   CheckExact("torus with a pocket", torus, volume);
 }
 
+/// Turns the bound or the sense of face number `index`.
+std::string TurnFlag(const std::string& text, const std::string& type, int index)
+{
+  std::size_t at = 0;
+  for (int i = 0; i <= index; ++i)
+  {
+    at = text.find(type + "(", at + 1);
+  }
+  std::string turned = text;
+  const std::size_t flag = text.find(".T.);", at);
+  return turned.replace(flag, 3, ".F.");
+}
+
+/// Flags of a ball with a flat. On the sphere both sides of the circle are finite, on the plane one is.
+void CheckTurnedFlags()
+{
+  const std::string ball = MakeFlattenedBall(0.7, false);
+  const double volume = 4.0 / 3.0 * HalfTurn - HalfTurn * 0.09 * 2.7 / 3.0;
+  const Verdict bound = JudgeText(TurnFlag(ball, "FACE_BOUND", 0));
+  CheckTrue(
+    "the bound of the sphere turned", Mentions(bound, "is a part of a closed surface"), bound.Messages);
+  CheckTrue("  both volumes", Mentions(bound, "about 3.9") && Mentions(bound, "about 0.25"), bound.Messages);
+  const Verdict sense = JudgeText(TurnFlag(ball, "ADVANCED_FACE", 0));
+  CheckTrue(
+    "the sense of the sphere turned", Mentions(sense, "is a part of a closed surface"), sense.Messages);
+  CheckTrue("  both volumes", Mentions(sense, "about 3.9") && Mentions(sense, "about 0.25"), sense.Messages);
+  const Verdict plane = JudgeText(TurnFlag(ball, "FACE_BOUND", 1));
+  // Only one reading is possible, but OpenCASCADE's repair takes the other part of the sphere.
+  CheckTrue("the bound of the plane turned",
+    Mentions(plane, "is a part of a closed surface") || std::abs(plane.Volume - volume) <= 1e-9,
+    plane.Messages);
+  const Verdict sound = JudgeText(ball);
+  CheckEqual("the ball", "", sound.Messages);
+}
+
 /// A cylinder of radius 1 and height 1, which is a cone without an angle.
 void CheckStraightCone()
 {
@@ -538,6 +573,7 @@ int TestSTEPContradictions(int argc, char* argv[])
   }
   Folder = argv[1];
   CheckOutsideFaces();
+  CheckTurnedFlags();
   CheckStraightCone();
   CheckCones();
   CheckFoldedFace();
