@@ -336,6 +336,8 @@ void DeclareOptions(CLI::App& app, Arguments& arguments)
 {
   DeclareFiles(app, arguments);
   DeclareComputation(app, arguments.Job);
+  app.add_flag("--opengl-probe", arguments.ProbeOpenGL,
+    "Print what the OpenGL driver makes of what the shaders rely on, and end");
   DeclareMass(app, arguments);
   DeclareProducts(app, arguments);
   DeclareComparison(app, arguments);

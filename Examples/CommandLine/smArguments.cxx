@@ -5,6 +5,7 @@
 #include "smInputFile.h"
 #include "smMaterialFile.h"
 #include "smMeshFile.h"
+#include "smOpenGLProbe.h"
 #include "smOptionValues.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
@@ -345,6 +346,10 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
   {
     PrintMaterials();
     return AllOk;
+  }
+  if (arguments.ProbeOpenGL)
+  {
+    return PrintOpenGLProbe();
   }
   arguments.Files = ExpandFolders(arguments.Files);
   ParseDirection(arguments.Up, arguments.Job.Up);

@@ -32,6 +32,7 @@ struct Arguments
   bool Compare = false;               ///< the two files are an old and a new product
   double CompareLimit = 1e-9;         ///< see CompareProducts()
   bool ListMaterials = false;
+  bool ProbeOpenGL = false;
   std::vector<std::string>
     Print; ///< columns of each file's total to print instead of the table; empty: the table
   std::vector<std::string> Fields; ///< columns of the CSV; empty: all

@@ -49,7 +49,7 @@ ShaderSource MakeSource(const ProgramKey& key)
   const char* const texts[] = { smDrawTrimsCS, smSweepTexelsCS, smSubPatchCS };
   const char* const names[] = { "smDrawTrimsCS", "smSweepTexelsCS", "smSubPatchCS" };
   ShaderSource source(names[static_cast<int>(key.first)], texts[static_cast<int>(key.first)]);
-  for (const char* chunk : { "smPortable", "smBernstein", "smPatch" })
+  for (const char* chunk : { "smBernstein", "smPatch" })
   {
     source.AddChunk(chunk, GetNURBSShaderChunk(chunk));
   }

@@ -5,6 +5,8 @@
 #ifndef smParallelFor_h
 #define smParallelFor_h
 
+#include "smWorkerThreads.h"
+
 #include "vtkSMPTools.h"
 
 #include <atomic>
@@ -15,8 +17,8 @@
 namespace sm
 {
 /**
- * Calls work(begin, end) for disjoint parts of [0, count) on the threads of vtkSMPTools, and returns when all of them are done. A
- * part has about `grain` indices; 0 leaves the choice to VTK.
+ * Calls work(begin, end) for disjoint parts of [0, count) on as many threads as vtkSMPTools has, and returns when all of them are done. A
+ * part has about `grain` indices; see RunLoop().
  *
  * With vtkSMPTools alone an exception that leaves `work` ends the process. Here the first exception is stored and rethrown in the calling
  * thread; parts that have not begun by then are skipped, so the results of the loop are incomplete.
@@ -27,8 +29,8 @@ void ParallelFor(std::size_t count, std::size_t grain, F&& work)
   std::exception_ptr first;
   std::mutex mutex;
   std::atomic<bool> hasFailed{ false };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(grain),
-    [&](vtkIdType begin, vtkIdType end)
+  RunLoop(count, grain,
+    [&](std::size_t begin, std::size_t end)
     {
       if (hasFailed)
       {
@@ -36,7 +38,7 @@ void ParallelFor(std::size_t count, std::size_t grain, F&& work)
       }
       try
       {
-        work(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+        work(begin, end);
       }
       catch (...)
       {

@@ -35,11 +35,11 @@ constexpr SampleName SampleNames[] = {
   { "dA", "double", "length(normal)", UserExpression::PositionAndNormal },
   { "u", "double", "smSampleParameters.x", UserExpression::Parameters },
   { "v", "double", "smSampleParameters.y", UserExpression::Parameters },
-  { "du", "dvec3", "smSampleDerivatives[0]", UserExpression::FirstDerivatives },
-  { "dv", "dvec3", "smSampleDerivatives[1]", UserExpression::FirstDerivatives },
-  { "duu", "dvec3", "smSampleDerivatives[2]", UserExpression::SecondDerivatives },
-  { "duv", "dvec3", "smSampleDerivatives[3]", UserExpression::SecondDerivatives },
-  { "dvv", "dvec3", "smSampleDerivatives[4]", UserExpression::SecondDerivatives },
+  { "du", "dvec3", "smSampleDu", UserExpression::FirstDerivatives },
+  { "dv", "dvec3", "smSampleDv", UserExpression::FirstDerivatives },
+  { "duu", "dvec3", "smSampleDuu", UserExpression::SecondDerivatives },
+  { "duv", "dvec3", "smSampleDuv", UserExpression::SecondDerivatives },
+  { "dvv", "dvec3", "smSampleDvv", UserExpression::SecondDerivatives },
   { "meanCurvature", "double", "smSampleCurvatures.x", UserExpression::SecondDerivatives },
   { "gaussianCurvature", "double", "smSampleCurvatures.y", UserExpression::SecondDerivatives },
 };
@@ -401,7 +401,7 @@ std::string UserExpression::MakeFunction(const std::string& name, bool forMessag
   const bool hasDerivatives = std::any_of(std::begin(SampleNames), std::end(SampleNames),
     [this](const SampleName& sample)
     {
-      return std::string(sample.Definition).rfind("smSampleDerivatives", 0) == 0 &&
+      return sample.Detail >= UserExpression::FirstDerivatives && std::string(sample.Type) == "dvec3" &&
         std::find(this->Names.begin(), this->Names.end(), sample.Name) != this->Names.end();
     });
   const std::string check = hasDerivatives

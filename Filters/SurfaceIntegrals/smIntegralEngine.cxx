@@ -86,11 +86,14 @@ bool IntegralEngine::RunTasks(
   this->AddEffort(dispatches);
   this->ReportRanks();
   const bool timedOut = this->Integrator.WasTimedOut();
-  if (!done)
+  if (!done && !this->MustLeaveOpenGL(limits))
   {
     this->Report.SetReason(timedOut     ? "nothing was computed: the maximum seconds were over"
         : this->Integrator.WasAborted() ? "the run was aborted"
                                         : "nothing was computed: " + this->Integrator.GetError());
+  }
+  if (!done)
+  {
     return false;
   }
   if (this->Integrator.WasAborted())
@@ -226,7 +229,14 @@ bool IntegralEngine::Integrate(
   const std::vector<std::size_t> firstTask = this->MakeTasks(request, bodies, tasks);
   const std::vector<std::size_t> chosen = this->ChooseTasks(request.FaceIds, tasks);
   std::vector<FaceIntegrals> results;
-  if (!this->RunTasks(limits, tasks, results))
+  bool done = this->RunTasks(limits, tasks, results);
+  if (!done && this->MustLeaveOpenGL(limits))
+  {
+    this->LeaveOpenGL(this->Integrator.GetDistrust());
+    this->Configure(request, limits);
+    done = this->RunTasks(limits, tasks, results);
+  }
+  if (!done)
   {
     return false;
   }

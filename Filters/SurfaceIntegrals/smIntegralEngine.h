@@ -151,6 +151,10 @@ private:
   void ReportRanks();
   std::string DescribeEstimate(bool hasOpenGL) const;
   void SetRunner(bool hasOpenGL);
+  /// Goes on with the CPU, because OpenGL computes something wrong, in this run and in others by the same context.
+  void LeaveOpenGL(const std::string& distrust);
+  /// True if the last run by OpenGL failed for that, and the CPU may take its place.
+  bool MustLeaveOpenGL(const IntegralLimits& limits) const;
   void ReportIntegrands(const IntegralRequest& request);
   bool RunTasks(
     const IntegralLimits& limits, const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
@@ -170,6 +174,9 @@ private:
   bool PrefersOpenGL = false;
   /// Generation of the context of the last run; 0: the CPU's.
   vtkTypeUInt64 Generation = 0;
+  /// Generation of the context that computes something wrong, and what.
+  vtkTypeUInt64 DistrustedGeneration = 0;
+  std::string Distrust;
   std::vector<Integrand> Configured;
   /// Exchange with the ranks of the controller; null without one.
   std::unique_ptr<ControllerExchange> Exchange;

@@ -75,8 +75,11 @@ bool IntegralEngine::ChooseRunner(const IntegralRequest& request, BackendChoice 
   const bool isByEstimate = backend == BackendChoice::Automatic && !request.HasExpressions() &&
     !this->Context->GetWindow() && this->Context->GetSource() == vtkComputeContext::AUTOMATIC;
   const bool isWanted = isByEstimate ? this->PrefersOpenGL : backend != BackendChoice::CPU;
-  const bool hasOpenGL = isWanted &&
+  bool hasOpenGL = isWanted &&
     (isByEstimate ? this->Context->StartOnGPU() : this->Context->Start() == vtkComputeContext::READY);
+  const bool isDistrusted = hasOpenGL && backend == BackendChoice::Automatic &&
+    this->DistrustedGeneration == this->Context->GetGeneration();
+  hasOpenGL = hasOpenGL && !isDistrusted;
   this->Report.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
   if (!hasOpenGL && backend == BackendChoice::OpenGL)
   {
@@ -86,15 +89,29 @@ bool IntegralEngine::ChooseRunner(const IntegralRequest& request, BackendChoice 
   // A machine without a GPU is nothing to report; a GPU that cannot be used is.
   if (isWanted && !hasOpenGL && (!isByEstimate || this->Context->GetStatus() > vtkComputeContext::NO_CONTEXT))
   {
-    this->Report.FallbackReason = this->Context->GetReason();
+    this->Report.FallbackReason = isDistrusted ? this->Distrust : this->Context->GetReason();
   }
-  this->Report.BackendReason = isByEstimate             ? this->DescribeEstimate(hasOpenGL)
+  this->Report.BackendReason = isDistrusted             ? this->Distrust
+    : isByEstimate                                      ? this->DescribeEstimate(hasOpenGL)
     : !hasOpenGL || backend != BackendChoice::Automatic ? ""
     : this->Context->GetWindow()                        ? "in the render window"
     : request.HasExpressions()                          ? "expressions need OpenGL"
                                                         : "a source was chosen";
   this->SetRunner(hasOpenGL);
   return true;
+}
+
+bool IntegralEngine::MustLeaveOpenGL(const IntegralLimits& limits) const
+{
+  return limits.Backend == BackendChoice::Automatic && !this->Integrator.GetDistrust().empty();
+}
+
+void IntegralEngine::LeaveOpenGL(const std::string& distrust)
+{
+  this->DistrustedGeneration = this->Context->GetGeneration();
+  this->Distrust = this->Context->GetRenderer() + " " + distrust;
+  this->Report.FallbackReason = this->Report.BackendReason = this->Distrust;
+  this->SetRunner(false);
 }
 
 void IntegralEngine::SetRunner(bool hasOpenGL)

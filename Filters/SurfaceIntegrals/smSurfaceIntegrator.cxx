@@ -285,6 +285,7 @@ bool SurfaceIntegrator::Internals::Prepare(const std::vector<FaceTask>& tasks)
 void SurfaceIntegrator::Internals::Begin(const ProgressCallback& progress)
 {
   this->Error.clear();
+  this->Distrust.clear();
   this->Aborted = this->TimedOut = this->Loosened = false;
   this->Start = Now();
   this->Seconds = this->MaximumSeconds;
@@ -431,6 +432,11 @@ bool SurfaceIntegrator::Integrate(
   }
   self.Progress = nullptr;
   return ok;
+}
+
+const std::string& SurfaceIntegrator::GetDistrust() const
+{
+  return this->Implementation->Distrust;
 }
 
 const std::string& SurfaceIntegrator::GetError() const

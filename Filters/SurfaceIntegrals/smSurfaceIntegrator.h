@@ -93,6 +93,8 @@ public:
   ///@}
 
   const std::string& GetError() const;
+  /// Returns what the runner computes differently from the CPU, if the last Integrate() failed for that.
+  const std::string& GetDistrust() const;
   /// Returns true if the caller or the time limit stopped the run. If Integrate() returned true, faces were skipped.
   bool WasAborted() const;
   bool WasTimedOut() const;

@@ -1,6 +1,8 @@
 // Evaluation of a batch of faces in a SurfaceIntegrator: its items, by levels or as planned, and their sums.
+#include "Items/smRunnerCheck.h"
 #include "smCoedgeGaps.h"
 #include "smIntegrationOrders.h"
+#include "smParallelFor.h"
 #include "smSurfaceIntegratorInternals.h"
 #include "smUnitRoundoff.h"
 
@@ -89,61 +91,77 @@ void SurfaceIntegrator::Internals::LimitByMagnitude(
 bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items,
   const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
 {
-  // The rows of a face are contiguous: its panels, the ribbons of each coedge, its caps. Each of these is a segment.
-  struct Part
-  {
-    std::uint32_t Slot;
-    ItemKind Kind;
-    int Coedge;
-  };
-  std::vector<ItemRunner::Segment> segments;
-  std::vector<Part> parts;
-  for (std::size_t row = 0; row < items.size(); ++row)
+  std::vector<RowPart> parts;
+  for (std::uint32_t row = 0; row < items.size(); ++row)
   {
     const WorkItem& item = items[row];
     if (parts.empty() || parts.back().Slot != item.GetSlot() || parts.back().Kind != item.Kind ||
       parts.back().Coedge != item.Coedge)
     {
-      segments.emplace_back(static_cast<unsigned int>(row), static_cast<unsigned int>(row));
-      parts.push_back({ item.GetSlot(), item.Kind, item.Coedge });
+      parts.push_back({ item.GetSlot(), item.Kind, item.Coedge, row, row });
     }
-    segments.back().second = static_cast<unsigned int>(row + 1);
+    parts.back().End = row + 1;
   }
-  std::vector<double> sums;
-  std::vector<double> largest;
-  if (!this->Runner->Sum(segments, sums, largest))
+  std::vector<std::size_t> faces;
+  std::vector<FaceTotals> totals;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    if (i == 0 || parts[i].Slot != parts[i - 1].Slot)
+    {
+      faces.push_back(batch[parts[i].Slot]);
+      totals.push_back(this->GetTotals(results[faces.back()]));
+    }
+  }
+  std::vector<RowGaps> gaps;
+  if (!this->Runner->AddUp(parts, totals, gaps))
   {
     return this->FailByRunner();
   }
-  const RowLayout& layout = this->Runner->GetLayout();
-  std::optional<CoedgeGaps> gaps;
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  std::size_t part = 0;
+  auto gap = gaps.begin();
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    FaceIntegrals& result = results[batch[parts[i].Slot]];
-    if (i == 0 || parts[i].Slot != parts[i - 1].Slot)
+    FaceIntegrals& result = results[faces[i]];
+    this->SetTotals(totals[i], result);
+    CoedgeGaps coedges(*this->Faces[faces[i]]->Source, result.Gaps);
+    for (const std::uint32_t slot = parts[part].Slot; part < parts.size() && parts[part].Slot == slot; ++part)
     {
-      gaps.emplace(*this->Faces[batch[parts[i].Slot]]->Source, result.Gaps);
-    }
-    const double* sum = sums.data() + i * layout.GetStride();
-    std::vector<double>& values = parts[i].Kind == ItemKind::Panel ? result.Face : result.Closing;
-    for (int k = 0; k < layout.GetNumberOfIntegrands(); ++k)
-    {
-      const std::size_t to = this->Chosen[k];
-      const double before = values[to];
-      values[to] += sum[layout.GetValue(k)];
-      result.Rounding[to] += before != 0.0 ? UnitRoundoff * std::abs(values[to]) : 0.0;
-      result.QuadratureError[to] += sum[layout.GetError(k)];
-      result.Rounding[to] += sum[layout.GetRounding(k)];
-    }
-    result.GapSquared += sum[RowLayout::SquaredGap];
-    result.GapArea += sum[RowLayout::GapArea];
-    result.MaxGap = GetLargerGap(result.MaxGap, largest[i]);
-    if (parts[i].Coedge >= 0)
-    {
-      gaps->Add(parts[i].Coedge, { 0, 0, sum[RowLayout::SquaredGap], sum[RowLayout::GapArea], largest[i] });
+      if (parts[part].Coedge >= 0)
+      {
+        coedges.Add(parts[part].Coedge, { 0, 0, gap->Squared, gap->Area, gap->Largest });
+        ++gap;
+      }
     }
   }
   return true;
+}
+
+FaceTotals SurfaceIntegrator::Internals::GetTotals(const FaceIntegrals& result) const
+{
+  FaceTotals totals(this->Chosen.size());
+  for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+  {
+    totals.Face[k] = result.Face[this->Chosen[k]];
+    totals.Chain[k] = result.Closing[this->Chosen[k]];
+    totals.Error[k] = result.QuadratureError[this->Chosen[k]];
+    totals.Rounding[k] = result.Rounding[this->Chosen[k]];
+  }
+  totals.Gaps = { result.MaxGap, result.GapSquared, result.GapArea };
+  return totals;
+}
+
+void SurfaceIntegrator::Internals::SetTotals(const FaceTotals& totals, FaceIntegrals& result) const
+{
+  for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+  {
+    result.Face[this->Chosen[k]] = totals.Face[k];
+    result.Closing[this->Chosen[k]] = totals.Chain[k];
+    result.QuadratureError[this->Chosen[k]] = totals.Error[k];
+    result.Rounding[this->Chosen[k]] = totals.Rounding[k];
+  }
+  result.MaxGap = totals.Gaps.Largest;
+  result.GapSquared = totals.Gaps.Squared;
+  result.GapArea = totals.Gaps.Area;
 }
 
 bool SurfaceIntegrator::Internals::RunLevels(
@@ -165,7 +183,8 @@ bool SurfaceIntegrator::Internals::RunLevels(
     {
       SetItemOrders(items[index], GetItemOrders(ladder, items[index]), mayBisect);
     }
-    if (!this->Runner->Run(items, active, unconverged, this->Evaluations, shouldContinue))
+    if (!this->Runner->Run(items, active, this->Evaluations, shouldContinue) ||
+      !this->Runner->GetUnconverged(unconverged))
     {
       return this->FailByRunner();
     }
@@ -199,10 +218,10 @@ bool SurfaceIntegrator::Internals::RunLevels(
 }
 
 bool SurfaceIntegrator::Internals::RunPlanned(
-  std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected)
+  std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& candidates)
 {
-  std::vector<std::size_t> all(items.size());
   std::vector<std::size_t> compared;
+  std::vector<std::size_t> all(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     all[i] = i;
@@ -213,8 +232,7 @@ bool SurfaceIntegrator::Internals::RunPlanned(
     }
   }
   const auto shouldContinue = [this]() { return this->ReportItemProgress(); };
-  std::vector<std::uint8_t> unconverged;
-  if (!this->Runner->Run(items, all, unconverged, this->Evaluations, shouldContinue))
+  if (!this->Runner->Run(items, all, this->Evaluations, shouldContinue))
   {
     return this->FailByRunner();
   }
@@ -229,16 +247,13 @@ bool SurfaceIntegrator::Internals::RunPlanned(
   {
     DoubleOrders(items[i], mayBisect);
   }
-  if (!this->Runner->Run(items, compared, unconverged, this->Evaluations, shouldContinue))
+  if (!this->Runner->Run(items, compared, this->Evaluations, shouldContinue))
   {
     return this->FailByRunner();
   }
-  for (std::size_t i = 0; i < compared.size(); ++i)
+  if (mayBisect)
   {
-    if (mayBisect && unconverged[i] != 0)
-    {
-      bisected.push_back(compared[i]);
-    }
+    candidates = std::move(compared);
   }
   return true;
 }
@@ -251,11 +266,24 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
     return this->FailByRunner();
   }
   std::vector<std::size_t> bisected;
+  std::vector<std::size_t> candidates;
   const bool ran =
-    this->Planned ? this->RunPlanned(items, depth, bisected) : this->RunLevels(items, depth, bisected);
+    this->Planned ? this->RunPlanned(items, depth, candidates) : this->RunLevels(items, depth, bisected);
   if (!ran || !this->Accumulate(items, batch, results))
   {
     return false;
+  }
+  std::vector<std::uint8_t> unconverged;
+  if (!candidates.empty() && !this->Runner->GetUnconverged(unconverged))
+  {
+    return this->FailByRunner();
+  }
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (unconverged[i] != 0)
+    {
+      bisected.push_back(candidates[i]);
+    }
   }
   std::vector<WorkItem> children;
   for (const std::size_t index : bisected)
@@ -303,27 +331,65 @@ bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
   return true;
 }
 
+void SurfaceIntegrator::Internals::MakeItems(
+  const std::vector<std::size_t>& batch, std::vector<WorkItem>& items) const
+{
+  std::vector<std::size_t> firsts;
+  std::size_t count = 0;
+  for (const std::size_t face : batch)
+  {
+    firsts.push_back(count);
+    count += this->GetNumberOfItems(face);
+  }
+  items.resize(count);
+  ParallelFor(batch.size(), 0,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t slot = begin; slot < end; ++slot)
+      {
+        MakePlannedItems(*this->Faces[batch[slot]], this->Plans.Get(batch[slot]),
+          static_cast<std::uint32_t>(slot), items.data() + firsts[slot]);
+      }
+    });
+}
+
+bool SurfaceIntegrator::Internals::CheckRunner(
+  const std::vector<ItemRunner::BatchFace>& faces, const std::vector<WorkItem>& items)
+{
+  std::vector<WorkItem> examples;
+  for (const WorkItem& item : items)
+  {
+    if (!this->Runner->IsProved(item))
+    {
+      this->Runner->SetProved(item);
+      examples.push_back(item);
+      if (!this->Planned)
+      {
+        SetItemOrders(examples.back(), GetItemOrders(OrderLadder(this->ChosenIntegrands), item), false);
+      }
+    }
+  }
+  if (examples.empty())
+  {
+    return true;
+  }
+  const ItemRunner::Setup setup = { this->ChosenIntegrands,
+    OrderLadder(this->ChosenIntegrands).GetStripPoints(), this->UsePlacements, this->Perturbation };
+  this->Distrust = FindRunnerDifference(*this->Runner, setup, this->Faces, faces, examples);
+  return this->Distrust.empty() || this->Fail(this->Distrust);
+}
+
 bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
 {
   std::vector<WorkItem> items;
   std::vector<ItemRunner::BatchFace> faces;
-  std::size_t count = 0;
-  for (const std::size_t face : batch)
-  {
-    count += this->GetNumberOfItems(face);
-  }
-  items.reserve(count);
   faces.reserve(batch.size());
   for (std::size_t slot = 0; slot < batch.size(); ++slot)
   {
     const FaceTask& task = tasks[batch[slot]];
     const CutFace& cut = *this->Faces[batch[slot]];
-    if (this->Planned)
-    {
-      AddPlannedItems(cut, this->Plans.Get(batch[slot]), static_cast<std::uint32_t>(slot), items);
-    }
-    else
+    if (!this->Planned)
     {
       AddItems(cut, static_cast<std::uint32_t>(slot), items);
     }
@@ -335,11 +401,15 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
     }
     faces.push_back(std::move(face));
   }
+  if (this->Planned)
+  {
+    this->MakeItems(batch, items);
+  }
   if (!this->Runner->BeginBatch(faces))
   {
     return this->FailByRunner();
   }
-  if (!this->RunPortions(items, batch, 0, results))
+  if (!this->CheckRunner(faces, items) || !this->RunPortions(items, batch, 0, results))
   {
     return false;
   }

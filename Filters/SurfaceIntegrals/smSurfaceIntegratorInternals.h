@@ -39,6 +39,8 @@ struct SurfaceIntegrator::Internals
   std::vector<std::string> Obstacles;
 
   std::string Error;
+  /// What the runner computes differently from the CPU; empty if nothing is known.
+  std::string Distrust;
   bool Aborted = false;
   bool TimedOut = false;
   bool Loosened = false;
@@ -104,14 +106,23 @@ struct SurfaceIntegrator::Internals
   // smSurfaceIntegratorBatch.cxx
   bool RunBatch(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
+  /// Compares the first item of each program that has not been used before with what the CPU makes of it.
+  bool CheckRunner(const std::vector<ItemRunner::BatchFace>& faces, const std::vector<WorkItem>& items);
+  /// Makes the items of the plans of a batch, face by face.
+  void MakeItems(const std::vector<std::size_t>& batch, std::vector<WorkItem>& items) const;
   bool RunPortions(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
     std::vector<FaceIntegrals>& results);
   bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
     std::vector<FaceIntegrals>& results);
-  bool RunPlanned(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
+  /// Evaluates all items once, and those that are compared again at twice their orders; `candidates` gets those of them that are to be bisected
+  /// if they do not converge.
+  bool RunPlanned(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& candidates);
   bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
+  /// Adds the rows of the items to the results. Those of a face are contiguous: its panels, the ribbons of each coedge, its caps.
   bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
+  FaceTotals GetTotals(const FaceIntegrals& result) const;
+  void SetTotals(const FaceTotals& totals, FaceIntegrals& result) const;
   /// Sets integrals to 0 whose largest possible magnitude is less than their bounds.
   void LimitByMagnitude(const FaceTask& task, const FacePlan& plan, FaceIntegrals& result) const;
   void AddBounds(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,

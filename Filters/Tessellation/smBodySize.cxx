@@ -43,6 +43,7 @@ BodySize MeasureBody(const std::vector<FaceMesh>& meshes)
       size.Volume += Dot(a, n) / 6.0;
     }
   }
+  size.SignedVolume = size.Volume;
   size.Volume = Round(std::abs(size.Volume));
   size.Area = Round(size.Area);
   return size;

@@ -21,6 +21,8 @@ struct BodySize
   /// About the volume and the area, with seven binary digits.
   double Volume = 0.0;
   double Area = 0.0;
+  /// The volume with its sign and all digits: below 0 for a body whose normals point inwards.
+  double SignedVolume = 0.0;
   /// False: no face has a triangle.
   bool IsKnown = false;
 };

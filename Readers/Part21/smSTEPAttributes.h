@@ -24,7 +24,7 @@ struct STEPAttribute
   const char* Name;
 };
 
-class STEPAttributes
+class SMREADERSPART21_EXPORT STEPAttributes
 {
 public:
   using Index = Part21File::Index;

@@ -41,7 +41,7 @@ STEPVector GetKernelFirstAxis(const STEPVector& z);
 bool MakeBaseAxes(const std::array<const STEPVector*, 3>& given, std::array<STEPVector, 3>& axes);
 
 /// Reads an AXIS2_PLACEMENT_3D. Returns false if it is damaged or has no x axis.
-bool ReadSTEPFrame(const STEPAttributes& entities, Part21File::Index placement, STEPFrame& frame);
+SMREADERSPART21_EXPORT bool ReadSTEPFrame(const STEPAttributes& entities, Part21File::Index placement, STEPFrame& frame);
 
 /// The motion `second` followed by `first`.
 STEPFrame Compose(const STEPFrame& first, const STEPFrame& second);

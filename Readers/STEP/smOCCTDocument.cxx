@@ -14,11 +14,13 @@
 #include "smOCCTRecords.h"
 #include "smOCCTRepair.h"
 #include "smOCCTTable.h"
+#include "smOCCTTrimmedCurves.h"
 #include "smOCCTTurnedShells.h"
 #include "smPart21File.h"
 #include "smPart21Remains.h"
 #include "smPart21Unparsable.h"
 #include "smSTEPExplicit.h"
+#include "smSTEPFaceStatements.h"
 #include "smSTEPReconciliation.h"
 #include "smSTEPTessellations.h"
 
@@ -410,8 +412,12 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   CheckCompositeEdges(entities, matters, document.Messages);
   const bool isAngleKnown =
     used != declared.Census.Contexts.end() && used->Angle.Status == CensusUnit::State::Stated;
-  CheckParameterCurves(entities, document.FileUnitInMillimetres, isAngleKnown ? used->Angle.Factor : 1.0,
-    matters, document.Messages, document.Defects);
+  const double angle = isAngleKnown ? used->Angle.Factor : 1.0;
+  CheckApexes(entities, document.FileUnitInMillimetres, angle, matters, document.Defects);
+  CheckParameterCurves(
+    entities, document.FileUnitInMillimetres, angle, matters, document.Messages, document.Defects);
+  FlattenTrims(entities);
+  KeepRevolvedConics(entities, angle);
   TurnNegativeTori(entities);
   ForgetOtherFiles(entities);
   ClearClosedFlags(entities);
@@ -435,6 +441,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   }
   ReportTurnedShells(log, document);
   Reconcile(declared.Census, document);
+  document.Statements = ReadFaceStatements(declared.Text, declared.Census);
   CompareUnits(entities, completed.Contexts, document.Defects);
   for (const STEPDoubt& doubt : completed.Doubts)
   {

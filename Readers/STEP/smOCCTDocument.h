@@ -5,6 +5,7 @@
 #ifndef smOCCTDocument_h
 #define smOCCTDocument_h
 
+#include "smFaceStatement.h"
 #include "smOCCTBody.h"
 #include "smProgressCallback.h"
 
@@ -84,6 +85,8 @@ struct Document
   ProductNode Root;
   int FreeFaces = 0;
   ShapeTable Table;
+  /// What a STEP file says about its faces in space.
+  FaceStatements Statements;
   /// Wall-clock seconds until the entities are in memory, and those of the inspection of faces, which finds missing trim curves. The rest
   /// of the time of reading is the transfer of entities to shapes.
   double ParseSeconds = 0.0;

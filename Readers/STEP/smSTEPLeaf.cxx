@@ -4,6 +4,7 @@
 #include "smDisplayMesh.h"
 #include "smOCCTBounds.h"
 #include "smOCCTFailure.h"
+#include "smSTEPFaceChecks.h"
 
 #include "vtkPolyData.h"
 #include "vtkTimerLog.h"
@@ -41,7 +42,8 @@ std::array<double, 16> GetPlacement(const gp_Trsf& trsf, double unit)
 }
 
 LeafMaker::LeafMaker(
-  const PartBody& part, const ShapeTable& table, const LeafOptions& options, const ProgressCallback& progress)
+  const PartBody& part, const ShapeTable& table, const FaceStatements& statements, const LeafOptions& options,
+  const ProgressCallback& progress)
   : Options(options)
   , Color(part.Color)
   , Model(vtkSmartPointer<vtkTrimmedNURBSModel>::New())
@@ -55,6 +57,7 @@ LeafMaker::LeafMaker(
     body.Messages.push_back("The body could not be carried over: " + failure + ".");
     ++body.MissingFaces;
   }
+  CheckFaces(statements, { this->GetStatementPlace(part), part.Solid, size.SignedVolume }, body);
   body.MissingFaces = std::max(body.MissingFaces, part.LostFaces);
   body.Messages.insert(body.Messages.end(), part.Messages.begin(), part.Messages.end());
   if (part.Misplaced)
@@ -100,6 +103,18 @@ void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const Pro
   const double start = vtkTimerLog::GetUniversalTime();
   this->Triangulate(box, progress, size, body);
   this->MeshSeconds = vtkTimerLog::GetUniversalTime() - start;
+}
+
+StatementPlace LeafMaker::GetStatementPlace(const PartBody& part) const
+{
+  const AffineMap map = AffineMap::Make(part.Scale, this->Options.Unit, this->Model->GetOrigin());
+  StatementPlace place;
+  for (int i = 0; i < 3; ++i)
+  {
+    std::copy(map.Linear[i], map.Linear[i] + 3, place.Linear[i].begin());
+  }
+  place.Shift = map.Translation;
+  return place;
 }
 
 void LeafMaker::Triangulate(

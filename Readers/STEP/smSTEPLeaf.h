@@ -6,6 +6,7 @@
 #define smSTEPLeaf_h
 
 #include "smBodySize.h"
+#include "smFaceCheck.h"
 #include "smLeafMesh.h"
 #include "smOCCTBody.h"
 #include "smOCCTDocument.h"
@@ -35,8 +36,8 @@ class LeafMaker
 public:
   /// Converts and measures the body. A failure becomes a message; only std::bad_alloc is thrown. `progress` gets a fraction in [0,1] and
   /// returns false to stop.
-  LeafMaker(const PartBody& part, const ShapeTable& table, const LeafOptions& options,
-    const ProgressCallback& progress);
+  LeafMaker(const PartBody& part, const ShapeTable& table, const FaceStatements& statements,
+    const LeafOptions& options, const ProgressCallback& progress);
 
   /// Returns the source of the leaf of one instance, which shares the model.
   LeafSource MakeSource(const BodyInstance& instance) const;
@@ -51,6 +52,8 @@ public:
 private:
   void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
     BodySize& size, ConvertedBody& body);
+  /// Returns the place of the model relative to the statements of the file.
+  StatementPlace GetStatementPlace(const PartBody& part) const;
   /// Makes the scale mesh, and measures the body by it. `box` is the approximate box of the body, relative to the model's origin.
   void Triangulate(
     const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body);

@@ -443,7 +443,8 @@ bool vtkCADReader::MakeBodies(const sm::Document& document, const sm::LeafOption
     {
       return false;
     }
-    makers.emplace_back(new sm::LeafMaker(document.Bodies[i], document.Table, options, report));
+    makers.emplace_back(new sm::LeafMaker(
+      document.Bodies[i], document.Table, document.Statements, options, report));
     if (makers.back()->IsAborted())
     {
       return false;

@@ -60,6 +60,25 @@ public:
       this->Upload(values.data(), values.size() * sizeof(T));
   }
 
+  /** Makes the size that of `count` values, which fill(values) writes, from the first to the last and without reading them. */
+  template <typename T, typename FillFunction>
+  bool Fill(std::size_t count, const FillFunction& fill)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "only plain values go to the GPU");
+    if (!this->Allocate(count * sizeof(T)))
+    {
+      return false;
+    }
+    if (void* memory = this->BeginStaging(count * sizeof(T)))
+    {
+      fill(static_cast<T*>(memory));
+      return this->EndStaging();
+    }
+    std::vector<T> values(count);
+    fill(values.data());
+    return this->Upload(values.data(), count * sizeof(T));
+  }
+
   /** Copies to the host; waits for the dispatches that write it. The range must be inside. */
   bool Read(void* data, std::size_t bytes, std::size_t offset = 0);
 
@@ -94,6 +113,9 @@ public:
 
 private:
   bool Fail(const std::string& what);
+  /// Returns mapped memory for a content of so many bytes, inside a ContextScope and if the driver's own copies are slow; else null.
+  void* BeginStaging(std::size_t bytes);
+  bool EndStaging();
   bool Create(std::size_t bytes);
   std::size_t ChooseCapacity(std::size_t bytes);
   /// Runs copy(offset, bytes) in the context, if the range is inside and not empty.

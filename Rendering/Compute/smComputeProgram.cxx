@@ -50,6 +50,9 @@ ComputeProgram& ComputeProgram::operator=(ComputeProgram&& other) noexcept
     this->Generation = std::exchange(other.Generation, 0);
     this->Name = std::exchange(other.Name, 0);
     this->LocalSize = std::exchange(other.LocalSize, 0);
+    this->BegunShader = std::exchange(other.BegunShader, 0);
+    this->Source = std::move(other.Source);
+    this->Locations = std::move(other.Locations);
     this->Label = std::move(other.Label);
     this->Error = std::move(other.Error);
     this->Log = std::move(other.Log);
@@ -65,12 +68,12 @@ bool ComputeProgram::Fail(const std::string& what)
 
 bool ComputeProgram::IsBuilt() const
 {
-  return this->Name != 0 && this->Generation == this->Resources->Generation;
+  return this->LocalSize != 0 && this->Generation == this->Resources->Generation;
 }
 
 void ComputeProgram::Free()
 {
-  if (this->IsBuilt())
+  if (this->Name != 0 && this->Generation == this->Resources->Generation)
   {
     // If the context cannot be entered now, it frees the name itself when it ends.
     std::optional<ContextScope> scope;
@@ -82,9 +85,17 @@ void ComputeProgram::Free()
   this->Name = 0;
   this->Generation = 0;
   this->LocalSize = 0;
+  this->BegunShader = 0;
+  this->Locations.clear();
 }
 
 bool ComputeProgram::Build(vtkComputeContext* context, const std::string& name, const std::string& source)
+{
+  return this->BeginBuild(context, name, source) && this->FinishBuild();
+}
+
+bool ComputeProgram::BeginBuild(
+  vtkComputeContext* context, const std::string& name, const std::string& source)
 {
   this->Free();
   this->Label = name;
@@ -96,41 +107,73 @@ bool ComputeProgram::Build(vtkComputeContext* context, const std::string& name, 
     return this->Fail("the compute context is not ready");
   }
   this->Resources = context->GetResources();
+  this->Generation = this->Resources->Generation;
+  this->Source = source;
 
-  DrainErrors();
-  const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+  // No status is asked for here: the driver would finish the compilation first.
+  this->BegunShader = glCreateShader(GL_COMPUTE_SHADER);
   const char* text = source.c_str();
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  GLint done = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
-  if (!done)
+  glShaderSource(this->BegunShader, 1, &text, nullptr);
+  glCompileShader(this->BegunShader);
+  this->Name = glCreateProgram();
+  glAttachShader(this->Name, this->BegunShader);
+  glLinkProgram(this->Name);
+  // The shader exists until it is detached.
+  glDeleteShader(this->BegunShader);
+  this->Resources->AddProgram(this->Name);
+  return true;
+}
+
+bool ComputeProgram::FinishBuild()
+{
+  const GLuint shader = std::exchange(this->BegunShader, 0);
+  const std::string source = std::exchange(this->Source, {});
+  std::optional<ContextScope> scope;
+  if (shader == 0 || this->Generation != this->Resources->Generation ||
+    (!ContextScope::IsInside(this->Resources->Context) && !scope.emplace(this->Resources->Context)))
+  {
+    return this->Fail("the compute context is not ready");
+  }
+  DrainErrors();
+  GLint isCompiled = GL_FALSE;
+  GLint isLinked = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
+  glGetProgramiv(this->Name, GL_LINK_STATUS, &isLinked);
+  if (!isCompiled)
   {
     this->Log = ::GetLog(shader, glGetShaderiv, glGetShaderInfoLog);
-    glDeleteShader(shader);
-    return this->Fail("does not compile\n" + this->Log + "\n" + ShaderSource::NumberLines(source));
   }
-
-  const GLuint program = glCreateProgram();
-  glAttachShader(program, shader);
-  glLinkProgram(program);
-  glGetProgramiv(program, GL_LINK_STATUS, &done);
-  glDetachShader(program, shader);
-  glDeleteShader(shader);
-  if (!done)
+  else if (!isLinked)
   {
-    this->Log = ::GetLog(program, glGetProgramiv, glGetProgramInfoLog);
-    glDeleteProgram(program);
-    return this->Fail("does not link\n" + this->Log + "\n" + ShaderSource::NumberLines(source));
+    this->Log = ::GetLog(this->Name, glGetProgramiv, glGetProgramInfoLog);
+  }
+  glDetachShader(this->Name, shader);
+  if (!isLinked)
+  {
+    this->Free();
+    return this->Fail((isCompiled ? "does not link\n" : "does not compile\n") + this->Log + "\n" +
+      ShaderSource::NumberLines(source));
   }
   GLint size[3] = { 0, 0, 0 };
-  glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, size);
+  glGetProgramiv(this->Name, GL_COMPUTE_WORK_GROUP_SIZE, size);
   this->LocalSize = static_cast<unsigned int>(size[0]);
-  this->Name = program;
-  this->Generation = this->Resources->Generation;
-  this->Resources->AddProgram(program);
+  this->FindUniforms();
   const std::string error = TakeError();
   return error.empty() || this->Fail(error + " while the program was built");
+}
+
+void ComputeProgram::FindUniforms()
+{
+  GLint count = 0;
+  glGetProgramiv(this->Name, GL_ACTIVE_UNIFORMS, &count);
+  char name[64];
+  for (GLint i = 0; i < count; ++i)
+  {
+    GLint size = 0;
+    GLenum type = 0;
+    glGetActiveUniform(this->Name, static_cast<GLuint>(i), sizeof(name), nullptr, &size, &type, name);
+    this->Locations[name] = glGetUniformLocation(this->Name, name);
+  }
 }
 
 int ComputeProgram::FindUniform(const char* name)
@@ -142,7 +185,8 @@ int ComputeProgram::FindUniform(const char* name)
     return -1;
   }
   DrainErrors();
-  const GLint location = glGetUniformLocation(this->Name, name);
+  const auto found = this->Locations.find(name);
+  const GLint location = found == this->Locations.end() ? -1 : found->second;
   if (location < 0)
   {
     this->Fail(std::string("has no active uniform ") + name);
@@ -189,7 +233,7 @@ bool ComputeProgram::SetUniform(const char* name, double value)
   return this->CheckUniform(name);
 }
 
-bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize)
+bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize, Barrier barrier)
 {
   this->Error.clear();
   if (!this->IsBuilt() || !ContextScope::IsInside(this->Resources->Context))
@@ -218,13 +262,21 @@ bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize)
   DrainErrors();
   glUseProgram(this->Name);
   glDispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>(rows), 1);
-  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  if (barrier == Barrier::After)
+  {
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  }
   ++this->Resources->Dispatches;
   LogDispatch(this->Resources->Context, this->Label);
   const std::string error = TakeError();
   return error.empty() ||
     this->Fail(
       error + " in a dispatch of " + std::to_string(columns) + " x " + std::to_string(rows) + " groups");
+}
+
+void ComputeProgram::PlaceBarrier()
+{
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 long ComputeProgram::GetLiveCount()

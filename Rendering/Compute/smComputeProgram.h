@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <unordered_map>
 
 class vtkComputeContext;
 
@@ -35,6 +36,13 @@ public:
    * ContextScope. On failure GetError() holds `name`, the driver's log and the source with line numbers. */
   bool Build(vtkComputeContext* context, const std::string& name, const std::string& source);
 
+  ///@{
+  /** Build() in two steps. Drivers compile several programs side by side between the first step of all and the second step of one. Both
+   * steps are in one generation of the context; BeginBuild() fails only if the context is not ready. */
+  bool BeginBuild(vtkComputeContext* context, const std::string& name, const std::string& source);
+  bool FinishBuild();
+  ///@}
+
   /** True when there is a program in the context's present generation. */
   bool IsBuilt() const;
 
@@ -46,11 +54,21 @@ public:
   bool SetUniform(const char* name, double value);
   ///@}
 
+  /** Without a barrier the next dispatch may run at the same time, and does not see what this one writes. */
+  enum class Barrier
+  {
+    After,
+    None
+  };
+
   /** Runs at least `invocations` invocations in groups of `localSize`, the shader's local_size_x, then a
    * memory barrier. Inside a ContextScope only. When one axis has not enough groups the groups form a
    * rectangle: the shader takes its index from smInvocationIndex() (chunk smInvocation) and returns when it is
    * not below the count. With 0 invocations it does nothing. Counts as one dispatch of the context. */
-  bool Dispatch(unsigned int invocations, unsigned int localSize);
+  bool Dispatch(unsigned int invocations, unsigned int localSize, Barrier barrier = Barrier::After);
+
+  /** A memory barrier in the current context: what follows sees what earlier dispatches wrote. */
+  static void PlaceBarrier();
 
   /** Frees the program. */
   void Free();
@@ -66,6 +84,7 @@ public:
 
 private:
   bool Fail(const std::string& what);
+  void FindUniforms();
   int FindUniform(const char* name);
   bool CheckUniform(const char* name);
 
@@ -76,6 +95,11 @@ private:
   std::string Label;
   std::string Error;
   std::string Log;
+  /// The shader and the source of a build that was begun.
+  unsigned int BegunShader = 0;
+  std::string Source;
+  /// Locations of the active uniforms by their names.
+  std::unordered_map<std::string, int> Locations;
 };
 }
 

@@ -78,6 +78,7 @@ void ContextResources::End(bool current)
     }
     --LivePrograms;
   }
+  this->Stage = nullptr;
   this->Buffers.clear();
   this->Programs.clear();
   this->Window = nullptr;

@@ -8,6 +8,8 @@
 #ifndef smContextResources_h
 #define smContextResources_h
 
+#include "smTransferStage.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -35,6 +37,10 @@ struct ContextResources
   std::int64_t MaximumStorageBlockSize = 0;
   int StorageOffsetAlignment = 0;
   int MaximumWorkGroupCount[2] = { 0, 0 };
+  /// True if the driver's own copies are as fast, and Stage is not used: those of a software renderer are copies within the host.
+  bool HasFastCopies = true;
+  /// Made by the first transfer of the generation.
+  std::unique_ptr<TransferStage> Stage;
 
   /// Names of buffers with the bytes of their stores, and names of programs.
   std::unordered_map<unsigned int, std::size_t> Buffers;

@@ -15,7 +15,8 @@
 
 namespace
 {
-constexpr int IndexedBindings = 16;
+/// The shaders use these.
+constexpr int IndexedBindings = 8;
 
 constexpr GLenum GenericTargets[] = { GL_SHADER_STORAGE_BUFFER, GL_UNIFORM_BUFFER, GL_COPY_READ_BUFFER,
   GL_COPY_WRITE_BUFFER, GL_DISPATCH_INDIRECT_BUFFER };

@@ -19,7 +19,7 @@ namespace sm
  *
  * Saved on entry and restored at the end: the current context with its drawables and its API; within our
  * context the current program (VTK's shader cache knows it again too), the indexed shader storage
- * bindings 0 to 15, the generic shader storage, uniform, copy-read, copy-write and dispatch-indirect
+ * bindings 0 to 7, the generic shader storage, uniform, copy-read, copy-write and dispatch-indirect
  * bindings. Compute code must not change any other state.
  *
  * Inside the scope of an EGL context no X window may render or be deleted: VTK would make its GLX context current beside the EGL context,

@@ -1,19 +1,37 @@
 /**
  * @file smProbe.h
- * @brief Test that a driver computes in double precision; not installed
+ * @brief Test that a driver computes what the shaders rely on; not installed
  */
 #ifndef smProbe_h
 #define smProbe_h
 
+#include "smRenderingComputeModule.h"
+
 #include <string>
+#include <vector>
 
 class vtkComputeContext;
 
 namespace sm
 {
-/// Runs one tiny dispatch in the context, which must be READY, and compares its doubles with the CPU's. On
-/// failure `complaint` continues a sentence that starts with the driver's name. Not counted as a dispatch.
-bool ProbeDoubles(vtkComputeContext* context, std::string& complaint);
+/// What a driver makes of a construct of GLSL.
+struct ProbeResult
+{
+  /// In the words of a sentence: "a square root".
+  std::string Construct;
+  /// False for constructs that no shader uses, because some driver gets them wrong.
+  bool IsUsed = true;
+  bool IsRight = false;
+  /// Largest relative error of 32 results; infinite if a program could not be built or run, or if a NaN was lost.
+  double Error = 0.0;
+};
+
+/// Tests the constructs that shaders use, by one dispatch in the context, which must be READY. On failure `complaint` continues a sentence that
+/// starts with the driver's name, and names the constructs that are wrong. Not counted as a dispatch.
+bool ProbeConstructs(vtkComputeContext* context, std::string& complaint);
+
+/// Returns a row for each construct, used or not. The context must be READY.
+SMRENDERINGCOMPUTE_EXPORT std::vector<ProbeResult> ProbeAllConstructs(vtkComputeContext* context);
 }
 
 #endif

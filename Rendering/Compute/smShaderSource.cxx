@@ -2,6 +2,9 @@
 
 #include "smErrorFree.h"
 #include "smInvocation.h"
+#include "smPortable.h"
+#include "smShaderCheck.h"
+#include "smShaderFault.h"
 #include "smTrimText.h"
 
 #include <iomanip>
@@ -36,7 +39,7 @@ struct ShaderSource::Assembly
 ShaderSource::ShaderSource(const std::string& name, const char* text)
   : Name(name)
   , Text(text ? text : "")
-  , Chunks({ { "smInvocation", smInvocation }, { "smErrorFree", smErrorFree } })
+  , Chunks({ { "smInvocation", smInvocation }, { "smErrorFree", smErrorFree }, { "smPortable", smPortable } })
 {
 }
 
@@ -71,6 +74,10 @@ bool ShaderSource::Assemble()
   this->Error.clear();
   Assembly assembly;
   assembly.Text = "#version 430 core\n";
+  if (GetFaultyShaders().count(this->Name) > 0)
+  {
+    assembly.Text += "#define SM_FLOAT_ARRAYS\n";
+  }
   if (!this->Append(assembly, this->Name, this->Text, 0))
   {
     return false;
@@ -87,6 +94,12 @@ bool ShaderSource::Assemble()
       this->Error = this->Name + ": has no line " + replacement.first + " to replace";
       return false;
     }
+  }
+  const std::string complaint = this->IsChecked ? FindUnsafeConstruct(assembly.Text) : "";
+  if (!complaint.empty())
+  {
+    this->Error = this->Name + ": " + complaint;
+    return false;
   }
   this->Source = std::move(assembly.Text);
   return true;
@@ -163,6 +176,12 @@ bool ShaderSource::AppendTag(Assembly& assembly, const std::string& where, const
   }
   assembly.Replaced.insert(tag);
   return this->Append(assembly, tag, replacement->second, depth + 1);
+}
+
+std::set<std::string>& GetFaultyShaders()
+{
+  static std::set<std::string> shaders;
+  return shaders;
 }
 
 std::string ShaderSource::NumberLines(const std::string& source)

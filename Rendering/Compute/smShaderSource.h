@@ -22,8 +22,10 @@ namespace sm
  *                            first included, and may include others
  *     //SM::Anything         the text given to Replace("//SM::Anything", text)
  *
+ * A source with a construct that drivers are known to get wrong (arrays of doubles of one invocation, see smShaderCheck.h) is refused.
+ *
  * The assembled source starts with `#version 430 core`, which no file repeats. Chunks of this module are always
- * known: smInvocation (include it after the local_size layout), smErrorFree.
+ * known: smInvocation (include it after the local_size layout), smErrorFree, smPortable.
  */
 class SMRENDERINGCOMPUTE_EXPORT ShaderSource
 {
@@ -44,8 +46,11 @@ public:
   /** Exchanges every line that consists of `tag`, which starts with "//SM::". The text may have tags itself. */
   void Replace(const std::string& tag, const std::string& text);
 
+  /** Leaves out the check of the constructs; for the probe that tests them. */
+  void SetUnchecked() { this->IsChecked = false; }
+
   /** Builds the source. False, with a sentence in GetError() that names shader and line, when a chunk is
-   * unknown, a tag is left, a replacement or the definitions have no place, or a text has its own #version. */
+   * unknown, a tag is left, a replacement or the definitions have no place, a text has its own #version, or a construct is unsafe. */
   bool Assemble();
 
   /** The assembled source; empty before Assemble() succeeded. */
@@ -66,6 +71,7 @@ private:
   std::map<std::string, std::string> Chunks;
   std::vector<std::pair<std::string, std::string>> Definitions;
   std::map<std::string, std::string> Replacements;
+  bool IsChecked = true;
   std::string Source;
   std::string Error;
 };

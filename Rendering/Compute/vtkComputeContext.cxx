@@ -96,7 +96,7 @@ bool vtkComputeContext::StartOnGPU()
   vtkInternals& internals = *this->Internals;
   if (this->Status == READY)
   {
-    return !vtkEGLSurfacelessRenderWindow::IsSoftware(internals.Renderer);
+    return !this->IsSoftware();
   }
   if (internals.FoundNoGPU != this->GetMTime() && internals.Search(true) != READY)
   {
@@ -159,6 +159,11 @@ vtkOpenGLRenderWindow* vtkComputeContext::GetRenderWindow()
 vtkTypeUInt64 vtkComputeContext::GetGeneration()
 {
   return this->Resources->Generation;
+}
+
+bool vtkComputeContext::IsSoftware()
+{
+  return vtkEGLSurfacelessRenderWindow::IsSoftware(this->Internals->Renderer);
 }
 
 vtkTypeInt64 vtkComputeContext::GetMaximumStorageBlockSize()

@@ -128,6 +128,9 @@ public:
    * GL names of another generation no longer exist. */
   vtkTypeUInt64 GetGeneration();
 
+  /** True if the context is that of a software renderer (llvmpipe, SwiftShader, ...) by its name. */
+  bool IsSoftware();
+
   ///@{
   /** Limits of the context: bytes of a shader storage block, alignment in bytes of a bound range's offset, and work
    * groups along one axis of a dispatch. 0 when not READY. */

@@ -242,13 +242,14 @@ int vtkComputeContext::vtkInternals::Use(vtkOpenGLRenderWindow* window, const ch
   this->Adopt(window);
   std::string complaint;
   bool& isProbed = this->Self->Resources->Window->HasRightDoubles;
-  isProbed = isProbed || sm::ProbeDoubles(this->Self, complaint);
+  isProbed = isProbed || sm::ProbeConstructs(this->Self, complaint);
   if (!isProbed)
   {
     this->End(true, NO_DOUBLES);
     this->Detach();
     return this->Fail(label, renderer + " " + complaint, NO_DOUBLES);
   }
+  this->Self->Resources->HasFastCopies = vtkEGLSurfacelessRenderWindow::IsSoftware(renderer);
   this->Renderer = renderer;
   this->Version = GetString(GL_VERSION);
   this->SourceName = name;

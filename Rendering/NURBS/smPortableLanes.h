@@ -30,8 +30,15 @@ static constexpr double operator"" LF(long double value)
 
 #define SM_OUT(type) type&
 #define SM_INOUT(type) type&
-#define SM_OUT_ARRAY(type, name, size) type* name
-#define SM_ARRAY(type, name, size) const type* name
+#define SM_DOUBLES(name, size) double name[size]
+#define SM_OUT_DOUBLES(name, size) double* name
+#define SM_DOUBLE(name, at) name[at]
+#define SM_SET_DOUBLE(name, at, value) name[at] = value
+#define SM_VECTORS(name, size) dvec4 name[size]
+#define SM_IN_VECTORS(name, size) const dvec4* name
+#define SM_OUT_VECTORS(name, size) dvec4* name
+#define SM_VECTOR(name, at) name[at]
+#define SM_SET_VECTOR(name, at, value) name[at] = value
 #define SM_CONSTANT static constexpr
 #define SM_SELECT(condition, yes, no) SelectLanes((condition), Number(yes), Number(no))
 #define SM_ANY(condition) IsAnyLane(condition)

@@ -8,7 +8,6 @@
 #include "smPatch.h"
 #include "smPatchRecord.h"
 #include "smPatchSecond.h"
-#include "smPortable.h"
 #include "smResident.h"
 
 #include "vtkComputeContext.h"
@@ -155,9 +154,9 @@ const std::string& ResidentFaces::GetError() const
 
 const char* GetNURBSShaderChunk(const std::string& name)
 {
-  static const std::map<std::string, const char*> chunks = { { "smPortable", smPortable },
-    { "smBernstein", smBernstein }, { "smDisplayPoint", smDisplayPoint }, { "smPatch", smPatch },
-    { "smPatchRecord", smPatchRecord }, { "smPatchSecond", smPatchSecond }, { "smResident", smResident } };
+  static const std::map<std::string, const char*> chunks = { { "smBernstein", smBernstein },
+    { "smDisplayPoint", smDisplayPoint }, { "smPatch", smPatch }, { "smPatchRecord", smPatchRecord },
+    { "smPatchSecond", smPatchSecond }, { "smResident", smResident } };
   const auto found = chunks.find(name);
   return found == chunks.end() ? nullptr : found->second;
 }

@@ -98,7 +98,7 @@ private:
   std::unique_ptr<Internals> Implementation;
 };
 
-/// Texts of the chunks smPortable, smBernstein, smDisplayPoint, smPatch, smPatchRecord, smPatchSecond and smResident, by name; null
+/// Texts of the chunks smBernstein, smDisplayPoint, smPatch, smPatchRecord, smPatchSecond and smResident, by name; null
 /// for another name.
 SMRENDERINGNURBS_EXPORT const char* GetNURBSShaderChunk(const std::string& name);
 }

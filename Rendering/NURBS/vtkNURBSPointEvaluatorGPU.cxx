@@ -95,8 +95,7 @@ bool vtkNURBSPointEvaluatorGPU::Internals::Build()
     return true;
   }
   sm::ShaderSource source("smDisplayPointsCS", smDisplayPointsCS);
-  for (const char* chunk :
-    { "smPortable", "smBernstein", "smDisplayPoint", "smPatch", "smPatchRecord", "smResident" })
+  for (const char* chunk : { "smBernstein", "smDisplayPoint", "smPatch", "smPatchRecord", "smResident" })
   {
     source.AddChunk(chunk, sm::GetNURBSShaderChunk(chunk));
   }

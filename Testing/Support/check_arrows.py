@@ -28,8 +28,9 @@ ROOMS = {
     "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),
     "RenderingCompute": ("Rendering/Compute", []),
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),
+    "ReadersFaces": ("Readers/Faces", ["FiltersNURBS"]),
     "ReadersPart21": ("Readers/Part21", []),
-    "ReadersSTEP": ("Readers/STEP", ["ReadersPart21", "FiltersTessellation", "FiltersNURBS"]),
+    "ReadersSTEP": ("Readers/STEP", ["ReadersFaces", "ReadersPart21", "FiltersTessellation", "FiltersNURBS"]),
     "ReadersBREP": ("Readers/BREP", ["ReadersSTEP"]),
 }
 

@@ -52,9 +52,9 @@ uint smIntegrateSubPatch(smSchemeTile tile, uint index, uint to)
   for (int j = 0; j < n; ++j)
   {
     dvec2 ruleR = smSchemeRule(n, j);
-    dvec4 points[SM_ROW_SIZE];
-    dvec4 pointsS[SM_ROW_SIZE];
-    dvec4 pointsR[SM_ROW_SIZE];
+    SM_VECTORS(points, SM_ROW_SIZE);
+    SM_VECTORS(pointsS, SM_ROW_SIZE);
+    SM_VECTORS(pointsR, SM_ROW_SIZE);
     smCollapse(source.shape.x, p, q, (double(faceRow % k) + ruleR.x) / double(k), points, pointsS, pointsR);
     for (int i = 0; i < n; ++i)
     {

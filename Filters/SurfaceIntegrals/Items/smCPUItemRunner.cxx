@@ -1,10 +1,12 @@
 #include "smCPUItemRunner.h"
 
 #include "smBatchParameters.h"
+#include "smFaceIntegrals.h"
 #include "smFormat.h"
 #include "smItemKernels.h"
 #include "smParallelFor.h"
 #include "smRowSums.h"
+#include "smUnitRoundoff.h"
 
 #include <algorithm>
 #include <atomic>
@@ -101,6 +103,8 @@ struct CPUItemRunner::Internals
   std::vector<const FacePanels*> Slots;
   BatchParameters Batch;
   std::vector<double> Rows;
+  /// Of the items of the last Run().
+  std::vector<std::uint8_t> Unconverged;
 
   /// Evaluates items[active[i]] for i in [begin, end) and returns the number of evaluations.
   std::int64_t RunPart(const KernelData& data, const std::vector<WorkItem>& items,
@@ -228,9 +232,10 @@ bool CPUItemRunner::BeginRows(std::size_t rows)
 }
 
 bool CPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
-  std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations, const ContinueCallback& shouldContinue)
+  std::int64_t& evaluations, const ContinueCallback& shouldContinue)
 {
   Internals& self = *this->Implementation;
+  std::vector<std::uint8_t>& unconverged = self.Unconverged;
   const KernelData data = { &this->Configured, &this->Layout, &self.Formulas, self.Batch.Values.data(),
     self.Batch.ToleranceOffset, self.Batch.PlacementOffset, self.Rows.data() };
   unconverged.assign(active.size(), 0);
@@ -248,6 +253,12 @@ bool CPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<st
       return this->Fail("aborted");
     }
   }
+  return true;
+}
+
+bool CPUItemRunner::GetUnconverged(std::vector<std::uint8_t>& unconverged)
+{
+  unconverged = this->Implementation->Unconverged;
   return true;
 }
 
@@ -286,6 +297,49 @@ bool CPUItemRunner::Sum(
         largestGaps[i] = FindLargest(rows + RowLayout::LargestGap, last - first, stride);
       }
     });
+  return true;
+}
+
+bool CPUItemRunner::AddUp(
+  const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps)
+{
+  std::vector<Segment> segments;
+  segments.reserve(parts.size());
+  for (const RowPart& part : parts)
+  {
+    segments.emplace_back(part.Begin, part.End);
+  }
+  std::vector<double> sums;
+  std::vector<double> largest;
+  if (!this->Sum(segments, sums, largest))
+  {
+    return false;
+  }
+  gaps.clear();
+  std::size_t face = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    face += i > 0 && parts[i].Slot != parts[i - 1].Slot ? 1 : 0;
+    FaceTotals& total = totals[face];
+    const double* sum = sums.data() + i * this->Layout.GetStride();
+    std::vector<double>& values = parts[i].Kind == ItemKind::Panel ? total.Face : total.Chain;
+    for (int k = 0; k < this->Layout.GetNumberOfIntegrands(); ++k)
+    {
+      const double before = values[k];
+      values[k] += sum[this->Layout.GetValue(k)];
+      total.Rounding[k] += before != 0.0 ? UnitRoundoff * std::abs(values[k]) : 0.0;
+      total.Error[k] += sum[this->Layout.GetError(k)];
+      total.Rounding[k] += sum[this->Layout.GetRounding(k)];
+    }
+    const RowGaps own = { largest[i], sum[RowLayout::SquaredGap], sum[RowLayout::GapArea] };
+    total.Gaps.Squared += own.Squared;
+    total.Gaps.Area += own.Area;
+    total.Gaps.Largest = GetLargerGap(total.Gaps.Largest, own.Largest);
+    if (parts[i].Coedge >= 0)
+    {
+      gaps.push_back(own);
+    }
+  }
   return true;
 }
 }

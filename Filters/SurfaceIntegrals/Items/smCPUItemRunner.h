@@ -39,11 +39,16 @@ public:
   bool BeginBatch(const std::vector<BatchFace>& faces) override;
   bool BeginRows(std::size_t rows) override;
   bool Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
-    std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations,
-    const ContinueCallback& shouldContinue) override;
-  bool Sum(const std::vector<Segment>& segments, std::vector<double>& sums,
-    std::vector<double>& largestGaps) override;
+    std::int64_t& evaluations, const ContinueCallback& shouldContinue) override;
+  bool GetUnconverged(std::vector<std::uint8_t>& unconverged) override;
+  bool AddUp(
+    const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps) override;
   void Release() override;
+
+  /// Computes the sums of all columns over each segment [first, last) of rows, GetLayout().GetStride() doubles each, and the
+  /// maximum of the column LargestGap. An empty segment has zeros. Sums are compensated; a NaN is preserved.
+  using Segment = std::pair<unsigned int, unsigned int>;
+  bool Sum(const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps);
 
 protected:
   void OnConfigure() override;

@@ -3,61 +3,54 @@
 #include "smBatchParameters.h"
 #include "smComputeBuffer.h"
 #include "smContextScope.h"
+#include "smFaceIntegrals.h"
 #include "smIntegrationPrograms.h"
-#include "smReduction.h"
+#include "smParallelFor.h"
 #include "smResidentFaces.h"
+#include "smUnitRoundoff.h"
+#include "smWorkList.h"
 
 #include "vtkComputeContext.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace sm
 {
 namespace
 {
-// Number of invocations per work group, as in the shaders.
+// Numbers of invocations per work group, as in the shaders.
 constexpr unsigned int LocalSize = 32;
-// Estimated cost (evaluations times a factor for the degree) of one dispatch: some 50 ms on two CPU cores, so that the run can be
-// aborted between dispatches and the driver's watchdog does not interrupt it.
-constexpr std::int64_t CostPerDispatch = 4000000;
-// Largest number of rows at a time, and of lines of panels in a dispatch, which limit the memory of rows, lists and sums.
-constexpr std::size_t RowsOfBlock = 262144;
-constexpr std::size_t LinesOfDispatch = 65536;
-// Largest number of lines of a panel: a record has eight bits for it.
-constexpr std::size_t LinesOfPanel = 255;
+constexpr unsigned int LocalSizeOfBlocks = 64;
+// Rows of a block that one invocation adds up. A constant of the results' bits.
+constexpr std::uint32_t RowsOfBlock = 64;
+// Largest number of rows at a time, which limits the memory of rows and lists.
+constexpr std::size_t MaximumRows = 262144;
+// Estimated cost (evaluations times a factor for the degree) and lines of a portion: for a software renderer some 50 ms on two CPU cores, and
+// for a GPU, which evaluates a hundred times as fast, no more, so that a run can be aborted and the driver's watchdog does not interrupt it.
+constexpr PortionLimits SoftwareLimits = { 4000000, 65536 };
+constexpr PortionLimits DeviceLimits = { 400000000, 1048576 };
 
-/// A line of a panel in the layout of smLines in glsl/smPanelCS.glsl.
-struct LineRecord
-{
-  std::uint32_t Work;
-  std::uint32_t Node;
-};
-static_assert(sizeof(LineRecord) == 8, "layout of a uvec2");
+// Records that a thread makes at a time.
+constexpr std::size_t RecordsOfTask = 4096;
 
-/// Returns true if the invocations of a program integrate lines of panels instead of whole items.
-bool IsOfLines(const ProgramKey& key)
-{
-  return std::get<0>(key) == ProgramKind::Panels;
-}
+constexpr ProgramKey FinishProgram = { ProgramKind::Finish, 0, 0 };
+constexpr ProgramKey RowBlockProgram = { ProgramKind::RowBlocks, 0, 0 };
+constexpr ProgramKey FaceSumProgram = { ProgramKind::FaceSums, 0, 0 };
 
-/// The uniform that says how many invocations of a program have work.
-const char* GetCounter(const ProgramKey& key)
-{
-  return IsOfLines(key) ? "smLineCount" : "smWorkCount";
-}
+/// A block of rows and a part of a face, in the layouts of glsl/smRowBlockCS.glsl and glsl/smFaceSumCS.glsl.
+using BlockRecord = std::array<std::uint32_t, 2>;
+using PartRecord = std::array<std::uint32_t, 4>;
 
-/// Returns the number of lines of a panel.
-std::uint32_t GetLines(const WorkRecord& panel)
+std::uint32_t GetPartKind(const RowPart& part)
 {
-  return (panel.Detail[0] >> 8) & 255u;
-}
-
-ProgramKey ChooseProgram(const WorkItem& item)
-{
-  return IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1]);
+  return part.Kind == ItemKind::Panel ? 0u : part.Coedge < 0 ? 1u : 2u;
 }
 }
 
@@ -67,55 +60,100 @@ struct GPUItemRunner::Internals
     : Context(context)
     , Resident(context)
     , Programs(context)
-    , Sums(context)
     , Work(context)
+    , Shapes(context)
     , Parameters(context)
     , Rows(context)
     , StatusFlags(context)
-    , Lines(context)
     , LineSums(context)
+    , Blocks(context)
+    , BlockSums(context)
+    , Parts(context)
+    , Faces(context)
+    , Totals(context)
   {
   }
 
   vtkSmartPointer<vtkComputeContext> Context;
   ResidentFaces Resident;
   IntegrationPrograms Programs;
-  Reduction Sums;
   ComputeBuffer Work;
+  ComputeBuffer Shapes;
   ComputeBuffer Parameters;
   ComputeBuffer Rows;
   ComputeBuffer StatusFlags;
-  /// The lines of all panels of a Run(), and the sums of those of a dispatch.
-  ComputeBuffer Lines;
+  /// The sums of the lines of a portion.
   ComputeBuffer LineSums;
+  /// Tables of AddUp(), and its results.
+  ComputeBuffer Blocks;
+  ComputeBuffer BlockSums;
+  ComputeBuffer Parts;
+  ComputeBuffer Faces;
+  ComputeBuffer Totals;
 
   /// Places of the faces of the last Acquire().
   std::vector<ResidentFace> Places;
   /// Places of the faces of the last BeginBatch(), by slot; all are on one page.
   std::vector<const ResidentFace*> Slots;
   BatchParameters Batch;
-
-  bool Bind(const ProgramKey& key, int page)
-  {
-    const ProgramKind kind = std::get<0>(key);
-    if (!this->Work.Bind(3) || !this->Parameters.Bind(4))
-    {
-      return false;
-    }
-    if (IsOfLines(key))
-    {
-      return this->Resident.Bind(page) && this->Lines.Bind(6) && this->LineSums.Bind(7);
-    }
-    return (kind == ProgramKind::Caps         ? this->Resident.BindCaps(page)
-               : kind == ProgramKind::Ribbons ? this->Resident.Bind(page)
-                                              : this->LineSums.Bind(7)) &&
-      this->Rows.Bind(5) && this->StatusFlags.Bind(6);
-  }
+  /// The order of evaluation of the last Run(), and whether an item of it was compared.
+  std::vector<std::uint32_t> Order;
+  bool HasComparisons = false;
+  /// Programs whose results were compared with those of the CPU, in which generation of the context.
+  std::set<ProgramKey> Proved;
+  std::uint64_t ProvedGeneration = 0;
 
   std::string GetBufferErrors() const
   {
-    return this->Work.GetError() + this->Parameters.GetError() + this->Rows.GetError() +
-      this->StatusFlags.GetError() + this->Lines.GetError() + this->LineSums.GetError();
+    std::string errors;
+    for (const ComputeBuffer* buffer :
+      { &this->Work, &this->Shapes, &this->Parameters, &this->Rows, &this->StatusFlags, &this->LineSums,
+        &this->Blocks, &this->BlockSums, &this->Parts, &this->Faces, &this->Totals })
+    {
+      errors += buffer->GetError();
+    }
+    return errors;
+  }
+
+  bool Bind(const ProgramKey& key, int page)
+  {
+    switch (std::get<0>(key))
+    {
+      case ProgramKind::Panels:
+      case ProgramKind::Ribbons:
+        return this->Resident.Bind(page) && this->BindLines();
+      case ProgramKind::Caps:
+        return this->Resident.BindCaps(page) && this->BindLines();
+      case ProgramKind::Finish:
+        return this->StatusFlags.Bind(0) && this->Rows.Bind(5) && this->BindLines();
+      case ProgramKind::RowBlocks:
+        return this->Rows.Bind(5) && this->Blocks.Bind(6) && this->BlockSums.Bind(7);
+      default:
+        return this->Faces.Bind(3) && this->Parts.Bind(4) && this->Totals.Bind(6) && this->BlockSums.Bind(7);
+    }
+  }
+  bool BindLines()
+  {
+    return this->Work.Bind(3) && this->Parameters.Bind(4) && this->Shapes.Bind(6) && this->LineSums.Bind(7);
+  }
+
+  PortionLimits GetLimits(const RowLayout& layout) const
+  {
+    PortionLimits limits = this->Context->IsSoftware() ? SoftwareLimits : DeviceLimits;
+    const auto block = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize());
+    // A portion has one item at least, which has at most 255 lines.
+    limits.Lines = std::clamp<std::size_t>(block / GetLineBytes(layout), 255, limits.Lines);
+    return limits;
+  }
+  static std::size_t GetLineBytes(const RowLayout& layout)
+  {
+    return static_cast<std::size_t>(layout.GetNumberOfIntegrands() + layout.GetNumberOfRoundings() + 3) *
+      sizeof(double);
+  }
+  /// Bytes of the sums of a block: all columns but the differences, and their rounding errors.
+  static std::size_t GetBlockBytes(const RowLayout& layout)
+  {
+    return 2 * static_cast<std::size_t>(layout.GetDifference(0)) * sizeof(double);
   }
 
   /// Returns the record with indices into the page's data of its face.
@@ -139,15 +177,14 @@ struct GPUItemRunner::Internals
 
   /// Builds the programs that the faces need and runs each once, as drivers finish compilation at the first dispatch.
   bool WarmUp(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress, std::string& error);
-  /// The work [begin, end) of a dispatch, and the lines of its panels.
-  struct Portion
-  {
-    std::size_t Begin, End;
-    std::uint32_t FirstLine, LineCount;
-  };
-  /// Runs a program for a portion: for its lines, or for its items.
-  bool Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key, const Portion& portion,
-    std::string& error);
+  /// Runs a program for a range of a portion's lines, or the program that finishes the portion's items.
+  bool DispatchLines(const RowLayout& layout, const WorkPortion& portion, const LineRange& range);
+  bool DispatchFinish(const RowLayout& layout, const WorkPortion& portion);
+  bool RunPortion(const RowLayout& layout, const WorkPortion& portion, std::string& error);
+  /// Uploads the tables of AddUp().
+  bool UploadParts(const RowLayout& layout, const std::vector<RowPart>& parts, std::uint32_t& blocks,
+    std::uint32_t& coedges);
+  bool DispatchSums(const RowLayout& layout, std::uint32_t blocks, std::uint32_t faces, std::string& error);
 };
 
 GPUItemRunner::GPUItemRunner(vtkComputeContext* context)
@@ -199,32 +236,30 @@ bool GPUItemRunner::Internals::WarmUp(
     {
       if (count > 0 && this->Places[i].Error.empty())
       {
-        needed[IntegrationPrograms::ChooseProgram(kind, face.Degree[0], face.Degree[1])] =
-          this->Places[i].Page;
-        if (kind == ItemKind::Panel)
-        {
-          needed[IntegrationPrograms::GetPanelSums()] = this->Places[i].Page;
-        }
+        const int page = this->Places[i].Page;
+        needed[IntegrationPrograms::ChooseProgram(kind, face.Degree[0], face.Degree[1])] = page;
+        needed[FinishProgram] = needed[RowBlockProgram] = needed[FaceSumProgram] = page;
       }
     }
   }
-  if (!this->Work.Allocate(sizeof(WorkRecord)) || !this->Parameters.Allocate(sizeof(double)) ||
-    !this->Rows.Allocate(sizeof(double)) || !this->StatusFlags.Allocate(sizeof(std::uint32_t)) ||
-    !this->Lines.Allocate(sizeof(LineRecord)) || !this->LineSums.Allocate(sizeof(double)))
+  std::vector<ProgramKey> missing;
+  for (const auto& [key, page] : needed)
   {
-    error = this->GetBufferErrors();
-    return false;
-  }
-  if (std::any_of(needed.begin(), needed.end(),
-        [this](const auto& program) { return !this->Programs.IsBuilt(program.first); }))
-  {
-    // Outside the scope below, since an observer may draw.
-    this->Context->InvokeEvent(vtkComputeContext::COMPILE_EVENT);
-    if (progress && !progress(1.0))
+    if (!this->Programs.IsBuilt(key))
     {
-      error = "aborted";
-      return false;
+      missing.push_back(key);
     }
+  }
+  if (missing.empty())
+  {
+    return true;
+  }
+  // Outside the scope below, since an observer may draw.
+  this->Context->InvokeEvent(vtkComputeContext::COMPILE_EVENT);
+  if (progress && !progress(1.0))
+  {
+    error = "aborted";
+    return false;
   }
   const ContextScope scope(this->Context);
   if (!scope)
@@ -232,19 +267,19 @@ bool GPUItemRunner::Internals::WarmUp(
     error = this->Context->GetReason();
     return false;
   }
-  for (const auto& [key, page] : needed)
+  if (!this->Programs.Build(missing))
   {
+    error = this->Programs.GetError();
+    return false;
+  }
+  for (const ProgramKey& key : missing)
+  {
+    // Drivers finish compilation at the first dispatch; this one is empty, as counts are 0.
     ComputeProgram* program = this->Programs.Get(key);
-    if (!program)
+    const unsigned int size = std::get<0>(key) == ProgramKind::RowBlocks ? LocalSizeOfBlocks : LocalSize;
+    if (!this->Bind(key, needed[key]) || !program->Dispatch(1, size))
     {
-      error = this->Programs.GetError();
-      return false;
-    }
-    // Drivers finish compilation at the first dispatch; this one is empty.
-    if (!this->Bind(key, page) || !program->SetUniform(GetCounter(key), 0u) ||
-      !program->Dispatch(1, LocalSize))
-    {
-      error = "a shader could not be run: " + program->GetError();
+      error = "a shader could not be run: " + program->GetError() + this->GetBufferErrors();
       return false;
     }
   }
@@ -263,10 +298,29 @@ int GPUItemRunner::GetGroup(std::size_t face) const
 
 std::size_t GPUItemRunner::GetRowLimit() const
 {
-  const std::size_t bytes = std::max(
-    { this->Layout.GetStride() * sizeof(double), sizeof(WorkRecord), LinesOfPanel * sizeof(LineRecord) });
+  // A row may be a block of its own.
+  const std::size_t bytes = std::max({ this->Layout.GetStride() * sizeof(double), sizeof(WorkRecord),
+    Internals::GetBlockBytes(this->Layout) });
   const auto block = static_cast<std::size_t>(this->Implementation->Context->GetMaximumStorageBlockSize());
-  return std::clamp<std::size_t>(block / bytes, 1, RowsOfBlock);
+  return std::clamp<std::size_t>(block / bytes, 1, MaximumRows);
+}
+
+bool GPUItemRunner::IsProved(const WorkItem& item) const
+{
+  const auto key = IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1]);
+  const Internals& self = *this->Implementation;
+  return self.ProvedGeneration == self.Context->GetGeneration() && self.Proved.count(key) > 0;
+}
+
+void GPUItemRunner::SetProved(const WorkItem& item)
+{
+  Internals& self = *this->Implementation;
+  if (self.ProvedGeneration != self.Context->GetGeneration())
+  {
+    self.Proved.clear();
+    self.ProvedGeneration = self.Context->GetGeneration();
+  }
+  self.Proved.insert(IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1]));
 }
 
 bool GPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)
@@ -283,128 +337,144 @@ bool GPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)
 
 bool GPUItemRunner::BeginRows(std::size_t rows)
 {
+  // Rows have no meaning until their item ran, so that they are not cleared.
   Internals& self = *this->Implementation;
-  return (self.Rows.Allocate(rows * this->Layout.GetStride() * sizeof(double)) && self.Rows.Clear()) ||
+  return self.Rows.Allocate(rows * this->Layout.GetStride() * sizeof(double)) ||
     this->Fail("the results do not fit on the GPU: " + self.Rows.GetError());
 }
 
-bool GPUItemRunner::Internals::Dispatch(const Setup& setup, const RowLayout& layout, const ProgramKey& key,
-  const Portion& portion, std::string& error)
+bool GPUItemRunner::Internals::DispatchLines(
+  const RowLayout& layout, const WorkPortion& portion, const LineRange& range)
 {
-  const ContextScope scope(this->Context);
-  if (!scope)
+  ComputeProgram* program = this->Programs.Get(range.Program);
+  if (!program || !this->Bind(range.Program, this->Slots.front()->Page))
   {
-    error = "the OpenGL context was lost: " + this->Context->GetReason();
     return false;
   }
-  ComputeProgram* program = this->Programs.Get(key);
-  if (!program)
-  {
-    error = this->Programs.GetError();
-    return false;
-  }
-  const auto count =
-    IsOfLines(key) ? portion.LineCount : static_cast<std::uint32_t>(portion.End - portion.Begin);
   // Programs have those of the uniforms that they use.
-  program->SetUniform("smFirstWork", static_cast<unsigned int>(portion.Begin));
-  program->SetUniform("smFirstLine", portion.FirstLine);
-  program->SetUniform("smLineCount", portion.LineCount);
-  program->SetUniform("smToleranceOffset", this->Batch.ToleranceOffset);
+  program->SetUniform("smFirstShape", range.FirstShape);
+  program->SetUniform("smShapeCount", range.ShapeCount);
+  program->SetUniform("smFirstLine", range.FirstLine);
+  program->SetUniform("smLineStride", portion.LineCount);
   program->SetUniform("smPlacementOffset", this->Batch.PlacementOffset);
-  program->SetUniform("smIntegrandCount", static_cast<unsigned int>(setup.Integrands.size()));
-  program->SetUniform("smGapSteps", FootPointSteps);
+  program->SetUniform("smIntegrandCount", static_cast<unsigned int>(layout.GetNumberOfIntegrands()));
   program->SetUniform("smRoundingCount", static_cast<unsigned int>(layout.GetNumberOfRoundings()));
-  if (!this->Bind(key, this->Slots.front()->Page) || !program->SetUniform(GetCounter(key), count) ||
-    !program->Dispatch(count, LocalSize))
+  program->SetUniform("smGapSteps", FootPointSteps);
+  return program->SetUniform("smLineCount", range.LineCount) &&
+    program->Dispatch(range.LineCount, LocalSize, ComputeProgram::Barrier::None);
+}
+
+bool GPUItemRunner::Internals::DispatchFinish(const RowLayout& layout, const WorkPortion& portion)
+{
+  ComputeProgram* program = this->Programs.Get(FinishProgram);
+  if (!program || !this->Bind(FinishProgram, 0))
   {
-    error = "a dispatch failed: " + program->GetError() + this->GetBufferErrors();
+    return false;
+  }
+  return program->SetUniform("smFirstShape", portion.FirstShape) &&
+    program->SetUniform("smShapeCount", portion.ShapeCount) &&
+    program->SetUniform("smFirstItem", portion.FirstItem) &&
+    program->SetUniform("smItemCount", portion.ItemCount) &&
+    program->SetUniform("smLineStride", portion.LineCount) &&
+    program->SetUniform("smToleranceOffset", this->Batch.ToleranceOffset) &&
+    program->SetUniform("smIntegrandCount", static_cast<unsigned int>(layout.GetNumberOfIntegrands())) &&
+    program->SetUniform("smRoundingCount", static_cast<unsigned int>(layout.GetNumberOfRoundings())) &&
+    program->Dispatch(portion.ItemCount, LocalSize);
+}
+
+bool GPUItemRunner::Internals::RunPortion(
+  const RowLayout& layout, const WorkPortion& portion, std::string& error)
+{
+  ComputeProgram* last = nullptr;
+  for (const LineRange& range : portion.Ranges)
+  {
+    last = this->Programs.Get(range.Program);
+    if (!this->DispatchLines(layout, portion, range))
+    {
+      error = "a dispatch failed: " + (last ? last->GetError() : this->Programs.GetError()) +
+        this->GetBufferErrors();
+      return false;
+    }
+  }
+  ComputeProgram::PlaceBarrier();
+  last = this->Programs.Get(FinishProgram);
+  if (!this->DispatchFinish(layout, portion))
+  {
+    error =
+      "a dispatch failed: " + (last ? last->GetError() : this->Programs.GetError()) + this->GetBufferErrors();
     return false;
   }
   return true;
 }
 
 bool GPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
-  std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations, const ContinueCallback& shouldContinue)
+  std::int64_t& evaluations, const ContinueCallback& shouldContinue)
 {
   Internals& self = *this->Implementation;
-  // The items are sorted by program and order, so that neighbouring invocations do the same work; the sort is stable.
-  std::vector<std::pair<ProgramKey, std::size_t>> order;
-  order.reserve(active.size());
-  for (std::size_t i = 0; i < active.size(); ++i)
+  const WorkList list(items, active, self.GetLimits(this->Layout));
+  self.Order = list.GetOrder();
+  self.HasComparisons = list.HasComparisons();
+  std::optional<ContextScope> scope;
+  scope.emplace(self.Context);
+  const auto fillRecords = [&](WorkRecord* records)
   {
-    order.emplace_back(ChooseProgram(items[active[i]]), i);
-  }
-  std::stable_sort(order.begin(), order.end(),
-    [&](const auto& a, const auto& b)
-    {
-      return std::tie(a.first, items[active[a.second]].Work.Detail[0]) <
-        std::tie(b.first, items[active[b.second]].Work.Detail[0]);
-    });
-  std::vector<WorkRecord> work;
-  std::vector<LineRecord> lines;
-  work.reserve(active.size());
-  for (const auto& [key, i] : order)
-  {
-    work.push_back(self.MakeRecord(items[active[i]]));
-    if (IsOfLines(key))
-    {
-      work.back().Detail[1] = static_cast<std::uint32_t>(lines.size());
-      for (std::uint32_t node = 0; node < GetLines(work.back()); ++node)
+    ParallelFor(self.Order.size(), RecordsOfTask,
+      [&](std::size_t begin, std::size_t end)
       {
-        lines.push_back({ static_cast<std::uint32_t>(work.size() - 1), node });
-      }
-    }
-  }
-  const std::uint32_t zero = 0;
-  const std::size_t bytes =
-    (this->Layout.GetNumberOfIntegrands() + this->Layout.GetNumberOfRoundings()) * sizeof(double);
-  const std::size_t mostLines =
-    std::clamp(static_cast<std::size_t>(self.Context->GetMaximumStorageBlockSize()) / bytes, LinesOfPanel,
-      LinesOfDispatch);
-  if (!self.Work.Upload(work) || !self.StatusFlags.Allocate((active.size() + 1) * sizeof(std::uint32_t)) ||
-    !self.StatusFlags.Upload(&zero, sizeof(zero)) || !self.Lines.Upload(lines) ||
-    !self.LineSums.Allocate(std::min(lines.size(), mostLines) * bytes))
+        for (std::size_t at = begin; at < end; ++at)
+        {
+          records[at] = self.MakeRecord(items[active[self.Order[at]]]);
+        }
+      });
+  };
+  if (!self.Work.Fill<WorkRecord>(active.size(), fillRecords) || !self.Shapes.Upload(list.GetShapes()) ||
+    !self.StatusFlags.Allocate(active.size() * sizeof(std::uint32_t)) ||
+    !self.LineSums.Allocate(list.GetMaximumLines() * Internals::GetLineBytes(this->Layout)))
   {
     return this->Fail("the work list does not fit on the GPU: " + self.GetBufferErrors());
   }
-  for (std::size_t begin = 0; begin < order.size();)
+  for (const WorkPortion& portion : list.GetPortions())
   {
-    const ProgramKey key = order[begin].first;
-    Internals::Portion portion = { begin, begin, work[begin].Detail[1], 0 };
-    std::int64_t cost = 0;
-    for (std::size_t& end = portion.End; end < order.size() && order[end].first == key; ++end)
+    if (!scope)
     {
-      const std::uint32_t more = IsOfLines(key) ? GetLines(work[end]) : 0;
-      if (cost >= CostPerDispatch || portion.LineCount + more > mostLines)
-      {
-        break;
-      }
-      portion.LineCount += more;
-      cost += items[active[order[end].second]].GetCost();
+      scope.emplace(self.Context);
+    }
+    if (!*scope)
+    {
+      return this->Fail("the OpenGL context was lost: " + self.Context->GetReason());
     }
     std::string error;
-    if (!self.Dispatch(this->Configured, this->Layout, key, portion, error) ||
-      (IsOfLines(key) &&
-        !self.Dispatch(this->Configured, this->Layout, IntegrationPrograms::GetPanelSums(), portion, error)))
+    if (!self.RunPortion(this->Layout, portion, error))
     {
       return this->Fail(error);
     }
-    begin = portion.End;
+    // An observer of the progress may render in another window.
+    scope.reset();
     if (shouldContinue && !shouldContinue())
     {
       return this->Fail("aborted");
     }
   }
-  std::vector<std::uint32_t> status(active.size() + 1);
+  evaluations += list.GetEvaluations();
+  return true;
+}
+
+bool GPUItemRunner::GetUnconverged(std::vector<std::uint8_t>& unconverged)
+{
+  Internals& self = *this->Implementation;
+  unconverged.assign(self.Order.size(), 0);
+  if (!self.HasComparisons)
+  {
+    return true;
+  }
+  std::vector<std::uint32_t> status(self.Order.size());
   if (!self.StatusFlags.Read(status.data(), status.size() * sizeof(status[0])))
   {
     return this->Fail(self.StatusFlags.GetError());
   }
-  evaluations += status[0];
-  unconverged.assign(active.size(), 0);
-  for (std::size_t at = 0; at < order.size(); ++at)
+  for (std::size_t at = 0; at < status.size(); ++at)
   {
-    unconverged[order[at].second] = status[1 + at] != 0 ? 1 : 0;
+    unconverged[self.Order[at]] = status[at] != 0 ? 1 : 0;
   }
   return true;
 }
@@ -416,21 +486,119 @@ void GPUItemRunner::Release()
   this->Implementation->Resident.EndRun();
 }
 
-bool GPUItemRunner::Sum(
-  const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps)
+bool GPUItemRunner::Internals::UploadParts(
+  const RowLayout& layout, const std::vector<RowPart>& parts, std::uint32_t& blocks, std::uint32_t& coedges)
+{
+  std::vector<BlockRecord> blockRecords;
+  std::vector<PartRecord> partRecords;
+  std::vector<std::uint32_t> firstParts;
+  partRecords.reserve(parts.size());
+  coedges = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const RowPart& part = parts[i];
+    if (i == 0 || part.Slot != parts[i - 1].Slot)
+    {
+      firstParts.push_back(static_cast<std::uint32_t>(i));
+    }
+    const auto first = static_cast<std::uint32_t>(blockRecords.size());
+    for (std::uint32_t row = part.Begin; row < part.End; row += RowsOfBlock)
+    {
+      blockRecords.push_back({ row, std::min(RowsOfBlock, part.End - row) });
+    }
+    const std::uint32_t kind = GetPartKind(part);
+    partRecords.push_back({ first, static_cast<std::uint32_t>(blockRecords.size()) - first, kind, coedges });
+    coedges += kind == 2u ? 1u : 0u;
+  }
+  const std::size_t faces = firstParts.size();
+  firstParts.push_back(static_cast<std::uint32_t>(parts.size()));
+  blocks = static_cast<std::uint32_t>(blockRecords.size());
+  const std::size_t totals = faces * (4 * layout.GetNumberOfIntegrands() + 3) + 3 * coedges;
+  return this->Blocks.Upload(blockRecords) && this->Parts.Upload(partRecords) &&
+    this->Faces.Upload(firstParts) && this->BlockSums.Allocate(blocks * GetBlockBytes(layout)) &&
+    this->Totals.Allocate(totals * sizeof(double));
+}
+
+bool GPUItemRunner::Internals::DispatchSums(
+  const RowLayout& layout, std::uint32_t blocks, std::uint32_t faces, std::string& error)
+{
+  ComputeProgram* rows = this->Programs.Get(RowBlockProgram);
+  ComputeProgram* sums = this->Programs.Get(FaceSumProgram);
+  if (!rows || !sums)
+  {
+    error = this->Programs.GetError();
+    return false;
+  }
+  // A dispatch of portions, so that the number of invocations is within 32 bits for any number of integrands.
+  const auto columns = static_cast<std::uint32_t>(layout.GetDifference(0));
+  const std::uint32_t most = 0x40000000u / columns;
+  bool done = this->Bind(RowBlockProgram, 0);
+  for (std::uint32_t first = 0; first < blocks && done; first += most)
+  {
+    const std::uint32_t count = std::min(most, blocks - first);
+    done = rows->SetUniform("smFirstBlock", first) && rows->SetUniform("smBlockCount", count) &&
+      rows->Dispatch(count * columns, LocalSizeOfBlocks);
+  }
+  const auto integrands = static_cast<std::uint32_t>(layout.GetNumberOfIntegrands());
+  done = done && this->Bind(FaceSumProgram, 0) && sums->SetUniform("smFaceCount", faces) &&
+    sums->Dispatch(faces * (integrands + 1u), LocalSize);
+  error = done ? "" : rows->GetError() + sums->GetError() + this->GetBufferErrors();
+  return done;
+}
+
+bool GPUItemRunner::AddUp(
+  const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps)
 {
   Internals& self = *this->Implementation;
-  const auto stride = static_cast<unsigned int>(this->Layout.GetStride());
-  // The largest gap is the first column.
-  static_assert(RowLayout::LargestGap == 0, "the column that is reduced to its maximum");
-  if (!self.Sums.Reduce(self.Rows, stride, stride, segments, Reduction::Operation::SUM, sums) ||
-    !self.Sums.Reduce(self.Rows, stride, 1, segments, Reduction::Operation::MAXIMUM, largestGaps))
+  gaps.clear();
+  if (parts.empty())
   {
-    return this->Fail("the reduction failed: " + self.Sums.GetError());
+    return true;
   }
-  for (std::size_t i = 0; i < segments.size(); ++i)
+  const ContextScope scope(self.Context);
+  std::uint32_t blocks = 0;
+  std::uint32_t coedges = 0;
+  std::string error;
+  if (!scope || !self.UploadParts(this->Layout, parts, blocks, coedges) ||
+    !self.DispatchSums(this->Layout, blocks, static_cast<std::uint32_t>(totals.size()), error))
   {
-    largestGaps[i] = segments[i].first == segments[i].second ? 0.0 : largestGaps[i];
+    return this->Fail("the sums of faces failed: " + error + self.GetBufferErrors());
+  }
+  const auto integrands = static_cast<std::size_t>(this->Layout.GetNumberOfIntegrands());
+  std::vector<double> sums(totals.size() * (4 * integrands + 3) + 3 * coedges);
+  if (!self.Totals.Read(sums.data(), sums.size() * sizeof(double)))
+  {
+    return this->Fail("the sums of faces failed: " + self.Totals.GetError());
+  }
+  const double* from = sums.data();
+  const auto takeGaps = [&from]
+  {
+    const RowGaps own = { from[0], from[1], from[2] };
+    from += 3;
+    return own;
+  };
+  for (FaceTotals& total : totals)
+  {
+    for (std::size_t k = 0; k < integrands; ++k, from += 4)
+    {
+      const auto add = [&](double& sum, double value)
+      {
+        const double before = sum;
+        sum += value;
+        total.Rounding[k] += before != 0.0 ? UnitRoundoff * std::abs(sum) : 0.0;
+      };
+      add(total.Face[k], from[0]);
+      add(total.Chain[k], from[1]);
+      total.Error[k] += from[2];
+      total.Rounding[k] += from[3];
+    }
+    const RowGaps own = takeGaps();
+    total.Gaps = { GetLargerGap(total.Gaps.Largest, own.Largest), total.Gaps.Squared + own.Squared,
+      total.Gaps.Area + own.Area };
+  }
+  for (std::uint32_t i = 0; i < coedges; ++i)
+  {
+    gaps.push_back(takeGaps());
   }
   return true;
 }

@@ -17,7 +17,7 @@ namespace sm
 /**
  * Keeps faces resident (ResidentFaces); a group is a page of them. Work is dispatched in portions of limited cost, each in its
  * own scope of the context, so that a run can be aborted between them, the driver's watchdog does not interrupt it, and a
- * progress observer may render in another window. The context must be READY.
+ * progress observer may render in another window. Nothing is read back before AddUp(): rows stay on the GPU. The context must be READY.
  */
 class GPUItemRunner : public ItemRunner
 {
@@ -32,13 +32,15 @@ public:
   int GetGroup(std::size_t face) const override;
   /// Returns the number of rows for which the rows and the work records fit into a storage block each.
   std::size_t GetRowLimit() const override;
+  bool IsProved(const WorkItem& item) const override;
+  void SetProved(const WorkItem& item) override;
   bool BeginBatch(const std::vector<BatchFace>& faces) override;
   bool BeginRows(std::size_t rows) override;
   bool Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
-    std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations,
-    const ContinueCallback& shouldContinue) override;
-  bool Sum(const std::vector<Segment>& segments, std::vector<double>& sums,
-    std::vector<double>& largestGaps) override;
+    std::int64_t& evaluations, const ContinueCallback& shouldContinue) override;
+  bool GetUnconverged(std::vector<std::uint8_t>& unconverged) override;
+  bool AddUp(
+    const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps) override;
   void Release() override;
 
 protected:

@@ -4,20 +4,24 @@
 #include "smFormat.h"
 #include "smResidentFaces.h"
 #include "smShaderSource.h"
+#include "smUnitRoundoff.h"
 
 #include "smAccumulate.h"
+#include "smBlockStorage.h"
 #include "smCap.h"
 #include "smCapCS.h"
 #include "smElementary.h"
 #include "smExpressionCS.h"
+#include "smFaceSumCS.h"
 #include "smFinish.h"
+#include "smFinishCS.h"
 #include "smLineStorage.h"
 #include "smPanel.h"
 #include "smPanelCS.h"
-#include "smPanelSumCS.h"
-#include "smResultStorage.h"
 #include "smRibbon.h"
 #include "smRibbonCS.h"
+#include "smRowBlockCS.h"
+#include "smRowStorage.h"
 #include "smSample.h"
 #include "smUserFunctions.h"
 #include "smWork.h"
@@ -56,15 +60,20 @@ void IntegrationPrograms::Configure(const ItemRunner::Setup& setup, const RowLay
 ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int degreeR)
 {
   static const std::pair<int, int> common[] = { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 3, 3 } };
-  if (kind == ItemKind::Panel &&
-    std::find(std::begin(common), std::end(common), std::make_pair(degreeS, degreeR)) != std::end(common))
+  // With a constant degree in s the curve that a patch is along a line stays in registers. A ribbon needs it for one point only.
+  constexpr int MaximumPanelDegree = 6;
+  constexpr int MaximumRibbonDegree = 3;
+  if (kind == ItemKind::Cap)
   {
-    return { ProgramKind::Panels, degreeS, degreeR };
+    return { ProgramKind::Caps, 0, 0 };
   }
-  return { kind == ItemKind::Panel ? ProgramKind::Panels
-      : kind == ItemKind::Ribbon   ? ProgramKind::Ribbons
-                                   : ProgramKind::Caps,
-    0, 0 };
+  if (kind == ItemKind::Ribbon)
+  {
+    return { ProgramKind::Ribbons, degreeS <= MaximumRibbonDegree ? degreeS : 0, 0 };
+  }
+  const bool isCommon =
+    std::find(std::begin(common), std::end(common), std::make_pair(degreeS, degreeR)) != std::end(common);
+  return { ProgramKind::Panels, degreeS <= MaximumPanelDegree ? degreeS : 0, isCommon ? degreeR : 0 };
 }
 
 namespace
@@ -81,16 +90,16 @@ std::string CallFunction(std::size_t integrand)
 
 void AddChunks(ShaderSource& source)
 {
-  for (const char* chunk :
-    { "smPortable", "smBernstein", "smPatch", "smPatchRecord", "smPatchSecond", "smResident" })
+  for (const char* chunk : { "smBernstein", "smPatch", "smPatchRecord", "smPatchSecond", "smResident" })
   {
     source.AddChunk(chunk, GetNURBSShaderChunk(chunk));
   }
-  const std::pair<const char*, const char*> chunks[] = { { "smAccumulate", smAccumulate }, { "smCap", smCap },
-    { "smElementary", smElementary }, { "smFinish", smFinish }, { "smLineStorage", smLineStorage },
-    { "smPanel", smPanel }, { "smResultStorage", smResultStorage }, { "smRibbon", smRibbon },
-    { "smSample", smSample }, { "smUserFunctions", smUserFunctions }, { "smWork", smWork },
-    { "smWorkRecord", smWorkRecord }, { "smWorkStorage", smWorkStorage } };
+  const std::pair<const char*, const char*> chunks[] = { { "smAccumulate", smAccumulate },
+    { "smBlockStorage", smBlockStorage }, { "smCap", smCap }, { "smElementary", smElementary },
+    { "smFinish", smFinish }, { "smLineStorage", smLineStorage }, { "smPanel", smPanel },
+    { "smRibbon", smRibbon }, { "smRowStorage", smRowStorage }, { "smSample", smSample },
+    { "smUserFunctions", smUserFunctions }, { "smWork", smWork }, { "smWorkRecord", smWorkRecord },
+    { "smWorkStorage", smWorkStorage } };
   for (const auto& [name, text] : chunks)
   {
     source.AddChunk(name, text);
@@ -170,6 +179,20 @@ std::string IntegrationPrograms::MakeFunctions(bool isPanel) const
   return (detail >= UserExpression::SecondDerivatives ? "//SM::Include smPatchSecond\n" : "") + text;
 }
 
+std::string IntegrationPrograms::MakeForSums(const std::function<std::string(const std::string&)>& make) const
+{
+  std::string text;
+  for (std::size_t k = 0; k < this->Setup.Integrands.size(); ++k)
+  {
+    text += make("smValue" + std::to_string(k)) + "\n";
+  }
+  for (int k = 0; k < this->Layout.GetNumberOfRoundings(); ++k)
+  {
+    text += make("smRounding" + std::to_string(k)) + "\n";
+  }
+  return text;
+}
+
 std::string IntegrationPrograms::MakeValues(bool chainOnly) const
 {
   std::string text;
@@ -178,7 +201,7 @@ std::string IntegrationPrograms::MakeValues(bool chainOnly) const
     const Integrand& integrand = this->Setup.Integrands[k];
     if (!chainOnly || integrand.ClosedChain)
     {
-      text += "smValues[" + std::to_string(k) + "] += weight * (" +
+      text += "smValue" + std::to_string(k) + " += weight * (" +
         (integrand.Source ? CallFunction(k) : integrand.Expression) + ");\n";
     }
   }
@@ -196,7 +219,7 @@ std::string IntegrationPrograms::MakeRoundings(bool chainOnly) const
     {
       continue;
     }
-    text += "smRoundings[" + std::to_string(k) + "] += noise * (" +
+    text += "smRounding" + std::to_string(k) + " += noise * (" +
       (integrand.Source ? "abs(" + CallFunction(first) + ") / max(length(normal), 1e-300LF)"
                         : integrand.Magnitude) +
       ");\n";
@@ -210,15 +233,12 @@ bool IntegrationPrograms::IsBuilt(const ProgramKey& key) const
   return found != this->Programs.end() && found->second.IsBuilt();
 }
 
-ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
+ShaderSource IntegrationPrograms::MakeSource(const ProgramKey& key) const
 {
-  if (this->IsBuilt(key))
-  {
-    return &this->Programs[key];
-  }
   const auto [kind, degreeS, degreeR] = key;
-  const char* const texts[] = { smPanelCS, smRibbonCS, smCapCS, smPanelSumCS };
-  const char* const names[] = { "smPanelCS", "smRibbonCS", "smCapCS", "smPanelSumCS" };
+  const char* const texts[] = { smPanelCS, smRibbonCS, smCapCS, smFinishCS, smRowBlockCS, smFaceSumCS };
+  const char* const names[] = { "smPanelCS", "smRibbonCS", "smCapCS", "smFinishCS", "smRowBlockCS",
+    "smFaceSumCS" };
   ShaderSource source(names[static_cast<int>(kind)], texts[static_cast<int>(kind)]);
   AddChunks(source);
   const bool isPanel = kind == ProgramKind::Panels;
@@ -231,14 +251,22 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
   const bool mayHaveKinks = std::any_of(this->Setup.Integrands.begin(), this->Setup.Integrands.end(),
     [](const Integrand& integrand) { return integrand.Source && integrand.Source->MayHaveKinks(); });
   source.Define("SM_MIN_ERROR_SHARE", mayHaveKinks ? "0.1LF" : "1e-3LF");
+  source.Define("SM_UNIT_ROUNDOFF", MakeLiteral(UnitRoundoff));
   source.Define("SM_PLACEMENT", this->Setup.UsePlacements ? "true" : "false");
   source.Define("SM_DEGREE_S", degreeS > 0 ? std::to_string(degreeS) : "int(patchRecord.shape.y)");
   source.Define("SM_DEGREE_R", degreeR > 0 ? std::to_string(degreeR) : "int(patchRecord.shape.z)");
   source.Define("SM_ROW_SIZE", degreeS > 0 ? degreeS + 1 : MaximumDegree + 1);
   source.Define("SM_BASIS_SIZE", degreeR > 0 ? std::max(degreeS, degreeR) : MaximumDegree);
 
-  if (kind != ProgramKind::PanelSums)
+  if (isPanel || kind == ProgramKind::Ribbons || kind == ProgramKind::Caps)
   {
+    source.Replace(
+      "//SM::DeclareSums", this->MakeForSums([](const std::string& sum) { return "double " + sum + ";"; }));
+    source.Replace(
+      "//SM::ClearSums", this->MakeForSums([](const std::string& sum) { return sum + " = 0.0LF;"; }));
+    source.Replace("//SM::StoreSums",
+      this->MakeForSums(
+        [](const std::string& sum) { return "smLineSums[at] = " + sum + "; at += smLineStride;"; }));
     source.Replace("//SM::UserFunctions", this->MakeFunctions(isPanel));
     // Ribbons and caps have no samples of faces.
     source.Replace("//SM::AccumulateFaces", this->MakeValues(!isPanel));
@@ -246,20 +274,49 @@ ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
     source.Replace("//SM::AccumulateFaceRoundings", this->MakeRoundings(!isPanel));
     source.Replace("//SM::AccumulateChainRoundings", this->MakeRoundings(true));
   }
-  if (!source.Assemble())
+  return source;
+}
+
+bool IntegrationPrograms::Build(const std::vector<ProgramKey>& keys)
+{
+  std::vector<std::pair<ProgramKey, ComputeProgram>> begun;
+  for (const ProgramKey& key : keys)
   {
-    this->Error = source.GetError();
-    return nullptr;
+    if (this->IsBuilt(key))
+    {
+      continue;
+    }
+    ShaderSource source = this->MakeSource(key);
+    if (!source.Assemble())
+    {
+      this->Error = source.GetError();
+      return false;
+    }
+    const auto [kind, degreeS, degreeR] = key;
+    const std::string label =
+      source.GetName() + " " + std::to_string(degreeS) + "x" + std::to_string(degreeR);
+    ComputeProgram program;
+    if (!program.BeginBuild(this->Context, label, source.GetSource()))
+    {
+      this->Error = program.GetError();
+      return false;
+    }
+    begun.emplace_back(key, std::move(program));
   }
-  ComputeProgram program;
-  const std::string label = source.GetName() + " " + std::to_string(degreeS) + "x" + std::to_string(degreeR);
-  if (!program.Build(this->Context, label, source.GetSource()))
+  for (auto& [key, program] : begun)
   {
-    this->Error = program.GetError();
-    return nullptr;
+    if (!program.FinishBuild())
+    {
+      this->Error = program.GetError();
+      return false;
+    }
+    this->Programs[key] = std::move(program);
   }
-  ComputeProgram& stored = this->Programs[key];
-  stored = std::move(program);
-  return &stored;
+  return true;
+}
+
+ComputeProgram* IntegrationPrograms::Get(const ProgramKey& key)
+{
+  return this->Build({ key }) ? &this->Programs[key] : nullptr;
 }
 }

@@ -8,9 +8,11 @@
 #include "smComputeProgram.h"
 #include "smItemRunner.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <tuple>
+#include <vector>
 
 class vtkComputeContext;
 
@@ -20,11 +22,18 @@ class ShaderSource;
 
 enum class ProgramKind
 {
-  /// Lines of panels; PanelSums adds up those of each panel.
+  ///@{
+  /// Lines of items.
   Panels,
   Ribbons,
   Caps,
-  PanelSums
+  ///@}
+  /// Adds up the lines of items, and stores their rows.
+  Finish,
+  /// Adds up blocks of rows.
+  RowBlocks,
+  /// Adds up the blocks of faces.
+  FaceSums
 };
 
 /// Key of a program: its kind, and the degrees it is compiled for (0: any).
@@ -43,10 +52,9 @@ public:
   /// results of a face are bitwise the same in any batch.
   static ProgramKey ChooseProgram(ItemKind kind, int degreeS, int degreeR);
 
-  /// The key of the program that adds up the lines of panels.
-  static ProgramKey GetPanelSums() { return { ProgramKind::PanelSums, 0, 0 }; }
-
   bool IsBuilt(const ProgramKey& key) const;
+  /// Builds programs side by side, as far as the driver can. Returns false, with GetError(), if one cannot be built.
+  bool Build(const std::vector<ProgramKey>& keys);
   /// Returns the program, which is built on first use; null, with GetError(), if it cannot be built.
   ComputeProgram* Get(const ProgramKey& key);
 
@@ -57,7 +65,10 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
+  ShaderSource MakeSource(const ProgramKey& key) const;
   std::string MakeFunctions(bool isPanel) const;
+  /// Calls `make` with the variable of each integrand's sum and then of each rounding's.
+  std::string MakeForSums(const std::function<std::string(const std::string&)>& make) const;
   std::string MakeValues(bool chainOnly) const;
   std::string MakeRoundings(bool chainOnly) const;
   /// Returns the level of SM_SAMPLE_DETAIL that the integrands need, see UserExpression.

@@ -50,7 +50,6 @@ SampleFormulas::SampleFormulas(const std::vector<Integrand>& integrands, const R
 namespace
 {
 #define SM_INTEGRANDS static_cast<int>(this->smIntegrandCount)
-#define SM_ROUNDINGS static_cast<int>(this->smRoundingCount)
 #define SM_MIN_ERROR_SHARE 1e-3
 
 /// The end of an item: its sums are compared with those of a lower order, and stored.
@@ -59,10 +58,8 @@ class ItemEnd
 public:
   ItemEnd(const KernelData& data, KernelScratch& scratch)
     : Data(data)
-    , smValues(scratch.Values.data())
-    , smResults(scratch.Results.data())
-    , smRoundings(scratch.Roundings.data())
-    , smNoises(scratch.Noises.data())
+    , Values(scratch.Values.data())
+    , Roundings(scratch.Roundings.data())
     , smRoundingOf(data.Layout->GetRoundingOf().data())
     , smIntegrandCount(data.Layout->GetNumberOfIntegrands())
     , smRoundingCount(data.Layout->GetNumberOfRoundings())
@@ -79,11 +76,11 @@ public:
   {
     for (uint k = 0; k < smIntegrandCount; ++k)
     {
-      smValues[k] = sums.Values[k * lanes + lane];
+      this->Values[k] = sums.Values[k * lanes + lane];
     }
     for (uint k = 0; k < smRoundingCount; ++k)
     {
-      smRoundings[k] = sums.Roundings[k * lanes + lane];
+      this->Roundings[k] = sums.Roundings[k * lanes + lane];
     }
     const std::uint32_t* i = item.Work.Item;
     const std::uint32_t* d = item.Work.Detail;
@@ -104,6 +101,14 @@ private:
 
 #include "glsl/smFinish.glsl"
 
+  double smResult(uint k) const
+  {
+    return this->Values[k];
+  }
+  double smNoise(uint k) const
+  {
+    return smUnitRoundoff * this->Roundings[k];
+  }
   double smParameter(uint at) const
   {
     return this->Data.Parameters[at];
@@ -123,10 +128,8 @@ private:
 
   const KernelData& Data;
   bool Converged = true;
-  double* const smValues;
-  double* const smResults;
-  double* const smRoundings;
-  double* const smNoises;
+  double* const Values;
+  double* const Roundings;
   const int* const smRoundingOf;
   const uint smIntegrandCount;
   const uint smRoundingCount;

@@ -70,13 +70,11 @@ struct KernelScratch
   /// Input data of items one after another and side by side, and their sums.
   std::vector<double> Copies, Inputs, Sums;
   /// Sums of a single item.
-  std::vector<double> Values, Results, Roundings, Noises;
+  std::vector<double> Values, Roundings;
 
   explicit KernelScratch(const RowLayout& layout)
     : Values(layout.GetNumberOfIntegrands())
-    , Results(layout.GetNumberOfIntegrands())
     , Roundings(layout.GetNumberOfRoundings())
-    , Noises(layout.GetNumberOfRoundings())
   {
   }
 };

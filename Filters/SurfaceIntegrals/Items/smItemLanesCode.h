@@ -23,8 +23,6 @@ struct NumberOf<1>
   using Type = double;
 };
 
-#define SM_INTEGRANDS this->Items.NumberOfTerms
-#define SM_ROUNDINGS this->Items.NumberOfMagnitudes
 #define SM_PLACEMENT this->Items.UsePlacements
 #define SM_PERTURBATION this->Items.Perturbation
 #define SM_SAMPLE_DETAIL 0
@@ -41,23 +39,24 @@ class LaneKernel
 public:
   explicit LaneKernel(const ItemLanes& items)
     : Items(items)
-    , smValues(reinterpret_cast<Number*>(items.Values))
-    , smRoundings(reinterpret_cast<Number*>(items.Roundings))
+    , Values(reinterpret_cast<Number*>(items.Values))
+    , Roundings(reinterpret_cast<Number*>(items.Roundings))
   {
   }
 
   // Everything is compiled into these: vectors as arguments of functions would go through memory.
   __attribute__((flatten)) unsigned int IntegratePanel()
   {
-    smClear();
+    this->Clear();
     const smWorkRecord work = this->MakeWork();
     return smIntegratePanel(work, 0, smGetLines(work));
   }
   __attribute__((flatten)) unsigned int IntegrateRibbon()
   {
     dvec3 gaps;
-    smClear();
-    const unsigned int evaluations = smIntegrateRibbon(this->MakeWork(), gaps);
+    this->Clear();
+    const smWorkRecord work = this->MakeWork();
+    const unsigned int evaluations = smIntegrateRibbon(work, 0, smGetLines(work), gaps);
     auto* stored = reinterpret_cast<Number*>(this->Items.Gaps);
     stored[0] = gaps.x;
     stored[1] = gaps.y;
@@ -66,8 +65,8 @@ public:
   }
   __attribute__((flatten)) unsigned int IntegrateCap()
   {
-    smClear();
-    smIntegrateCap(this->MakeWork());
+    this->Clear();
+    smIntegrateCap(this->MakeWork(), 0, SM_STRIP_POINTS);
     return 0u;
   }
 
@@ -95,6 +94,17 @@ private:
 #include "glsl/smWork.glsl"
 #undef double
 
+  void Clear()
+  {
+    for (int k = 0; k < this->Items.NumberOfTerms; ++k)
+    {
+      this->Values[k] = Number(0.0);
+    }
+    for (int k = 0; k < this->Items.NumberOfMagnitudes; ++k)
+    {
+      this->Roundings[k] = Number(0.0);
+    }
+  }
   static Number Load(const double* lanes, unsigned int entry)
   {
     Number number;
@@ -161,7 +171,7 @@ private:
         {
           product *= coordinates[this->Items.More[i]];
         }
-        smValues[k] += weight * product;
+        this->Values[k] += weight * product;
       }
     }
     const Number size = length(position);
@@ -172,13 +182,13 @@ private:
       {
         product *= size;
       }
-      smRoundings[k] += noise * product;
+      this->Roundings[k] += noise * product;
     }
   }
 
   const ItemLanes& Items;
-  Number* const smValues;
-  Number* const smRoundings;
+  Number* const Values;
+  Number* const Roundings;
   /// Above all indices of rules.
   static constexpr unsigned int smPlacementOffset = 0x10000u;
   static constexpr int smGapSteps = FootPointSteps;

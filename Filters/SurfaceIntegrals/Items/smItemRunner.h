@@ -19,6 +19,39 @@
 
 namespace sm
 {
+/// Consecutive rows [Begin, End) of the items of one kind of a face, those of ribbons of one coedge. Parts of a face are consecutive, too.
+struct RowPart
+{
+  std::uint32_t Slot = 0;
+  ItemKind Kind = ItemKind::Panel;
+  /// Index of the coedge of ribbons within the face; -1: none.
+  int Coedge = -1;
+  std::uint32_t Begin = 0, End = 0;
+};
+
+/// The largest gap along a part of the boundary, and the integrals of the squared gap and of the gap.
+struct RowGaps
+{
+  double Largest = 0.0, Squared = 0.0, Area = 0.0;
+};
+
+/// What the rows of a face add up to, by integrand.
+struct FaceTotals
+{
+  /// Sums of panels, and of ribbons and caps.
+  std::vector<double> Face, Chain;
+  std::vector<double> Error, Rounding;
+  RowGaps Gaps;
+
+  explicit FaceTotals(std::size_t integrands)
+    : Face(integrands, 0.0)
+    , Chain(integrands, 0.0)
+    , Error(integrands, 0.0)
+    , Rounding(integrands, 0.0)
+  {
+  }
+};
+
 /**
  * Methods are called in this order:
  *   1. Configure(): integrands and constants.
@@ -28,10 +61,10 @@ namespace sm
  *   5. Run() for any of these items, any number of times. An item has its orders and flags in its record. Its sums are compared
  *      with the content of its row (unless a flag excludes the comparison) and then overwrite it, so that an item can be repeated
  *      at a higher order,
- *   6. Sum() of any segments of rows.
+ *   6. AddUp() of parts of the rows, and GetUnconverged(), in any order: a GPU is read in these two alone.
  * Steps 3 to 6 repeat; Release() ends the run. The integrator chooses orders and tolerances, not the runner.
  *
- * The row of an item depends only on the item, its face, and the arguments of Configure() and BeginBatch(); the sum of a segment
+ * The row of an item depends only on the item, its face, and the arguments of Configure() and BeginBatch(); the sum of a part
  * depends only on its rows and their order. Results are therefore bitwise the same for any order, batch, number of threads or
  * dispatches.
  *
@@ -85,21 +118,28 @@ public:
   /// Returns the largest number of items that may have rows at a time.
   virtual std::size_t GetRowLimit() const = 0;
 
+  ///@{
+  /// Whether the code that evaluates an item has been compared with that of the CPU, see FindRunnerDifference(), and to say so.
+  virtual bool IsProved(const WorkItem&) const { return true; }
+  virtual void SetProved(const WorkItem&) {}
+  ///@}
+
   /// Sets the faces to which the slots of the following items refer.
   virtual bool BeginBatch(const std::vector<BatchFace>& faces) = 0;
   virtual bool BeginRows(std::size_t rows) = 0;
 
-  /// Evaluates items[active[i]] and sets unconverged[i] to 1 if its differences are above the tolerances, else to 0.
-  /// `evaluations` is increased by the number of points of panels and ribbons.
+  /// Evaluates items[active[i]]. `evaluations` is increased by the number of points of panels and ribbons.
   virtual bool Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
-    std::vector<std::uint8_t>& unconverged, std::int64_t& evaluations,
-    const ContinueCallback& shouldContinue) = 0;
+    std::int64_t& evaluations, const ContinueCallback& shouldContinue) = 0;
 
-  /// Computes the sums of all columns over each segment [first, last) of rows, GetLayout().GetStride() doubles each, and the
-  /// maximum of the column LargestGap. An empty segment has zeros. Sums are compensated; a NaN is preserved.
-  using Segment = std::pair<unsigned int, unsigned int>;
-  virtual bool Sum(
-    const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps) = 0;
+  /// Sets unconverged[i] to 1 if the differences of items[active[i]] of the last Run() are above the tolerances, else to 0.
+  virtual bool GetUnconverged(std::vector<std::uint8_t>& unconverged) = 0;
+
+  /// Adds what the rows of each part sum up to: values, errors and roundings to the totals of the part's face, where each addition adds its
+  /// rounding; its gaps to those of the face and, for a coedge, to `gaps`. `totals` has an entry for each face of the parts, in their order;
+  /// `gaps` gets one for each part of a coedge. Sums within a part are compensated; a NaN is preserved.
+  virtual bool AddUp(
+    const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps) = 0;
 
   /// Ends a run and releases the faces of Acquire(). Resident faces are kept within their own memory budget.
   virtual void Release() = 0;

@@ -34,7 +34,7 @@ public:
     const std::uint32_t flags = (panel.Negative ? Negative : 0u) | (panel.FlipNormal ? Flip : 0u);
     const WorkRecord work = { { panel.Patch, panel.Trim, 0, this->Slot },
       { panel.TrimDegree | flags << 24, 0, 0, One }, { panel.Start, panel.End, 0.0, 1.0 } };
-    return this->Make(ItemKind::Panel, work, panel, -1, this->Cost);
+    return this->Make(ItemKind::Panel, work, &panel, -1, this->Cost);
   }
   WorkItem MakeRibbon(std::size_t index) const
   {
@@ -43,7 +43,7 @@ public:
     const WorkRecord work = { { ribbon.Patch, ribbon.Trim, 0, this->Slot },
       { ribbon.TrimDegree | flags << 24, ribbon.Edge, ribbon.EdgeDegree, One },
       { ribbon.Start, ribbon.End, ribbon.EdgeStart, ribbon.EdgeEnd } };
-    return this->Make(ItemKind::Ribbon, work, {}, ribbon.Coedge,
+    return this->Make(ItemKind::Ribbon, work, nullptr, ribbon.Coedge,
       this->Cost + (this->Face.Degree[0] + 1) * (this->Face.Degree[1] + 1));
   }
   WorkItem MakeCap(std::size_t index) const
@@ -51,13 +51,13 @@ public:
     const std::uint32_t flags = this->Face.Panels.Caps[index].FlipNormal ? Flip : 0u;
     const WorkRecord work = { { 0, static_cast<std::uint32_t>(9 * index), 0, this->Slot },
       { flags << 24, 0, 0, One }, { 0.0, 1.0, 0.0, 1.0 } };
-    return this->Make(ItemKind::Cap, work, {}, -1, 1);
+    return this->Make(ItemKind::Cap, work, nullptr, -1, 1);
   }
 
 private:
-  WorkItem Make(ItemKind kind, const WorkRecord& work, const Panel& shape, int coedge, int cost) const
+  WorkItem Make(ItemKind kind, const WorkRecord& work, const Panel* source, int coedge, int cost) const
   {
-    return { kind, work, { this->Face.Degree[0], this->Face.Degree[1] }, shape, 0, coedge, false, cost };
+    return { kind, work, { this->Face.Degree[0], this->Face.Degree[1] }, source, 0, coedge, false, cost };
   }
 
   const CutFace& Face;
@@ -84,16 +84,15 @@ void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& it
   }
 }
 
-void AddPlannedItems(
-  const CutFace& face, const FacePlan& plan, std::uint32_t slot, std::vector<WorkItem>& items)
+void MakePlannedItems(const CutFace& face, const FacePlan& plan, std::uint32_t slot, WorkItem* items)
 {
   const ItemMaker maker(face, slot);
   for (const PlannedItem& planned : plan.Items)
   {
-    items.push_back(planned.Kind == ItemKind::Panel ? maker.MakePanel(planned.Index)
-        : planned.Kind == ItemKind::Ribbon          ? maker.MakeRibbon(planned.Index)
-                                                    : maker.MakeCap(planned.Index));
-    WorkItem& item = items.back();
+    WorkItem& item = *items++;
+    item = planned.Kind == ItemKind::Panel ? maker.MakePanel(planned.Index)
+      : planned.Kind == ItemKind::Ribbon   ? maker.MakeRibbon(planned.Index)
+                                           : maker.MakeCap(planned.Index);
     double* range = item.Work.Range;
     const double start = range[0];
     const double width = range[1] - start;
@@ -142,7 +141,7 @@ Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item)
   switch (item.Kind)
   {
     case ItemKind::Panel:
-      return ladder.GetPanelOrders(item.Shape, item.Level);
+      return ladder.GetPanelOrders(*item.Source, item.Level);
     case ItemKind::Ribbon:
       return ladder.GetRibbonOrders(item.Level);
     default:

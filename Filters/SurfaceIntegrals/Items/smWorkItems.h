@@ -38,8 +38,8 @@ struct WorkItem
   WorkRecord Work;
   /// Degrees of the patch, in s and r.
   int Degree[2] = { 1, 1 };
-  /// The panel, whose orders depend on it.
-  Panel Shape{};
+  /// The panel of the cut face, whose orders depend on it; null for other items.
+  const Panel* Source = nullptr;
   /// Level in the ladder of orders.
   int Level = 0;
   /// Index of the coedge of a ribbon within the face; -1: none.
@@ -64,10 +64,10 @@ struct WorkItem
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddItems(
   const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& items);
 
-/// Appends the items of a face's plan, panels, then ribbons, then caps, with their orders. Each is evaluated once, without a
-/// comparison.
-SMFILTERSSURFACEINTEGRALS_EXPORT void AddPlannedItems(
-  const CutFace& face, const FacePlan& plan, std::uint32_t slot, std::vector<WorkItem>& items);
+/// Writes the items of a face's plan, as many as it has, panels, then ribbons, then caps, with their orders. Each is evaluated once, without
+/// a comparison.
+SMFILTERSSURFACEINTEGRALS_EXPORT void MakePlannedItems(
+  const CutFace& face, const FacePlan& plan, std::uint32_t slot, WorkItem* items);
 
 /// Doubles the points of an item that was evaluated, for a comparison with its row. If `mayBisect` is true, an item that does not
 /// converge leaves zeros in its row.

@@ -1,5 +1,40 @@
-// Functions that add a sample to smValues and smRoundings; their terms are generated from the list of integrands.
-// Needs: chunk smWorkStorage.
+// The sums of a line, and functions that add a sample to them; the terms are generated from the list of integrands. Every sum is a variable
+// of its own: smPortable says why they are not an array.
+// Needs: chunks smWorkStorage, smLineStorage.
+
+//SM::DeclareSums
+
+uniform uint smFirstLine; // the lines of this dispatch
+uniform uint smLineCount;
+
+void smClear()
+{
+  //SM::ClearSums
+}
+
+// Stores the sums of a line, which is counted from the first one of the portion.
+void smStoreLine(uint line)
+{
+  uint at = line;
+  //SM::StoreSums
+}
+
+// Stores the gaps of a line.
+void smStoreLineGaps(uint line, dvec3 gaps)
+{
+  uint at = line + (smIntegrandCount + smRoundingCount) * smLineStride;
+  smLineSums[at] = gaps.x;
+  smLineSums[at + smLineStride] = gaps.y;
+  smLineSums[at + 2u * smLineStride] = gaps.z;
+}
+
+// Returns the item of a line, an index into smWork, and its node.
+uvec2 smFindItem(uint line)
+{
+  uvec4 shape = smFindShape(line, 0);
+  uint node = (line - shape.x) / shape.z;
+  return uvec2(shape.y + (line - shape.x) - node * shape.z, node);
+}
 
 //SM::UserFunctions
 

@@ -1,5 +1,5 @@
-// Integrates one flat triangle X = apex + l (from + t (to - from) - apex) into smValues and smRoundings, with SM_STRIP_POINTS
-// squared Gauss points, which are exact for the polynomial integrands.
+// Adds up samples of one flat triangle X = apex + l (from + t (to - from) - apex), or of some lines of it, with SM_STRIP_POINTS squared
+// Gauss points, which are exact for the polynomial integrands. A line has the points in l at one node in t.
 //
 // Needs: chunk smWork; SM_STRIP_POINTS, SM_PERTURBATION; double smCap(uint index), nine coordinates per cap: apex, from, to; void
 // smAccumulateChain(double weight, double noise, dvec3 position, dvec3 normal).
@@ -9,7 +9,8 @@ dvec3 smCapPoint(uint first)
   return dvec3(smCap(first), smCap(first + 1u), smCap(first + 2u));
 }
 
-void smIntegrateCap(smWorkRecord work)
+// Integrates the lines [first, end) of a cap.
+void smIntegrateCap(smWorkRecord work, int first, int end)
 {
   uint flags = work.detail.x >> 24;
   double side = (flags & smFlagFlip) != 0u ? -1.0LF : 1.0LF;
@@ -20,7 +21,7 @@ void smIntegrateCap(smWorkRecord work)
   dvec3 area = side * cross(from - apex, to - apex);
   double magnitude = length(apex) + length(from) + length(to);
   double reach = length(from - apex) + length(to - apex);
-  for (int it = 0; it < SM_STRIP_POINTS; ++it)
+  for (int it = first; it < end; ++it)
   {
     dvec2 ruleT = smRule(SM_STRIP_POINTS, it);
     for (int il = 0; il < SM_STRIP_POINTS; ++il)

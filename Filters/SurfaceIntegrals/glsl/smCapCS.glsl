@@ -1,4 +1,4 @@
-// Each invocation integrates one cap.
+// Each invocation integrates one line of a cap.
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smPortable
@@ -16,22 +16,21 @@ double smCap(uint index)
 }
 
 //SM::Include smWorkStorage
-//SM::Include smResultStorage
+//SM::Include smLineStorage
 //SM::Include smWork
-//SM::Include smFinish
 //SM::Include smAccumulate
 //SM::Include smCap
 
 void main()
 {
   uint index = smInvocationIndex();
-  if (index >= smWorkCount)
+  if (index >= smLineCount)
   {
     return;
   }
-  index += smFirstWork;
-  smWorkRecord work = smWork[index];
+  uint line = smFirstLine + index;
+  uvec2 item = smFindItem(line);
   smClear();
-  smIntegrateCap(work);
-  smFinish(index, work);
+  smIntegrateCap(smWork[item.x], int(item.y), int(item.y) + 1);
+  smStoreLine(line);
 }

@@ -15,6 +15,37 @@ double smNotANumber()
   return packDouble2x32(uvec2(0u, 0x7ff80000u));
 }
 
+// Parts of constants, given by their bits: NVIDIA's compiler may be one unit in the last place off in reading decimal digits. The products of the
+// first parts with small integers are exact.
+double smLogTwoHigh() // 6.93147180369123816490e-01
+{
+  return packDouble2x32(uvec2(0xfee00000u, 0x3fe62e42u));
+}
+
+double smLogTwoLow() // 1.90821492927058770002e-10
+{
+  return packDouble2x32(uvec2(0x35793c76u, 0x3dea39efu));
+}
+
+double smTwoThirdsHigh() // 0.66666666666666662966
+{
+  return packDouble2x32(uvec2(0x55555555u, 0x3fe55555u));
+}
+
+double smTwoThirdsLow() // 3.7007434154171882626e-17
+{
+  return packDouble2x32(uvec2(0x55555555u, 0x3c855555u));
+}
+
+// Parts of pi/2 with 33 bits each, and the rest (Cody and Waite).
+dvec4 smHalfPi()
+{
+  return dvec4(packDouble2x32(uvec2(0x54400000u, 0x3ff921fbu)), // 1.57079632673412561417e+00
+    packDouble2x32(uvec2(0x1a600000u, 0x3dd0b461u)), // 6.07710050630396597660e-11
+    packDouble2x32(uvec2(0x2e000000u, 0x3ba3198au)), // 2.02226624871116645580e-21
+    packDouble2x32(uvec2(0x252049c1u, 0x397b839au))); // 8.47842766036889956997e-32
+}
+
 // Returns 2^k for -1022 <= k <= 1023.
 double smPowerOfTwo(int k)
 {
@@ -34,8 +65,8 @@ double smExpOfSum(double x, double low)
   }
   // x = n ln 2 + r, |r| <= ln(2)/2; ln 2 is split so that n times its first part is exact.
   double n = floor(x * 1.4426950408889634074LF + 0.5LF);
-  precise double high = x - n * 6.93147180369123816490e-01LF;
-  precise double less = n * 1.90821492927058770002e-10LF - low;
+  precise double high = x - n * smLogTwoHigh();
+  precise double less = n * smLogTwoLow() - low;
   precise double r = high - less;
   precise double rLow = (high - r) - less;
   double tail = 1.0LF / 6227020800.0LF;
@@ -90,10 +121,10 @@ dvec2 smLogParts(double x)
   precise double zLow = smProductError(s, s, z) + 2.0LF * s * sLow;
   precise double cube = z * s;
   precise double cubeLow = smProductError(z, s, cube) + (z * sLow + zLow * s);
-  double twoThirds = 0.66666666666666662966LF;
+  double twoThirds = smTwoThirdsHigh();
   precise double second = cube * twoThirds;
   precise double secondLow =
-    smProductError(cube, twoThirds, second) + (cubeLow * twoThirds + cube * 3.7007434154171882626e-17LF);
+    smProductError(cube, twoThirds, second) + (cubeLow * twoThirds + cube * smTwoThirdsLow());
   double tail = 1.0LF / 25.0LF;
   for (int i = 23; i >= 5; i -= 2)
   {
@@ -101,13 +132,13 @@ dvec2 smLogParts(double x)
   }
   tail *= 2.0LF * cube * z;
 
-  precise double whole = double(k) * 6.93147180369123816490e-01LF;
+  precise double whole = double(k) * smLogTwoHigh();
   precise double first = whole + 2.0LF * s;
   precise double firstLow = smSumError(whole, 2.0LF * s, first);
   precise double high = first + second;
   precise double highLow = smSumError(first, second, high);
   precise double low =
-    firstLow + highLow + (2.0LF * sLow + secondLow + tail + double(k) * 1.90821492927058770002e-10LF);
+    firstLow + highLow + (2.0LF * sLow + secondLow + tail + double(k) * smLogTwoLow());
   precise double result = high + low;
   precise double resultLow = (high - result) + low;
   return dvec2(result, resultLow);
@@ -195,8 +226,7 @@ double smCosNear(double r, double low)
   return sum;
 }
 
-// Reduces x = n pi/2 + r + low: pi/2 is split into three parts of 33 bits, whose products with n are exact, and the rest (Cody
-// and Waite). Returns n modulo 4, or -1 if |x| is too large or x is NaN.
+// Reduces x = n pi/2 + r + low. Returns n modulo 4, or -1 if |x| is too large or x is NaN.
 int smReduceAngle(double x, SM_OUT(double) r, SM_OUT(double) low)
 {
   r = 0.0LF;
@@ -206,13 +236,14 @@ int smReduceAngle(double x, SM_OUT(double) r, SM_OUT(double) low)
     return -1;
   }
   double n = floor(x * 0.63661977236758134308LF + 0.5LF);
-  precise double first = x - n * 1.57079632673412561417e+00LF;
-  precise double second = -n * 6.07710050630396597660e-11LF;
-  precise double third = -n * 2.02226624871116645580e-21LF;
+  dvec4 halfPi = smHalfPi();
+  precise double first = x - n * halfPi.x;
+  precise double second = -n * halfPi.y;
+  precise double third = -n * halfPi.z;
   precise double sum = first + second;
   precise double sumLow = smSumError(first, second, sum);
   precise double next = sum + third;
-  precise double nextLow = smSumError(sum, third, next) + (sumLow - n * 8.47842766036889956997e-32LF);
+  precise double nextLow = smSumError(sum, third, next) + (sumLow - n * halfPi.w);
   precise double result = next + nextLow;
   precise double lack = (next - result) + nextLow;
   r = result;

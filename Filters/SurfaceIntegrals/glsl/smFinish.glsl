@@ -1,10 +1,10 @@
 // The end of an item of integration: its sums are compared with those of a lower order and stored in its row.
 //
-// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_MIN_ERROR_SHARE (smallest error as a share of the
-// difference before the last one); arrays smValues, smResults of SM_INTEGRANDS and smRoundings, smNoises of SM_ROUNDINGS doubles,
-// smRoundingOf of SM_INTEGRANDS ints; columns of a row smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn,
-// smStride; smIntegrandCount, smRoundingCount (the same numbers as variables); smToleranceOffset; double smParameter(uint at),
-// double smGetRow(uint at), void smSetRow(uint at, double value), void smSetStatus(uint index, bool converged).
+// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_MIN_ERROR_SHARE (smallest error as a share of the difference before the last one);
+// the sums double smResult(uint k) of SM_INTEGRANDS integrands and double smNoise(uint k), the roundings; smRoundingOf, an array of
+// SM_INTEGRANDS ints; columns of a row smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn, smStride; smIntegrandCount,
+// smRoundingCount (the same numbers as variables); smToleranceOffset; double smParameter(uint at), double smGetRow(uint at), void
+// smSetRow(uint at, double value), void smSetStatus(uint index, bool converged).
 
 SM_CONSTANT double smLargest = 1.7976931348623157e308LF;
 
@@ -27,14 +27,14 @@ void smStoreFirst(uint row)
 {
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
-    double value = smResults[k];
+    double value = smResult(k);
     smSetRow(row + smValueColumn + k, value);
     smSetRow(row + smErrorColumn + k, abs(value) <= smLargest ? 0.0LF : abs(value));
     smSetRow(row + smDifferenceColumn + k, -1.0LF);
   }
   for (uint k = 0u; k < smRoundingCount; ++k)
   {
-    smSetRow(row + smRoundingColumn + k, smNoises[k]);
+    smSetRow(row + smRoundingColumn + k, smNoise(k));
   }
 }
 
@@ -43,14 +43,6 @@ void smStoreFirst(uint row)
 // which would take llvmpipe a second longer to compile.
 bool smFinish(uint index, smWorkRecord work)
 {
-  for (int k = 0; k < SM_INTEGRANDS; ++k)
-  {
-    smResults[k] = smValues[k];
-  }
-  for (int k = 0; k < SM_ROUNDINGS; ++k)
-  {
-    smNoises[k] = smUnitRoundoff * smRoundings[k];
-  }
   uint row = work.item.z * smStride;
   uint tolerance = smToleranceOffset + work.item.w * uint(SM_INTEGRANDS);
   uint flags = work.detail.x >> 24;
@@ -70,10 +62,10 @@ bool smFinish(uint index, smWorkRecord work)
   {
     double share = scale * smParameter(tolerance + k);
     double known = smGetRow(row + smValueColumn + k);
-    if (share > 0.0LF && abs(smResults[k]) <= smLargest && abs(known) <= smLargest)
+    if (share > 0.0LF && abs(smResult(k)) <= smLargest && abs(known) <= smLargest)
     {
-      double difference = abs(smResults[k] - known);
-      largest = max(largest, (difference - 10.0LF * smNoises[smRoundingOf[k]]) / share);
+      double difference = abs(smResult(k) - known);
+      largest = max(largest, (difference - 10.0LF * smNoise(uint(smRoundingOf[k]))) / share);
     }
   }
   for (uint k = 0u; k < smIntegrandCount; ++k)
@@ -81,18 +73,18 @@ bool smFinish(uint index, smWorkRecord work)
     // No order and no bisection improves a value that is NaN or infinite, so that it counts as converged, with that error. It remains
     // whatever follows: a point that a higher order or a part of the item has no more is a point of the integrand.
     double known = smGetRow(row + smValueColumn + k);
-    double value = abs(known) <= smLargest ? smResults[k] : known;
+    double value = abs(known) <= smLargest ? smResult(k) : known;
     bool isNumber = abs(value) <= smLargest;
     double error = isNumber ? 0.0LF : abs(value);
     double difference = -1.0LF;
     if (isNumber)
     {
-      difference = abs(smResults[k] - known);
+      difference = abs(smResult(k) - known);
       double share = scale * smParameter(tolerance + k);
       double before = smGetRow(row + smDifferenceColumn + k);
       error = smEstimate(before < 0.0LF ? max(difference, largest * share) : difference, before);
       // Differences of the size of rounding contain no further information.
-      converged = converged && !(error > share + 10.0LF * smNoises[smRoundingOf[k]]);
+      converged = converged && !(error > share + 10.0LF * smNoise(uint(smRoundingOf[k])));
     }
     smSetRow(row + smValueColumn + k, value);
     smSetRow(row + smErrorColumn + k, error);
@@ -100,7 +92,7 @@ bool smFinish(uint index, smWorkRecord work)
   }
   for (uint k = 0u; k < smRoundingCount; ++k)
   {
-    smSetRow(row + smRoundingColumn + k, smNoises[k]);
+    smSetRow(row + smRoundingColumn + k, smNoise(k));
   }
   bool kept = converged || (flags & smFlagDiscard) == 0u;
   if (!kept)

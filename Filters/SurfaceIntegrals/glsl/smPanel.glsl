@@ -1,5 +1,4 @@
-// Integrates one panel {(xi s(t), r(t))}, or some lines of it, into smValues and smRoundings, with Gauss points in t along the trim piece
-// and in xi across. A line is the points across at one node in t, for which the patch is reduced once to a curve in s.
+// Adds up samples of one panel {(xi s(t), r(t))}, or of some lines of it, with Gauss points in t along the trim piece and in xi across. A line is the points across at one node in t, for which the patch is reduced once to a curve in s.
 //
 // Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (degrees of patchRecord, constants for the common
 // degrees), SM_PERTURBATION (a factor of every sample), SM_SAMPLE_DETAIL (data that smSample provides for every sample, which
@@ -11,12 +10,6 @@
 double smSampleRoundings(int p, int q)
 {
   return min(8.0LF, 2.0LF * double(p + q));
-}
-
-// Returns the number of lines of a panel.
-int smGetLines(smWorkRecord work)
-{
-  return int((work.detail.x >> 8) & 255u);
 }
 
 // Integrates the lines [first, end) of a panel and returns the number of evaluations.
@@ -54,12 +47,12 @@ uint smIntegratePanel(smWorkRecord work, int first, int end)
     double edgeS = uv.x;
     double weightT = ruleT.y * tWidth * xiWidth * dr;
 
-    dvec4 row[SM_ROW_SIZE];
-    dvec4 rowS[SM_ROW_SIZE];
-    dvec4 rowR[SM_ROW_SIZE];
+    SM_VECTORS(row, SM_ROW_SIZE);
+    SM_VECTORS(rowS, SM_ROW_SIZE);
+    SM_VECTORS(rowR, SM_ROW_SIZE);
     smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowS, rowR);
 #if SM_SAMPLE_DETAIL > 2
-    dvec4 rowRR[SM_ROW_SIZE];
+    SM_VECTORS(rowRR, SM_ROW_SIZE);
     smCollapseSecond(patchRecord.shape.x, p, q, uv.y, rowRR);
 #endif
     for (int ix = 0; ix < countX; ++ix)

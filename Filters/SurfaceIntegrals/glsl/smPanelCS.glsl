@@ -1,6 +1,7 @@
-// Each invocation integrates one line of a panel: a processor with thousands of lanes has work for them in few panels. smPanelSumCS
-// adds up the lines.
+// Each invocation integrates one line of a panel.
 //SM::Define
+// NVIDIA: loops over constant degrees become straight code, and what they index stays in registers.
+#pragma optionNV(unroll all)
 layout(local_size_x = 32) in;
 //SM::Include smPortable
 //SM::Include smInvocation
@@ -13,12 +14,6 @@ layout(local_size_x = 32) in;
 //SM::Include smAccumulate
 //SM::Include smPanel
 
-// The panel, an index into smWork, and the node of each line.
-layout(std430, binding = 6) readonly buffer smLineBuffer
-{
-  uvec2 smLines[];
-};
-
 void main()
 {
   uint index = smInvocationIndex();
@@ -26,15 +21,9 @@ void main()
   {
     return;
   }
-  uvec2 line = smLines[smFirstLine + index];
+  uint line = smFirstLine + index;
+  uvec2 item = smFindItem(line);
   smClear();
-  smIntegratePanel(smWork[line.x], int(line.y), int(line.y) + 1);
-  for (int k = 0; k < SM_INTEGRANDS; ++k)
-  {
-    smLineSums[uint(k) * smLineCount + index] = smValues[k];
-  }
-  for (int k = 0; k < SM_ROUNDINGS; ++k)
-  {
-    smLineSums[uint(SM_INTEGRANDS + k) * smLineCount + index] = smRoundings[k];
-  }
+  smIntegratePanel(smWork[item.x], int(item.y), int(item.y) + 1);
+  smStoreLine(line);
 }

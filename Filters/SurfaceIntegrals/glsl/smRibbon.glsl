@@ -1,5 +1,5 @@
-// Integrates one ribbon X(l,t) = (1-l) A(t) + l C(t) into smValues and smRoundings, where A = S(c(t)) is on the face and C is the
-// edge's curve, with SM_STRIP_POINTS Gauss points in l, which are exact for the polynomial integrands. It also measures the gap
+// Adds up samples of one ribbon X(l,t) = (1-l) A(t) + l C(t), or of some lines of it, where A = S(c(t)) is on the face and C is the edge's
+// curve, with SM_STRIP_POINTS Gauss points in l, which are exact for the polynomial integrands. It also measures the gap
 // at foot points on the edge's curve.
 //
 // Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the number of steps to the
@@ -57,9 +57,9 @@ double smGap(uint edge, int degree, double bend, double x, dvec3 origin, dvec3 p
   return best;
 }
 
-// Integrates a ribbon. `gaps` receives the largest gap and the integrals of its square and of itself. Returns the number of
-// evaluations.
-uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
+// Integrates the lines [first, end) of a ribbon: the points in l at one node in t. `gaps` receives the largest gap and the integrals of its
+// square and of itself. Returns the number of evaluations.
+uint smIntegrateRibbon(smWorkRecord work, int first, int end, SM_OUT(dvec3) gaps)
 {
   smPatchRecord patchRecord = smGetPatch(work.item.x);
   int p = SM_DEGREE_S;
@@ -70,7 +70,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
   dvec2 width = dvec2(patchRecord.domain.z, patchRecord.domain.w);
 
   int trimDegree = int(work.detail.x & 255u);
-  int countT = int((work.detail.x >> 8) & 255u);
+  int countT = smGetLines(work);
   uint flags = work.detail.x >> 24;
   uint edge = work.detail.y;
   int edgeDegree = int(work.detail.z);
@@ -89,7 +89,7 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
 
   double tWidth = work.range.y - work.range.x;
   double edgeWidth = work.range.w - work.range.z;
-  for (int it = 0; it < countT; ++it)
+  for (int it = first; it < end; ++it)
   {
     dvec2 ruleT = smRule(countT, it);
     double t = work.range.x + tWidth * ruleT.x;
@@ -101,9 +101,9 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     uv = uv / width;
     duv = duv * tWidth / width;
 
-    dvec4 row[SM_ROW_SIZE];
-    dvec4 rowS[SM_ROW_SIZE];
-    dvec4 rowR[SM_ROW_SIZE];
+    SM_VECTORS(row, SM_ROW_SIZE);
+    SM_VECTORS(rowS, SM_ROW_SIZE);
+    SM_VECTORS(rowR, SM_ROW_SIZE);
     smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowS, rowR);
     // Both curves are relative to the patch's centre, so that the rounding of their difference is relative to the patch.
     dvec3 a;
@@ -146,5 +146,5 @@ uint smIntegrateRibbon(smWorkRecord work, SM_OUT(dvec3) gaps)
     }
   }
   gaps = dvec3(largestGap, squaredGap, gapArea);
-  return uint(countT);
+  return uint(end - first);
 }

@@ -1,5 +1,7 @@
-// Each invocation integrates one ribbon.
+// Each invocation integrates one line of a ribbon.
 //SM::Define
+// NVIDIA: loops over constant degrees become straight code, and what they index stays in registers.
+#pragma optionNV(unroll all)
 layout(local_size_x = 32) in;
 //SM::Include smPortable
 //SM::Include smInvocation
@@ -7,9 +9,8 @@ layout(local_size_x = 32) in;
 //SM::Include smBernstein
 //SM::Include smPatch
 //SM::Include smWorkStorage
-//SM::Include smResultStorage
+//SM::Include smLineStorage
 //SM::Include smWork
-//SM::Include smFinish
 //SM::Include smAccumulate
 
 uniform int smGapSteps;
@@ -19,15 +20,15 @@ uniform int smGapSteps;
 void main()
 {
   uint index = smInvocationIndex();
-  if (index >= smWorkCount)
+  if (index >= smLineCount)
   {
     return;
   }
-  index += smFirstWork;
-  smWorkRecord work = smWork[index];
+  uint line = smFirstLine + index;
+  uvec2 item = smFindItem(line);
   smClear();
   dvec3 gaps;
-  smCountEvaluations(smIntegrateRibbon(work, gaps));
-  bool kept = smFinish(index, work);
-  smStoreGaps(work, kept, gaps);
+  smIntegrateRibbon(smWork[item.x], int(item.y), int(item.y) + 1, gaps);
+  smStoreLine(line);
+  smStoreLineGaps(line, gaps);
 }

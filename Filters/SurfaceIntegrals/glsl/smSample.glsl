@@ -4,7 +4,11 @@
 
 // The face's own u and v; derivatives with respect to u, v, uu, uv, vv; mean and Gaussian curvature.
 dvec2 smSampleParameters;
-dvec3 smSampleDerivatives[5];
+dvec3 smSampleDu;
+dvec3 smSampleDv;
+dvec3 smSampleDuu;
+dvec3 smSampleDuv;
+dvec3 smSampleDvv;
 dvec2 smSampleCurvatures;
 
 #if SM_SAMPLE_DETAIL > 0
@@ -26,9 +30,11 @@ dvec3 smPlacedVector(uint face, dvec3 vector)
 
 void smDescribeFirst(smPatchRecord patchRecord, uint face, dvec3 ds, dvec3 dr)
 {
-  int s = patchRecord.shape.w != 0u ? 1 : 0;
-  smSampleDerivatives[s] = smPlacedVector(face, ds) / patchRecord.domain.z;
-  smSampleDerivatives[1 - s] = smPlacedVector(face, dr) / patchRecord.domain.w;
+  dvec3 first = smPlacedVector(face, ds) / patchRecord.domain.z;
+  dvec3 second = smPlacedVector(face, dr) / patchRecord.domain.w;
+  bool isExchanged = patchRecord.shape.w != 0u;
+  smSampleDu = isExchanged ? second : first;
+  smSampleDv = isExchanged ? first : second;
 }
 #endif
 
@@ -37,11 +43,13 @@ void smDescribeFirst(smPatchRecord patchRecord, uint face, dvec3 ds, dvec3 dr)
 void smDescribeSecond(smPatchRecord patchRecord, uint face, dvec3 normal, dvec3 dss, dvec3 dsr, dvec3 drr)
 {
   dvec2 width = patchRecord.domain.zw;
-  int s = patchRecord.shape.w != 0u ? 4 : 2;
-  smSampleDerivatives[s] = smPlacedVector(face, dss) / (width.x * width.x);
-  smSampleDerivatives[3] = smPlacedVector(face, dsr) / (width.x * width.y);
-  smSampleDerivatives[6 - s] = smPlacedVector(face, drr) / (width.y * width.y);
-  smSampleCurvatures = smCurvatures(normal / max(length(normal), 1e-300LF), smSampleDerivatives[0],
-    smSampleDerivatives[1], smSampleDerivatives[2], smSampleDerivatives[3], smSampleDerivatives[4]);
+  dvec3 first = smPlacedVector(face, dss) / (width.x * width.x);
+  dvec3 second = smPlacedVector(face, drr) / (width.y * width.y);
+  bool isExchanged = patchRecord.shape.w != 0u;
+  smSampleDuu = isExchanged ? second : first;
+  smSampleDuv = smPlacedVector(face, dsr) / (width.x * width.y);
+  smSampleDvv = isExchanged ? first : second;
+  smSampleCurvatures = smCurvatures(
+    normal / max(length(normal), 1e-300LF), smSampleDu, smSampleDv, smSampleDuu, smSampleDuv, smSampleDvv);
 }
 #endif

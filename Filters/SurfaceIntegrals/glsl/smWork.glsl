@@ -1,7 +1,12 @@
 // Functions common to all items of integration: Gauss rules and placements.
 //
-// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_ROUNDINGS, SM_PLACEMENT (true if faces are placed); arrays smValues of
-// SM_INTEGRANDS and smRoundings of SM_ROUNDINGS doubles; smPlacementOffset; double smParameter(uint at).
+// Needs: chunks smPortable, smWorkRecord; SM_PLACEMENT (true if faces are placed); smPlacementOffset; double smParameter(uint at).
+
+// Returns the number of points along an item: of its lines.
+int smGetLines(smWorkRecord work)
+{
+  return int((work.detail.x >> 8) & 255u);
+}
 
 // Returns node and weight of the rule of `count` points on [0,1].
 dvec2 smRule(int count, int index)
@@ -10,16 +15,10 @@ dvec2 smRule(int count, int index)
   return dvec2(smParameter(at), smParameter(at + 1u));
 }
 
-void smClear()
+// Returns three numbers of a placement.
+dvec3 smPlacementVector(uint at)
 {
-  for (int k = 0; k < SM_INTEGRANDS; ++k)
-  {
-    smValues[k] = 0.0LF;
-  }
-  for (int k = 0; k < SM_ROUNDINGS; ++k)
-  {
-    smRoundings[k] = 0.0LF;
-  }
+  return dvec3(smParameter(at), smParameter(at + 1u), smParameter(at + 2u));
 }
 
 // Applies the placement of the face, if faces are placed.
@@ -27,16 +26,13 @@ void smPlace(uint face, SM_INOUT(dvec3) position, SM_INOUT(dvec3) normal)
 {
   if (SM_PLACEMENT)
   {
-    dvec3 placedPosition = dvec3(0.0LF);
-    dvec3 placedNormal = dvec3(0.0LF);
-    for (int i = 0; i < 3; ++i)
-    {
-      uint at = smPlacementOffset + face * 12u + uint(4 * i);
-      dvec3 row = dvec3(smParameter(at), smParameter(at + 1u), smParameter(at + 2u));
-      placedPosition[i] = dot(row, position) + smParameter(at + 3u);
-      placedNormal[i] = dot(row, normal);
-    }
-    position = placedPosition;
-    normal = placedNormal;
+    uint at = smPlacementOffset + face * 12u;
+    dvec3 rowX = smPlacementVector(at);
+    dvec3 rowY = smPlacementVector(at + 4u);
+    dvec3 rowZ = smPlacementVector(at + 8u);
+    // No component is written by an index: NVIDIA's compiler does not link that.
+    position = dvec3(dot(rowX, position) + smParameter(at + 3u), dot(rowY, position) + smParameter(at + 7u),
+      dot(rowZ, position) + smParameter(at + 11u));
+    normal = dvec3(dot(rowX, normal), dot(rowY, normal), dot(rowZ, normal));
   }
 }

@@ -1,6 +1,5 @@
 // Work lists, rules and tolerances of integration on the GPU, see smGPUItemRunner, and the accessors that the shader chunks use.
 // Bindings 3 and 4.
-// Needs: SM_INTEGRANDS, SM_ROUNDINGS (counts).
 //SM::Include smWorkRecord
 
 layout(std430, binding = 3) readonly buffer smWorkBuffer
@@ -13,16 +12,10 @@ layout(std430, binding = 4) readonly buffer smParameterBuffer
 {
   double smParameters[];
 };
-uniform uint smFirstWork;
-uniform uint smWorkCount;
 uniform uint smToleranceOffset;
 uniform uint smPlacementOffset;
 uniform uint smIntegrandCount; // SM_INTEGRANDS
 uniform uint smRoundingCount;  // SM_ROUNDINGS
-
-// Sums of an invocation.
-double smValues[SM_INTEGRANDS];
-double smRoundings[SM_ROUNDINGS];
 
 double smParameter(uint at)
 {

@@ -27,6 +27,7 @@ uniform uint smInputStart;
 uniform uint smOutputStart; // where the first block of this dispatch writes
 
 //SM::Include smInvocation
+//SM::Include smPortable
 //SM::Include smErrorFree
 
 dvec2 smSum(uint at, uint count)
@@ -55,7 +56,7 @@ double smMinimum(uint at, uint count)
   {
     at += smStride;
     double value = inputs[at];
-    best = value < best || isnan(value) ? value : best;
+    best = value < best || smIsNaN(value) ? value : best;
   }
   return best;
 }
@@ -67,7 +68,7 @@ double smMaximum(uint at, uint count)
   {
     at += smStride;
     double value = inputs[at];
-    best = value > best || isnan(value) ? value : best;
+    best = value > best || smIsNaN(value) ? value : best;
   }
   return best;
 }

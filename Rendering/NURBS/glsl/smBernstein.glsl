@@ -4,19 +4,19 @@
 //SM::Include smErrorFree
 
 // B_i^degree(x) for i = 0 .. degree, by the triangular recurrence.
-void smBernsteinBasis(int degree, double x, SM_OUT_ARRAY(double, basis, SM_BASIS_SIZE))
+void smBernsteinBasis(int degree, double x, SM_OUT_DOUBLES(basis, SM_BASIS_SIZE))
 {
-  basis[0] = 1.0LF;
+  SM_SET_DOUBLE(basis, 0, 1.0LF);
   for (int k = 1; k <= degree; ++k)
   {
     double carried = 0.0LF;
     for (int j = 0; j < k; ++j)
     {
-      double term = basis[j];
-      basis[j] = carried + (1.0LF - x) * term;
+      double term = SM_DOUBLE(basis, j);
+      SM_SET_DOUBLE(basis, j, carried + (1.0LF - x) * term);
       carried = x * term;
     }
-    basis[k] = carried;
+    SM_SET_DOUBLE(basis, k, carried);
   }
 }
 

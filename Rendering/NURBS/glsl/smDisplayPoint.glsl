@@ -9,9 +9,9 @@ void smEvaluateDisplayPoint(
   double square = 0.0LF;
   for (int attempt = 0; attempt < 2; ++attempt)
   {
-    dvec4 row[SM_ROW_SIZE];
-    dvec4 rowS[SM_ROW_SIZE];
-    dvec4 rowR[SM_ROW_SIZE];
+    SM_VECTORS(row, SM_ROW_SIZE);
+    SM_VECTORS(rowS, SM_ROW_SIZE);
+    SM_VECTORS(rowR, SM_ROW_SIZE);
     smCollapse(patchRecord.shape.x, p, q, r, row, rowS, rowR);
     dvec3 at;
     dvec3 ds;

@@ -8,10 +8,10 @@
 // The curve in s that the patch is at r = constant: its Bezier points (row), the steps from each to the next (rowS), and the points
 // of its derivative in r (rowR). Points are not computed as sums of steps: beside a control point of large weight one of small weight would
 // lose its digits.
-void smCollapse(uint first, int p, int q, double r, SM_OUT_ARRAY(dvec4, row, SM_ROW_SIZE),
-  SM_OUT_ARRAY(dvec4, rowS, SM_ROW_SIZE), SM_OUT_ARRAY(dvec4, rowR, SM_ROW_SIZE))
+void smCollapse(uint first, int p, int q, double r, SM_OUT_VECTORS(row, SM_ROW_SIZE),
+  SM_OUT_VECTORS(rowS, SM_ROW_SIZE), SM_OUT_VECTORS(rowR, SM_ROW_SIZE))
 {
-  double basis[SM_BASIS_SIZE];
+  SM_DOUBLES(basis, SM_BASIS_SIZE);
   smBernsteinBasis(q - 1, r, basis);
   for (int i = 0; i <= p; ++i)
   {
@@ -27,32 +27,34 @@ void smCollapse(uint first, int p, int q, double r, SM_OUT_ARRAY(dvec4, row, SM_
       uint line = uint(j * (p + 1));
       dvec4 high = smControlPoint(at + line);
       dvec4 highStep = smControlPoint(next + line) - high;
-      point += basis[j - 1] * ((1.0LF - r) * low + r * high);
-      step += basis[j - 1] * ((1.0LF - r) * lowStep + r * highStep);
-      difference += basis[j - 1] * (high - low);
+      double factor = SM_DOUBLE(basis, j - 1);
+      point += factor * ((1.0LF - r) * low + r * high);
+      step += factor * ((1.0LF - r) * lowStep + r * highStep);
+      difference += factor * (high - low);
       low = high;
       lowStep = highStep;
     }
-    row[i] = point;
-    rowS[i] = step;
-    rowR[i] = double(q) * difference;
+    SM_SET_VECTOR(row, i, point);
+    SM_SET_VECTOR(rowS, i, step);
+    SM_SET_VECTOR(rowR, i, double(q) * difference);
   }
 }
 
 // Position relative to the patch's centre and derivatives in s and r, from the rows of smCollapse.
-void smEvaluateRow(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARRAY(dvec4, rowS, SM_ROW_SIZE),
-  SM_ARRAY(dvec4, rowR, SM_ROW_SIZE), SM_OUT(dvec3) position, SM_OUT(dvec3) ds, SM_OUT(dvec3) dr)
+void smEvaluateRow(int p, double s, SM_IN_VECTORS(row, SM_ROW_SIZE), SM_IN_VECTORS(rowS, SM_ROW_SIZE),
+  SM_IN_VECTORS(rowR, SM_ROW_SIZE), SM_OUT(dvec3) position, SM_OUT(dvec3) ds, SM_OUT(dvec3) dr)
 {
-  double basis[SM_BASIS_SIZE];
+  SM_DOUBLES(basis, SM_BASIS_SIZE);
   smBernsteinBasis(p - 1, s, basis);
   dvec4 h = dvec4(0.0LF);
   dvec4 hs = dvec4(0.0LF);
   dvec4 hr = dvec4(0.0LF);
   for (int i = 0; i < p; ++i)
   {
-    h += basis[i] * ((1.0LF - s) * row[i] + s * row[i + 1]);
-    hs += basis[i] * rowS[i];
-    hr += basis[i] * ((1.0LF - s) * rowR[i] + s * rowR[i + 1]);
+    double factor = SM_DOUBLE(basis, i);
+    h += factor * ((1.0LF - s) * SM_VECTOR(row, i) + s * SM_VECTOR(row, i + 1));
+    hs += factor * SM_VECTOR(rowS, i);
+    hr += factor * ((1.0LF - s) * SM_VECTOR(rowR, i) + s * SM_VECTOR(rowR, i + 1));
   }
   hs *= double(p);
   double inverse = 1.0LF / h.w;

@@ -1,9 +1,9 @@
 // Second derivatives of a rational Bezier patch, and its curvatures. Needs: chunk smPatch and what it needs.
 
 // The points of the second derivative in r of the curve that smCollapse gives.
-void smCollapseSecond(uint first, int p, int q, double r, SM_OUT_ARRAY(dvec4, rowRR, SM_ROW_SIZE))
+void smCollapseSecond(uint first, int p, int q, double r, SM_OUT_VECTORS(rowRR, SM_ROW_SIZE))
 {
-  double basis[SM_BASIS_SIZE];
+  SM_DOUBLES(basis, SM_BASIS_SIZE);
   smBernsteinBasis(max(q - 2, 0), r, basis);
   uint line = uint(p + 1);
   for (int i = 0; i <= p; ++i)
@@ -13,16 +13,16 @@ void smCollapseSecond(uint first, int p, int q, double r, SM_OUT_ARRAY(dvec4, ro
     for (int j = 0; j + 2 <= q; ++j)
     {
       dvec4 middle = smControlPoint(at + line);
-      sum += basis[j] * ((smControlPoint(at + 2u * line) - middle) - (middle - smControlPoint(at)));
+      sum += SM_DOUBLE(basis, j) * ((smControlPoint(at + 2u * line) - middle) - (middle - smControlPoint(at)));
       at += line;
     }
-    rowRR[i] = double(q * (q - 1)) * sum;
+    SM_SET_VECTOR(rowRR, i, double(q * (q - 1)) * sum);
   }
 }
 
 // Second derivatives in s, in s and r, and in r, from the rows of smCollapse and smCollapseSecond.
-void smEvaluateSecond(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARRAY(dvec4, rowS, SM_ROW_SIZE),
-  SM_ARRAY(dvec4, rowR, SM_ROW_SIZE), SM_ARRAY(dvec4, rowRR, SM_ROW_SIZE), SM_OUT(dvec3) dss, SM_OUT(dvec3) dsr,
+void smEvaluateSecond(int p, double s, SM_IN_VECTORS(row, SM_ROW_SIZE), SM_IN_VECTORS(rowS, SM_ROW_SIZE),
+  SM_IN_VECTORS(rowR, SM_ROW_SIZE), SM_IN_VECTORS(rowRR, SM_ROW_SIZE), SM_OUT(dvec3) dss, SM_OUT(dvec3) dsr,
   SM_OUT(dvec3) drr)
 {
   dvec4 h = dvec4(0.0LF);
@@ -31,22 +31,23 @@ void smEvaluateSecond(int p, double s, SM_ARRAY(dvec4, row, SM_ROW_SIZE), SM_ARR
   dvec4 hss = dvec4(0.0LF);
   dvec4 hsr = dvec4(0.0LF);
   dvec4 hrr = dvec4(0.0LF);
-  double basis[SM_BASIS_SIZE];
+  SM_DOUBLES(basis, SM_BASIS_SIZE);
   smBernsteinBasis(p - 1, s, basis);
   for (int i = 0; i < p; ++i)
   {
-    h += basis[i] * ((1.0LF - s) * row[i] + s * row[i + 1]);
-    hs += basis[i] * rowS[i];
-    hr += basis[i] * ((1.0LF - s) * rowR[i] + s * rowR[i + 1]);
-    hsr += basis[i] * (rowR[i + 1] - rowR[i]);
-    hrr += basis[i] * ((1.0LF - s) * rowRR[i] + s * rowRR[i + 1]);
+    double factor = SM_DOUBLE(basis, i);
+    h += factor * ((1.0LF - s) * SM_VECTOR(row, i) + s * SM_VECTOR(row, i + 1));
+    hs += factor * SM_VECTOR(rowS, i);
+    hr += factor * ((1.0LF - s) * SM_VECTOR(rowR, i) + s * SM_VECTOR(rowR, i + 1));
+    hsr += factor * (SM_VECTOR(rowR, i + 1) - SM_VECTOR(rowR, i));
+    hrr += factor * ((1.0LF - s) * SM_VECTOR(rowRR, i) + s * SM_VECTOR(rowRR, i + 1));
   }
   hs *= double(p);
   hsr *= double(p);
   smBernsteinBasis(max(p - 2, 0), s, basis);
   for (int i = 0; i + 2 <= p; ++i)
   {
-    hss += basis[i] * (rowS[i + 1] - rowS[i]);
+    hss += SM_DOUBLE(basis, i) * (SM_VECTOR(rowS, i + 1) - SM_VECTOR(rowS, i));
   }
   hss *= double(p * (p - 1));
 

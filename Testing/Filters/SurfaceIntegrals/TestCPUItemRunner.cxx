@@ -86,14 +86,15 @@ struct Job
   {
     std::vector<std::uint8_t> unconverged;
     std::int64_t evaluations = 0;
-    const bool done = this->Runner.Run(this->Items, active, unconverged, evaluations, shouldContinue);
-    return done && std::count(unconverged.begin(), unconverged.end(), 0) == static_cast<long>(active.size());
+    const bool done = this->Runner.Run(this->Items, active, evaluations, shouldContinue);
+    return done && this->Runner.GetUnconverged(unconverged) &&
+      std::count(unconverged.begin(), unconverged.end(), 0) == static_cast<long>(active.size());
   }
 
   /// Every row by itself, then everything at once.
   std::vector<double> GetRows()
   {
-    std::vector<ItemRunner::Segment> segments;
+    std::vector<sm::CPUItemRunner::Segment> segments;
     for (unsigned int i = 0; i < this->Items.size(); ++i)
     {
       segments.emplace_back(i, i + 1);
@@ -164,7 +165,7 @@ void CheckSegments(const std::vector<sm::CutFacePointer>& faces)
   const sm::RowLayout layout(MakeSetup().Integrands);
   const int stride = layout.GetStride();
   const std::vector<double> rows = job.GetRows();
-  const std::vector<ItemRunner::Segment> segments = { { 0u, 5000u }, { 17u, 18u }, { 100u, 3000u },
+  const std::vector<sm::CPUItemRunner::Segment> segments = { { 0u, 5000u }, { 17u, 18u }, { 100u, 3000u },
     { 90u, 110u }, { 4000u, 4000u }, { 4999u, 5000u } };
   std::vector<double> sums;
   std::vector<double> largest;
@@ -184,7 +185,8 @@ void CheckSegments(const std::vector<sm::CutFacePointer>& faces)
         static_cast<double>(std::abs(sums[i * stride + column] - expected)) /
           std::max(1e-300, static_cast<double>(std::abs(expected))));
     }
-    Check("segment " + std::to_string(i), 0.0, worst, 4 * sm::UnitRoundoff, "a compensated sum, relative to itself");
+    Check("segment " + std::to_string(i), 0.0, worst, 4 * sm::UnitRoundoff,
+      "a compensated sum, relative to itself");
   }
   Check("an empty segment has no gap", 0.0, largest[4], 0.0);
   CheckTrue("a segment outside is refused", !job.Runner.Sum({ { 4999u, 5001u } }, sums, largest));

@@ -277,6 +277,41 @@ void CheckOutsideFaces()
   CheckExact("torus with a pocket", torus, volume);
 }
 
+/// Turns the bound or the sense of face number `index`.
+std::string TurnFlag(const std::string& text, const std::string& type, int index)
+{
+  std::size_t at = 0;
+  for (int i = 0; i <= index; ++i)
+  {
+    at = text.find(type + "(", at + 1);
+  }
+  std::string turned = text;
+  const std::size_t flag = text.find(".T.);", at);
+  return turned.replace(flag, 3, ".F.");
+}
+
+/// Flags of a ball with a flat. On the sphere both sides of the circle are finite, on the plane one is.
+void CheckTurnedFlags()
+{
+  const std::string ball = MakeFlattenedBall(0.7, false);
+  const double volume = 4.0 / 3.0 * HalfTurn - HalfTurn * 0.09 * 2.7 / 3.0;
+  const Verdict bound = JudgeText(TurnFlag(ball, "FACE_BOUND", 0));
+  CheckTrue(
+    "the bound of the sphere turned", Mentions(bound, "is a part of a closed surface"), bound.Messages);
+  CheckTrue("  both volumes", Mentions(bound, "about 3.9") && Mentions(bound, "about 0.25"), bound.Messages);
+  const Verdict sense = JudgeText(TurnFlag(ball, "ADVANCED_FACE", 0));
+  CheckTrue(
+    "the sense of the sphere turned", Mentions(sense, "is a part of a closed surface"), sense.Messages);
+  CheckTrue("  both volumes", Mentions(sense, "about 3.9") && Mentions(sense, "about 0.25"), sense.Messages);
+  const Verdict plane = JudgeText(TurnFlag(ball, "FACE_BOUND", 1));
+  // Only one reading is possible, but OpenCASCADE's repair takes the other part of the sphere.
+  CheckTrue("the bound of the plane turned",
+    Mentions(plane, "is a part of a closed surface") || std::abs(plane.Volume - volume) <= 1e-9,
+    plane.Messages);
+  const Verdict sound = JudgeText(ball);
+  CheckEqual("the ball", "", sound.Messages);
+}
+
 /// A cylinder of radius 1 and height 1, which is a cone without an angle.
 void CheckStraightCone()
 {
@@ -303,6 +338,44 @@ void CheckStraightCone()
   CheckTrue("  volume", std::abs(reading.Volume - HalfTurn) <= reading.Bound + 4e-15 * HalfTurn,
     std::to_string(reading.Volume - HalfTurn));
   CheckRange("  its bound", 0.0, reading.Bound, 1e-12);
+}
+
+/// A cone of radius 3 and height 4 whose vertex loop is at the height `apex`.
+std::string MakeCone(double apex)
+{
+  EntityText step;
+  const int rim = step.Vertex({ 3, 0, 0 });
+  const int circle =
+    step.Edge(rim, rim, step.On("CIRCLE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 3.0 }));
+  const int down = step.Frame({ 0, 0, 0 }, { 0, 0, -1 }, { 1, 0, 0 });
+  const int cone = step.On("CONICAL_SURFACE", down, { 3.0, std::atan(0.75) });
+  const int loop = step.Add("VERTEX_LOOP(''," + EntityText::Id(step.Vertex({ 0, 0, apex })) + ")");
+  const int bound = step.Add("FACE_BOUND(''," + EntityText::Id(loop) + ",.T.)");
+  const int use = step.Add("ORIENTED_EDGE('',*,*," + EntityText::Id(circle) + ",.T.)");
+  const int outer = step.Add(
+    "FACE_BOUND(''," + EntityText::Id(step.Add("EDGE_LOOP('',(" + EntityText::Id(use) + "))")) + ",.T.)");
+  const int side = step.Add("ADVANCED_FACE('',(" + EntityText::Id(outer) + "," + EntityText::Id(bound) +
+    ")," + EntityText::Id(cone) + ",.T.)");
+  return step.Finish({ side, step.Face(step.On("PLANE", down), { -circle }) });
+}
+
+/// The vertex of a cone that is not its apex, and a context that has no unit of angles: radians, for which OpenCASCADE takes degrees.
+void CheckCones()
+{
+  const double volume = 12.0 * HalfTurn;
+  const std::string cone = MakeCone(4.0);
+  const Verdict sound = JudgeText(cone);
+  CheckEqual("a cone with its apex: no messages", "", sound.Messages);
+  Check("  volume", volume, sound.Volume, sound.Bound + 1e-14 * volume);
+  const Verdict far = JudgeText(MakeCone(4.1));
+  CheckTrue(
+    "a vertex beside the apex", Mentions(far, "is 0.1 mm away from the apex of its cone #"), far.Messages);
+  const std::regex unit(",#900002(?=,#900003\\)\\))");
+  CheckTrue("there is a unit of angles", std::regex_search(cone, unit));
+  const Verdict unstated = JudgeText(std::regex_replace(cone, unit, ""));
+  CheckEqual("a context without it",
+    "The file states no unit of angles (context #900005): radians are assumed.\n", unstated.Messages);
+  Check("  volume", volume, unstated.Volume, unstated.Bound + 1e-14 * volume);
 }
 
 /// A sector of a ring whose upper rim is rounded by a torus. If the sense of the torus is the wrong one, its loop bounds the rest of it.
@@ -500,7 +573,9 @@ int TestSTEPContradictions(int argc, char* argv[])
   }
   Folder = argv[1];
   CheckOutsideFaces();
+  CheckTurnedFlags();
   CheckStraightCone();
+  CheckCones();
   CheckFoldedFace();
   CheckSpindleTorus();
   CheckOverruled();

@@ -1,0 +1,97 @@
+#include "smRunnerCheck.h"
+
+#include "smCPUItemRunner.h"
+#include "smFormat.h"
+#include "smUnitRoundoff.h"
+
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+/// Evaluates all items; those of each are a face of their own in `totals`.
+bool Evaluate(ItemRunner& runner, std::vector<WorkItem>& items, std::vector<FaceTotals>& totals)
+{
+  std::vector<std::size_t> all;
+  std::vector<RowPart> parts;
+  for (std::uint32_t i = 0; i < items.size(); ++i)
+  {
+    items[i].Work.Item[2] = i;
+    all.push_back(i);
+    parts.push_back({ i, ItemKind::Panel, -1, i, i + 1 });
+  }
+  totals.assign(
+    items.size(), FaceTotals(static_cast<std::size_t>(runner.GetLayout().GetNumberOfIntegrands())));
+  std::int64_t evaluations = 0;
+  std::vector<RowGaps> gaps;
+  return runner.BeginRows(items.size()) && runner.Run(items, all, evaluations, nullptr) &&
+    runner.AddUp(parts, totals, gaps);
+}
+
+const char* GetKindName(ItemKind kind)
+{
+  return kind == ItemKind::Panel ? "a panel" : kind == ItemKind::Ribbon ? "a ribbon" : "a cap";
+}
+
+/// True if the values of a sum of n roundings are equal within these.
+bool AreEqual(double a, double b, double roundings)
+{
+  return std::fabs(a - b) <= 4.0 * roundings + 64.0 * UnitRoundoff * (std::fabs(a) + std::fabs(b)) ||
+    (!std::isfinite(a) && !std::isfinite(b));
+}
+}
+
+std::string FindRunnerDifference(ItemRunner& runner, const ItemRunner::Setup& setup,
+  const std::vector<CutFacePointer>& faces, const std::vector<ItemRunner::BatchFace>& batch,
+  std::vector<WorkItem> items)
+{
+  CPUItemRunner cpu;
+  ItemRunner::Setup known = setup;
+  known.Integrands.clear();
+  std::vector<std::size_t> indices;
+  for (std::size_t k = 0; k < setup.Integrands.size(); ++k)
+  {
+    if (cpu.GetObstacle(setup.Integrands[k]).empty())
+    {
+      known.Integrands.push_back(setup.Integrands[k]);
+      indices.push_back(k);
+    }
+  }
+  std::vector<FaceTotals> own;
+  if (indices.empty() || !Evaluate(runner, items, own))
+  {
+    return runner.GetError();
+  }
+  std::vector<CutFacePointer> cut;
+  std::vector<ItemRunner::BatchFace> slots;
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    const ItemRunner::BatchFace& face = batch[items[i].GetSlot()];
+    cut.push_back(faces[face.Face]);
+    slots.push_back({ i, std::vector<double>(indices.size(), 1.0), face.Placement });
+    items[i].Work.Item[3] = static_cast<std::uint32_t>(i);
+  }
+  cpu.Configure(known);
+  std::vector<FaceTotals> expected;
+  if (!cpu.Acquire(cut, nullptr) || !cpu.BeginBatch(slots) || !Evaluate(cpu, items, expected))
+  {
+    return cpu.GetError();
+  }
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    for (std::size_t k = 0; k < indices.size(); ++k)
+    {
+      const double value = own[i].Face[indices[k]];
+      const double roundings = own[i].Rounding[indices[k]] + expected[i].Rounding[k];
+      if (!AreEqual(value, expected[i].Face[k], roundings))
+      {
+        return std::string("computes ") + GetKindName(items[i].Kind) +
+          " wrong: " + setup.Integrands[indices[k]].Name + " is " + FormatDigits(value, 17) + " for " +
+          FormatDigits(expected[i].Face[k], 17);
+      }
+    }
+  }
+  return "";
+}
+}

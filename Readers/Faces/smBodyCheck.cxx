@@ -1,0 +1,128 @@
+#include "smBodyCheck.h"
+
+#include <algorithm>
+
+namespace sm
+{
+namespace
+{
+/// Vector areas that differ by less than this, relative to the larger one, are the same region.
+constexpr double SameRegion = 1e-3;
+
+/// Returns true if edges bound the face, of which not all are seams.
+bool HasBorder(const FaceStatement& statement)
+{
+  std::unordered_map<std::uint64_t, int> sums;
+  for (const EdgeUseStatement& use : statement.Uses)
+  {
+    sums[use.Edge] += use.IsForward ? 1 : -1;
+  }
+  return std::any_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.second != 0; });
+}
+
+/// A use of an edge by a face.
+struct UseOfEdge
+{
+  std::size_t Face;
+  bool IsForward;
+  bool IsArc;
+};
+
+class ContradictionFinder
+{
+public:
+  ContradictionFinder(const std::vector<CheckedFace>& faces, bool isInsideOut)
+    : Faces(faces)
+    , IsInsideOut(isInsideOut)
+    , IsReported(faces.size(), false)
+  {
+  }
+
+  std::vector<BodyContradiction> Run()
+  {
+    for (std::size_t i = 0; i < this->Faces.size(); ++i)
+    {
+      const FaceStatement& statement = *this->Faces[i].Statement;
+      for (const EdgeUseStatement& use : statement.Uses)
+      {
+        // A face of which only one side is finite has that side, whatever the file says.
+        const bool isMended = this->IsTurned(i) && !this->Faces[i].IsClosed;
+        this->Uses[use.Edge].push_back({ i, use.IsForward != isMended, use.IsArc });
+      }
+      if (this->IsTurned(i) && this->Faces[i].IsClosed)
+      {
+        this->Add(BodyContradiction::Type::Turned, i, i, 0);
+      }
+      if (this->IsInsideOut && this->Faces[i].IsClosed && HasBorder(statement))
+      {
+        this->Add(BodyContradiction::Type::InsideOut, i, i, 0);
+      }
+    }
+    // In the order of the faces, so that the result does not depend on a hash.
+    for (std::size_t i = 0; i < this->Faces.size(); ++i)
+    {
+      for (const EdgeUseStatement& use : this->Faces[i].Statement->Uses)
+      {
+        this->CheckEdge(i, use.Edge);
+      }
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  bool IsTurned(std::size_t face) const { return this->Faces[face].Finding.Verdict == FaceVerdict::Turned; }
+
+  void Add(BodyContradiction::Type kind, std::size_t face, std::size_t other, std::uint64_t edge)
+  {
+    if (!this->IsReported[face])
+    {
+      this->IsReported[face] = true;
+      this->Result.push_back({ kind, face, other, edge });
+    }
+  }
+
+  void CheckEdge(std::size_t face, std::uint64_t edge)
+  {
+    const std::vector<UseOfEdge>& uses = this->Uses[edge];
+    if (uses.size() == 2 && uses[0].Face != uses[1].Face && uses[0].IsForward == uses[1].IsForward &&
+      this->Faces[face].IsClosed)
+    {
+      this->Add(BodyContradiction::Type::SameDirection, face,
+        uses[0].Face == face ? uses[1].Face : uses[0].Face, edge);
+    }
+    const bool isBackwards = std::all_of(uses.begin(), uses.end(),
+      [this](const UseOfEdge& use)
+      { return use.IsArc && this->IsTurned(use.Face) && !this->Faces[use.Face].IsClosed; });
+    if (isBackwards && this->HasOtherArcs(face))
+    {
+      this->Add(BodyContradiction::Type::Backwards, face, face, edge);
+    }
+  }
+
+  /// Returns true if the face, with the other parts of the curves of all its arcs, has the side that the file
+  /// says, and another region.
+  bool HasOtherArcs(std::size_t face) const
+  {
+    const Vector3& read = this->Faces[face].Finding.Read;
+    Vector3 other = this->Faces[face].Finding.Stated;
+    for (int c = 0; c < 3; ++c)
+    {
+      other[c] += this->Faces[face].Statement->OtherArcs[c];
+    }
+    return Dot(other, read) > 0.0 &&
+      Norm(Subtract(other, read)) > SameRegion * std::max(Norm(other), Norm(read));
+  }
+
+  const std::vector<CheckedFace>& Faces;
+  bool IsInsideOut;
+  std::vector<bool> IsReported;
+  std::unordered_map<std::uint64_t, std::vector<UseOfEdge>> Uses;
+  std::vector<BodyContradiction> Result;
+};
+}
+
+std::vector<BodyContradiction> FindContradictions(const std::vector<CheckedFace>& faces, bool isInsideOut)
+{
+  return ContradictionFinder(faces, isInsideOut).Run();
+}
+}

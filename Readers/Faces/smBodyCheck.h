@@ -1,0 +1,65 @@
+/**
+ * @file smBodyCheck.h
+ * @brief Finds contradictions between the faces of a body, which no check of a single face sees
+ *
+ * A loop on a closed surface bounds two finite faces, one on either side. If one flag of the file is turned,
+ * the other one is again a consistent face, with its normal on the other side. Only the rest of the body
+ * tells.
+ *
+ * | kind of fault                                               | found by           | case that proves it (TestBodyCheck)    |
+ * |-------------------------------------------------------------|--------------------|----------------------------------------|
+ * | a bound, or the edges, turned; a repair turned the face     | Turned             | "a turned cap"                         |
+ * | the same, and the face was read by the letter               | SameDirection      | "a cap by the letter"                  |
+ * | same_sense turned: the other part, inside out               | InsideOut          | "a rest that is inside out"            |
+ * | arcs that run backwards, so that all their faces are turned | Backwards          | "arcs that run backwards"              |
+ * | a bound of a plane turned: one side is infinite             | nothing, by intent | "a turned plane beside a cap"          |
+ * | same_sense of a dimple turned: a knob                       | nothing            | a sound part, too                      |
+ */
+#ifndef smBodyCheck_h
+#define smBodyCheck_h
+
+#include "smFaceCheck.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace sm
+{
+/// A face of the file in a body.
+struct CheckedFace
+{
+  const FaceStatement* Statement = nullptr;
+  FaceFinding Finding;
+  /// True if both sides of a loop on its surface are finite.
+  bool IsClosed = false;
+};
+
+struct BodyContradiction
+{
+  enum class Type
+  {
+    /// The face is on a closed surface, and has the other side of its bounds than the file says.
+    Turned,
+    /// The face is on a closed surface, and an edge has the same direction in it and in another face.
+    SameDirection,
+    /// The body is inside out, and the face is a part of a closed surface.
+    InsideOut,
+    /// All faces at an arc of a closed curve have the other side of their bounds than the file says: the
+    /// other part of the curve may be meant.
+    Backwards
+  };
+  Type Kind = Type::Turned;
+  /// Index of the face, and of another one, or the same.
+  std::size_t Face = 0;
+  std::size_t Other = 0;
+  /// Entity number of the edge; 0: none.
+  std::uint64_t Edge = 0;
+};
+
+/// Finds the contradictions of a body, at most one for each face. `isInsideOut`: its outer shell is inside
+/// out in the file.
+SMREADERSFACES_EXPORT std::vector<BodyContradiction> FindContradictions(
+  const std::vector<CheckedFace>& faces, bool isInsideOut);
+}
+
+#endif

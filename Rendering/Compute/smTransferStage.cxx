@@ -1,0 +1,98 @@
+#include "smTransferStage.h"
+
+#include "smContextResources.h"
+#include "smOpenGL.h"
+
+namespace sm
+{
+namespace
+{
+/// Alignment of the memory of an upload.
+constexpr std::size_t Alignment = 64;
+/// Nanoseconds after which waiting begins anew.
+constexpr unsigned long long WaitNanoseconds = 1000000000ull;
+
+/// Waits until the GPU has done all it was told.
+void WaitForCopies()
+{
+  const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  GLenum state = GL_TIMEOUT_EXPIRED;
+  while (state == GL_TIMEOUT_EXPIRED)
+  {
+    state = glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, WaitNanoseconds);
+  }
+  glDeleteSync(fence);
+}
+}
+
+bool TransferStage::Map(std::size_t bytes)
+{
+#ifdef GL_MAP_PERSISTENT_BIT
+  if (!glBufferStorage)
+  {
+    return false;
+  }
+  if (this->Name != 0)
+  {
+    // The driver keeps the memory until pending copies have read it.
+    this->Resources.FreeBuffer(this->Name);
+    this->Name = 0;
+    this->Memory = nullptr;
+  }
+  this->Capacity = MinimumBytes;
+  while (this->Capacity < bytes)
+  {
+    this->Capacity *= 2;
+  }
+  const auto size = static_cast<GLsizeiptr>(this->Capacity);
+  constexpr GLbitfield flags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+  DrainErrors();
+  GLuint name = 0;
+  glGenBuffers(1, &name);
+  glBindBuffer(GL_COPY_READ_BUFFER, name);
+  glBufferStorage(GL_COPY_READ_BUFFER, size, nullptr, flags | GL_CLIENT_STORAGE_BIT);
+  void* memory = glMapBufferRange(GL_COPY_READ_BUFFER, 0, size, flags);
+  if (!TakeError().empty() || !memory)
+  {
+    glDeleteBuffers(1, &name);
+    return false;
+  }
+  this->Resources.AddBuffer(name, this->Capacity);
+  this->Name = name;
+  this->Memory = static_cast<unsigned char*>(memory);
+  this->Begin = this->Bytes = 0;
+  return true;
+#else
+  (void)bytes;
+  return false;
+#endif
+}
+
+void* TransferStage::BeginUpload(std::size_t bytes)
+{
+  if (bytes < MinimumBytes || bytes > MaximumBytes)
+  {
+    return nullptr;
+  }
+  if ((!this->Memory || bytes > this->Capacity) && !this->Map(bytes))
+  {
+    return nullptr;
+  }
+  this->Begin = (this->Begin + this->Bytes + Alignment - 1) / Alignment * Alignment;
+  if (this->Begin + bytes > this->Capacity)
+  {
+    WaitForCopies();
+    this->Begin = 0;
+  }
+  this->Bytes = bytes;
+  return this->Memory + this->Begin;
+}
+
+void TransferStage::Upload(unsigned int buffer, std::size_t offset)
+{
+  glBindBuffer(GL_COPY_READ_BUFFER, this->Name);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+  glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(this->Begin),
+    static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(this->Bytes));
+}
+}

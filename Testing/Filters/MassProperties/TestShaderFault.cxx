@@ -1,0 +1,114 @@
+// TestShaderFault FOLDER: shaders that keep arrays of doubles as floats, as some drivers do, and what sees it: the probe when a context starts, the
+// comparison with the CPU when a program is used first, and the values.
+#include "smMassPropertyNames.h"
+#include "smShaderFault.h"
+#include "smTestManifest.h"
+#include "smTestPipeline.h"
+
+#include <vtkComputeContext.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+using namespace smtest;
+namespace names = sm::names;
+
+/// Shaders on for the life of the object.
+struct Fault
+{
+  explicit Fault(const std::set<std::string>& shaders) { sm::GetFaultyShaders() = shaders; }
+  ~Fault() { sm::GetFaultyShaders().clear(); }
+};
+const std::set<std::string> Probe = { "smProbeCS" };
+const std::set<std::string> Integration = { "smPanelCS", "smRibbonCS" };
+
+vtkFieldData* Run(Pipeline& pipeline)
+{
+  pipeline.Mass->Update();
+  return pipeline.Mass->GetOutput()->GetFieldData();
+}
+
+/// A pipeline that takes OpenGL where there is one, and the CPU elsewhere.
+void ChooseFreely(Pipeline& pipeline)
+{
+  pipeline.Mass->SetBackend(vtkMassPropertiesGPU::AUTOMATIC);
+  pipeline.Mass->GetComputeContext()->SetSource(vtkComputeContext::EGL);
+}
+
+void CheckVolume(const std::string& what, vtkFieldData* fields, const Expected& expected)
+{
+  Check(what, expected.Volume, GetField(fields, names::Volume), GetFieldBound(fields, names::Volume),
+    "the bound");
+}
+
+void CheckProbe(const Expected& expected)
+{
+  const Fault fault(Probe);
+  Pipeline pipeline(expected.Path);
+  ChooseFreely(pipeline);
+  vtkFieldData* fields = Run(pipeline);
+  CheckEqual("the probe fails: the CPU takes over", names::BackendCPU, GetFieldText(fields, names::Backend));
+  const std::string reason = pipeline.Mass->GetComputeContext()->GetReason();
+  CheckTrue(
+    "it names the construct", reason.find("an array of doubles as uints wrong") != std::string::npos, reason);
+  CheckVolume("its volume", fields, expected);
+}
+
+void CheckComparison(const Expected& expected)
+{
+  const Fault fault(Integration);
+  Pipeline pipeline(expected.Path);
+  ChooseFreely(pipeline);
+  vtkFieldData* fields = Run(pipeline);
+  CheckEqual(
+    "the comparison fails: the CPU takes over", names::BackendCPU, GetFieldText(fields, names::Backend));
+  const std::string reason = GetFieldText(fields, names::BackendReason);
+  CheckTrue("it names the item", reason.find("computes a panel wrong: ") != std::string::npos, reason);
+  CheckVolume("its volume", fields, expected);
+  CheckEqual("status", "ok", GetFieldText(fields, names::Status));
+  pipeline.Mass->Modified();
+  CheckEqual(
+    "the next run has not forgotten", names::BackendCPU, GetFieldText(Run(pipeline), names::Backend));
+
+  Pipeline forced(expected.Path);
+  forced.Mass->GetComputeContext()->SetSource(vtkComputeContext::EGL);
+  fields = Run(forced);
+  CheckTrue("nothing is computed where OpenGL was asked for", std::isnan(GetField(fields, names::Volume)));
+  CheckEqual("its status", "not-computed", GetFieldText(fields, names::Status));
+}
+
+void CheckValues(const Expected& expected)
+{
+  Pipeline pipeline(expected.Path);
+  pipeline.Mass->GetComputeContext()->SetSource(vtkComputeContext::EGL);
+  vtkFieldData* fields = Run(pipeline);
+  CheckEqual("OpenGL", names::BackendOpenGL, GetFieldText(fields, names::Backend));
+  CheckVolume("its volume", fields, expected);
+  // The programs are proved now, and built again for another factor of every sample.
+  const Fault fault(Integration);
+  pipeline.Mass->SetShaderPerturbation(1.0 + std::numeric_limits<double>::epsilon());
+  fields = Run(pipeline);
+  const double error = std::abs(GetField(fields, names::Volume) - expected.Volume);
+  CheckTrue("a test of values sees it", error > 100.0 * GetFieldBound(fields, names::Volume),
+    std::to_string(error / expected.Volume));
+}
+}
+
+int TestShaderFault(int argc, char* argv[])
+{
+  if (argc < 2)
+  {
+    return 1;
+  }
+  const Manifest manifest(argv[1]);
+  for (const char* solid : { "sphere", "spline_ring" })
+  {
+    const Expected expected = manifest.GetSolid(solid).front();
+    CheckProbe(expected);
+    CheckComparison(expected);
+    CheckValues(expected);
+  }
+  return Finish();
+}
