@@ -224,7 +224,7 @@ def copy_tree(catalogue, folder):
     names = [name for name in listed.stdout.decode("utf-8").split("\0") if name] if listed.returncode == 0 else [
         os.path.relpath(os.path.join(where, name), source) for where, _, names in os.walk(source) for name in names
         if not re.match(r"(\.git|build[^/]*|install)(/|$)", os.path.relpath(where, source))]
-    compiled = re.compile(r"^(Filters|Readers|Rendering|ParaViewPlugin|Testing)/.*\.(cxx|h|glsl|xml|cmake)$")
+    compiled = re.compile(r"^(Filters|Readers|Rendering|ParaViewPlugin|Testing)/.*\.(cxx|h|xml|cmake)$")
     for name in names:
         if os.path.isfile(os.path.join(source, name)) and not compiled.match(name):
             target = os.path.join(folder, "source", name)
