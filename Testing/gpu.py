@@ -118,12 +118,16 @@ class Catalogue:
         self.left_out = [entry["name"] for entry in isolated]
         tests = [entry for entry in entries if "value" in entry["labels"] and entry not in isolated and re.search(only, entry["name"])]
         needed = {fixture for test in tests for fixture in test["required"]}
+        wanted = []
+        while any(needed & set(entry["setup"]) and entry not in wanted for entry in entries):
+            wanted += [entry for entry in entries if needed & set(entry["setup"]) and entry not in wanted]
+            needed |= {fixture for entry in wanted for fixture in entry["required"]}
         self.setups = []
-        for _ in entries:  # setups may require others
-            for entry in entries:
-                if needed & set(entry["setup"]) and entry not in self.setups:
-                    self.setups.insert(0, entry)
-                    needed |= set(entry["required"])
+        while wanted:
+            # Those first that require nothing of the others.
+            ready = [entry for entry in wanted if not any(set(entry["required"]) & set(other["setup"]) for other in wanted if other != entry)]
+            self.setups += ready
+            wanted = [entry for entry in wanted if entry not in ready]
         self.tests = [test for test in tests if test not in self.setups]
         self.common = {match for entry in self.setups for word in entry["command"]
                        for match in re.findall(re.escape(build) + r"/Testing/(output/[^/' ]+|models)", word)}
@@ -187,28 +191,23 @@ def find_libraries(program, found, needed):
 
 
 def list_symbols(path, kind):
+    """Names of dynamic symbols with their versions, as TIFFOpen and LIBTIFF_4.0."""
     lines = subprocess.run(["nm", "-D", kind, path], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout.splitlines()
-    return {line.split()[-1] for line in lines if line.strip()}
+    return {tuple(re.sub("@+", "@", line.split()[-1] + "@").split("@")[:2]) for line in lines if line.strip()}
 
 
 def make_empty(path, target, users):
-    """A library with the functions of another one that the packed ones name, in the versions that they name; each ends the process when it
-    is called."""
-    wanted = set()
-    for other in users:
-        wanted |= list_symbols(other, "--undefined-only")
-    wanted &= {symbol.replace("@@", "@") for symbol in list_symbols(path, "--defined-only")}
-    versions = {}
-    for name, _, version in sorted(symbol.partition("@") for symbol in wanted):
-        versions.setdefault(version, []).append(name)
-    code = "".join(f"void {name}(void) {{ __builtin_trap(); }}\n" for names in versions.values() for name in names)
-    command = [os.environ.get("CC", "cc"), "-shared", "-nostdlib", "-fno-builtin", "-w", f"-Wl,-soname,{os.path.basename(target)}"]
+    """A library with those functions of another one that the users name; each ends the process when it is called."""
+    wanted = {name for user in users for name, _ in list_symbols(user, "--undefined-only")}
+    symbols = sorted(symbol for symbol in list_symbols(path, "--defined-only") if symbol[0] in wanted)
+    code = "".join(f"void {name}(void) {{ __builtin_trap(); }}\n" for name, _ in symbols)
+    versions = sorted({version for _, version in symbols if version})
     with tempfile.NamedTemporaryFile("w", suffix=".map", encoding="utf-8") as script:
-        for version, names in versions.items():
-            script.write(f"{version} {{ global: {'; '.join(names)}; }};\n" if version else "")
+        script.write("".join(f"{version} {{ global: {' '.join(name + ';' for name, own in symbols if own == version)} }};\n" for version in versions)
+                     or "{ global: *; };\n")
         script.flush()
-        command += [f"-Wl,--version-script={script.name}"] if any(versions) else []
-        subprocess.run(command + ["-o", target, "-xc", "-"], input=code, encoding="utf-8", check=True)
+        subprocess.run([os.environ.get("CC", "cc"), "-shared", "-nostdlib", "-fno-builtin", "-w", f"-Wl,-soname,{os.path.basename(target)}",
+                        f"-Wl,--version-script={script.name}", "-o", target, "-xc", "-"], input=code, encoding="utf-8", check=True)
 
 
 def copy_stripped(path, target):
@@ -225,7 +224,7 @@ def copy_tree(catalogue, folder):
     names = [name for name in listed.stdout.decode("utf-8").split("\0") if name] if listed.returncode == 0 else [
         os.path.relpath(os.path.join(where, name), source) for where, _, names in os.walk(source) for name in names
         if not re.match(r"(\.git|build[^/]*|install)(/|$)", os.path.relpath(where, source))]
-    compiled = re.compile(r"^(Filters|Readers|Rendering|ParaViewPlugin|Testing)/.*\.(cxx|h|glsl|xml|cmake)$")
+    compiled = re.compile(r"^(Filters|Readers|Rendering|ParaViewPlugin|Testing)/.*\.(cxx|h|xml|cmake)$")
     for name in names:
         if os.path.isfile(os.path.join(source, name)) and not compiled.match(name):
             target = os.path.join(folder, "source", name)
@@ -254,6 +253,14 @@ def copy_named(catalogue, folder):
         if done.returncode:
             raise SystemExit(f"{setup['name']}: {done.stdout.decode('utf-8', 'replace')}")
         catalogue.setups.remove(setup)
+
+
+def copy_beside(catalogue, folder):
+    """What tests and edit_part look for beside the programs."""
+    for path, target in ((os.path.join(catalogue.build, "Examples/CommandLine/solidmoments.1"), "Examples/CommandLine/solidmoments.1"),
+                         (os.path.join(catalogue.source, "Examples/Models/free_form_part.step"), "share/solidmoments/free_form_part.step")):
+        os.makedirs(os.path.dirname(os.path.join(folder, target)))
+        shutil.copy2(path, os.path.join(folder, target))
 
 
 def compress(folder, archive, preset):
@@ -304,6 +311,7 @@ def pack(options):
                     versions[name] = os.path.basename(os.path.realpath(path))
         copy_tree(catalogue, folder)
         copy_named(catalogue, folder)
+        copy_beside(catalogue, folder)
         for path in options.files:
             if path.endswith(".gz"):
                 unpack_model(path, os.path.join(folder, "models"))

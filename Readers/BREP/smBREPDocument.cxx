@@ -59,23 +59,32 @@ bool IsText(std::string_view bytes)
 }
 
 /// Returns true if a text is complete: it ends with the reference to its last shape, "+1 0", behind the asterisk that ends the table of
-/// shapes. If no blank or line end follows, the location may be truncated unless it is 0.
+/// shapes. If no blank or line end follows, the location may be truncated unless it is 0. Behind the reference a file of the test harness
+/// has a line with a number, of lines that it draws on faces.
 bool IsWhole(std::string_view text)
 {
+  const bool isHarness = StartsWith(SkipBlanks(text), HarnessMagic);
   const std::size_t end = text.find_last_not_of(" \t\r\n");
   const std::size_t asterisk = text.find_last_of('*', end);
   if (end == std::string_view::npos || asterisk == std::string_view::npos || asterisk == end)
   {
     return false;
   }
-  const std::string_view reference = SkipBlanks(text.substr(asterisk + 1, end - asterisk));
-  const std::size_t blank = reference.find(' ');
+  std::string_view reference = SkipBlanks(text.substr(asterisk + 1, end - asterisk));
   const auto isNumber = [](std::string_view word)
   { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; };
+  bool isFollowed = text.size() > end + 1;
+  const std::size_t lineEnd = reference.find_first_of("\r\n");
+  if (isHarness && lineEnd != std::string_view::npos && isNumber(SkipBlanks(reference.substr(lineEnd))))
+  {
+    reference = reference.substr(0, reference.find_last_not_of(" \t", lineEnd - 1) + 1);
+    isFollowed = true;
+  }
+  const std::size_t blank = reference.find(' ');
   return blank != std::string_view::npos &&
     std::string_view("+-ie").find(reference.front()) != std::string_view::npos &&
     isNumber(reference.substr(1, blank - 1)) && isNumber(reference.substr(blank + 1)) &&
-    (text.size() > end + 1 || reference.substr(blank) == " 0");
+    (isFollowed || reference.substr(blank) == " 0");
 }
 
 /// Counts the sub-shapes of a shape, with repetitions.

@@ -133,31 +133,23 @@ def check_solids():
     check_equal("an occurrence in parts: nothing is told", entries[1]["messages"], entries[0]["messages"])
     damage("assembly.step", "occurrence_with_another_type", [parts, (r"PRODUCT_DEFINITION_USAGE\(\)", "PRODUCT_DEFINITION_USAGE()QUANTIFIED_ASSEMBLY_COMPONENT_USAGE($)")],
            FLAGGED | {"unreadable"}, ["export"])
-    # OpenCASCADE crashes on such files, or reads them for ever.
-    damage("bicylinder-plain.step", "edge_of_itself", [(r"(#\d+) = (ORIENTED_EDGE\('',\*,\*,)#\d+", r"\1 = \2\1")],
-           {"unreadable"}, ["cyclic reference", "export it again"])
-    damage(box, "surface_of_itself", [(r"(#\d+) = PLANE\('',#\d+\)", r"\1 = RECTANGULAR_TRIMMED_SURFACE('',\1,0.,1.,0.,1.,.T.,.T.)")], FLAGGED,
-           ["cyclic reference", "left out"])
-    for name, target in (("nothing", "#99999"), ("point", "#30")):
-        damage("hollow_sphere-plain.step", f"oriented_shell_of_{name}", [(r"(ORIENTED_CLOSED_SHELL\('',\*,)#\d+", r"\g<1>" + target)],
-               {"unreadable"}, ["oriented shell #27 has no shell", "export it again"])
-    damage("bicylinder-plain.step", "vertex_of_nothing", [(r"#85 = CARTESIAN_POINT[^;]*;", "")], FLAGGED,
-           ["#84 (undefined reference)", "left out"])
-    damage("bicylinder-plain.step", "ellipse_without_width", [(r"(ELLIPSE\('',#\d+,[^,]*,)[^)]*\)", r"\g<1>0.)")], FLAGGED, ["not above 0", "left out"])
-    # The last line of a record, and the first of another one: behind the damage its lexer lost a vertex more.
-    damage("bicylinder-plain.step", "line_of_another_record",
-           [(r"(#68 = CARTESIAN_POINT\('',\([^)]*\))\s*\);", r"\1\n#85 = CARTESIAN_POINT('',(10.,10.,"),
-            (r"(#84 = VERTEX_POINT\('',#85\);)\s*#85 = CARTESIAN_POINT\('',\([^,]*,[^,]*,", r"\1\n  );")],
-           FLAGGED, ["Entity #68 of the file: damaged entity", "Entity #85", "left out"])
+    # References to nothing, numbers out of range and lists that are too short. OpenCASCADE alone survives each of them.
+    damage("bicylinder-plain.step", "edge_of_nothing", [(r"(#\d+) = (ORIENTED_EDGE\('',\*,\*,)#\d+", r"\1 = \2#99999")],
+           FLAGGED, ["undefined reference", "left out"])
+    damage(box, "surface_of_nothing", [(r"(#\d+) = PLANE\('',#\d+\)", r"\1 = RECTANGULAR_TRIMMED_SURFACE('',#99999,0.,1.,0.,1.,.T.,.T.)")], FLAGGED,
+           ["undefined reference", "left out"])
+    damage("bicylinder-plain.step", "vertex_of_nothing", [(r"#84 = VERTEX_POINT[^;]*;", "")], FLAGGED, ["(undefined reference)", "left out"])
+    damage("bicylinder-plain.step", "ellipse_of_negative_width", [(r"(ELLIPSE\('',#\d+,[^,]*,)[^)]*\)", r"\g<1>-1.)")], {"unreadable"}, ["export it again"])
     damage(box, "entity_behind_the_end", [(r"(END-ISO-10303-21;)", r"\1\n#900=PRODUCT('','','',());")], FLAGGED, ["stand behind its end"])
     damage(box, "undefined_trim_curve", [(r"(DEFINITIONAL_REPRESENTATION\('',\()#\d+", r"\g<1>#9999")], FLAGGED, ["undefined reference", "left out"])
     damage(box, "face_in_parameters", [(r"(DEFINITIONAL_REPRESENTATION\('',\()#\d+", r"\1#17")], FLAGGED, ["wrong type", "left out"])
-    damage("moebius_1000-plain.step", "huge_vector", [(r"(VECTOR\('',(#\d+),)1\.0+E\+00(\);\s*\2 = DIRECTION\('',\([^,]*,[^,]*\)\))",
-                                                      r"\g<1>1.E300\3")], FLAGGED, ["too large a number", "left out"])
-    damage(box, "short_placement", [(r"(PLANE\('',(#\d+)\);\s*\2 = AXIS2_PLACEMENT_3D\('',#\d+),#\d+,#\d+\)", r"\1)")], FLAGGED,
+    damage(box, "huge_vector", [(r"(VECTOR\('',#\d+,)[^)]*", r"\g<1>1.E101")], FLAGGED, ["too large a number", "left out"])
+    damage(box, "short_edge", [(r"EDGE_CURVE\('',(#\d+),(#\d+),(#\d+),\.T\.\)", r"EDGE_CURVE('',\1,\2,\3)")], FLAGGED,
            ["too few parameters", "left out"])
     code, entry = run(os.path.join(options.output, "damaged_tilted_plane.step"), "--gap-limit", "1")
-    check_equal("gaps that are accepted", (0, "ok"), (code, entry["status"]))
+    text = "\n".join(entry["messages"])
+    check_equal("gaps that are accepted do not make up for a face that its edges contradict", (3, "suspect"), (code, entry["status"]))
+    check_true("which is said, and nothing of the gaps", "was not read as its edges bound it" in text and "closing the gaps" not in text, text)
     check_true("every gap has its edge", entry["solids"][0]["worst_edges"][0]["max_gap"] == entry["total"]["max_gap"])
     damage(box, "no_unit", [(r"LENGTH_UNIT\(\)", "MASS_UNIT()")], FLAGGED | {"ok"}, ["unit"])
     # OpenCASCADE reads sections that the census does not know.
@@ -173,13 +165,13 @@ def check_solids():
     damage("box-inch.step", "a_face_for_the_inch", [(r"(GLOBAL_UNIT_ASSIGNED_CONTEXT\s*\(\()#\d+", r"\1#17")], FLAGGED, ["wrong unit", "#17"])
     # A length in steradians beside one in millimetres: OpenCASCADE takes metres.
     damage(box, "two_units_of_length", [(r"SOLID_ANGLE_UNIT\(\)", "LENGTH_UNIT()")], FLAGGED, ["wrong unit"])
-    # No finite box is left; the process aborted in its analysis.
+    # No finite box is left.
     damage("ellipsoid-plain.step", "huge_weight", [(r"(\(1\.0+E\+00,7\.0710678118654757E-01\s*,)1\.0+E\+00", r"\g<1>99999999999999999999")],
            FLAGGED | {"unreadable", "not-computed", "tolerance-not-met"}, [])
-    # All trim curves of a face lie on a knot of its surface: its mesh crashed.
+    # All trim curves of a face lie on a knot of its surface.
     damage("torus-nurbs.step", "knots_shuffled", [(r"(B_SPLINE_CURVE_WITH_KNOTS\(\(1,2,2,2,2,1\),\()[^)]*", r"\g<1>4.2,2.1,6.3,8.4,0.,-2.1")],
            FLAGGED, ["knots"])
-    # The loop of the cylinder is that of its top: no winding numbers, and points outside of all loops; its mesh crashed.
+    # The loop of the cylinder is that of its top: no winding numbers, and points outside of all loops.
     damage("cylinder-plain.step", "loop_of_another_face", [(r"(#18 = FACE_BOUND\('',)#19", r"\1#107")], FLAGGED, ["not bounded in (u,v)", "#17"])
     damage("cylinder-plain.step", "radius_below_zero", [(r"(CYLINDRICAL_SURFACE\('',#\d+,)", r"\1-")], FLAGGED, ["value out of range"])
     damage("two_solids.step", "solid_lost", [(r"(CLOSED_SHELL\('',)\(#\d+[^)]*\)", r"\1()")], FLAGGED, ["shell without faces"])

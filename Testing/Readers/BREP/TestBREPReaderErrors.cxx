@@ -168,6 +168,24 @@ int TestBREPReaderErrors(int argc, char** argv)
   reader->SetFileName(Make("brep_stripped.brep", sound.substr(0, sound.find_last_not_of(" \n") + 1)).c_str());
   reader->Update();
   CheckEqual("a file without its last line end", "ok", reader->GetStatusAsString());
+  // As OpenCASCADE's test harness saves a shape.
+  const std::string drawn = "DBRep_DrawableShape\n" + sound + "\n0\n";
+  for (const std::string& text :
+    { drawn, drawn.substr(0, drawn.size() - 1), drawn.substr(0, drawn.size() - 3) })
+  {
+    reader->SetFileName(Make("brep_drawn.brep", text).c_str());
+    reader->Update();
+    CheckEqual("a file of DRAW", "ok", reader->GetStatusAsString());
+    CheckEqual("its bodies", 1, reader->GetNumberOfBodies());
+  }
+  for (const double share : { 0.3, 0.9, 0.97 })
+  {
+    const auto length = static_cast<std::size_t>(share * static_cast<double>(drawn.size()));
+    reader->SetFileName(Make("brep_drawn.brep", drawn.substr(0, length)).c_str());
+    CheckProblem(reader, "a part of a file of DRAW", "it ends in the middle");
+  }
+  reader->SetFileName(Make("brep_numbered.brep", sound + "\n0\n").c_str());
+  CheckProblem(reader, "a number behind a file that is not of DRAW", "it ends in the middle");
   CheckBinary();
   CheckExcess(reader);
   reader->SetFileName(Make("brep_sound.txt", sound).c_str());

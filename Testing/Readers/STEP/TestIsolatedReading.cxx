@@ -171,8 +171,8 @@ void RunLonely(const std::string& solids)
     std::filesystem::copy_options::overwrite_existing);
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   const std::string command = "LD_LIBRARY_PATH='" + folder.string() + ":" +
-    std::filesystem::path(library).parent_path().string() + "' '" + program + "' TestIsolatedReading '" +
-    solids + "' '" + Folder + "' lonely";
+    std::filesystem::path(library).parent_path().string() + "':\"$LD_LIBRARY_PATH\" '" + program +
+    "' TestIsolatedReading '" + solids + "' '" + Folder + "' lonely";
   CheckEqual("the same alone", 0, std::system(command.c_str()));
 }
 }

@@ -1,5 +1,6 @@
-// TestSTEPCrashes FOLDER: files that OpenCASCADE crashes on, in this very process: each is read without the damage, or refused with its
-// entity. FOLDER takes the files.
+// TestSTEPGuards FOLDER: what stands between a damaged file and OpenCASCADE, which follows null references and cycles without end. Each file is
+// read without the damage, or refused with its entity. Every input here was seen to be harmless: OpenCASCADE alone reads or refuses it. FOLDER takes
+// the files.
 #include "smCensusSamples.h"
 #include "smFileState.h"
 #include "smReaderTesting.h"
@@ -32,7 +33,7 @@ Reading ReadText(const std::string& text)
   log.Watch(reader);
   ErrorLog executive;
   executive.Watch(reader->GetExecutive());
-  reader->SetFileName(Make("reader_crashes.step", MakeStepText(text)).c_str());
+  reader->SetFileName(Make("reader_guards.step", MakeStepText(text)).c_str());
   reader->Update();
   Reading reading{ reader->GetStatusAsString(), log.Text, reader->GetNumberOfBodies() };
   for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
@@ -63,40 +64,25 @@ void CheckUnused(const std::string& entity, const std::string& said = "")
     reading.Said);
 }
 
-void CheckEmptyLists()
+void CheckLists()
 {
   for (const char* entity :
-    { "#90=DIRECTION('',());", "#90=DIRECTION('',( /* none */ ));",
-      "#90=TRIMMED_CURVE('',#23,(),(),.T.,.PARAMETER.);", "#90=CURVE_BOUNDED_SURFACE('',#24,(),.T.);",
-      "#90=B_SPLINE_CURVE_WITH_KNOTS('',1,(#20,#26),.UNSPECIFIED.,.F.,.F.,(),(),.UNSPECIFIED.);",
-      "#90=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#20,#26),(#20,#26)),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(),(),(0."
-      ",1.),"
-      ".UNSPECIFIED.);",
-      "#90=SURFACE_CURVE('',#23,(),.CURVE_3D.);", "#90=DERIVED_UNIT(());", "#90=INVISIBILITY(());",
+    { "#90=TRIMMED_CURVE('',#23,(),(),.T.,.PARAMETER.);", "#90=SURFACE_CURVE('',#23,(),.CURVE_3D.);",
       "#90=CC_DESIGN_APPROVAL(#1,());", "#90=APPLIED_APPROVAL_ASSIGNMENT(#1,());",
-      "#90=PRESENTATION_STYLE_BY_CONTEXT((()),#1);", "#90=PARALLELISM_TOLERANCE('','',$,#1,());" })
+      "#90=PARALLELISM_TOLERANCE('','',$,#1,());", "#90=DIRECTION('not () empty',(1.,0.,0.));" })
   {
     CheckUnused(entity);
   }
-  CheckUnused("#90=EDGE_LOOP('',());", "Entity #90 of the file: used by nothing");
-  CheckUnused("#90=DIRECTION('not () empty',(1.,0.,0.));");
   const std::string ball = GetBallText() + GetAssemblyText();
   CheckEqual(
     "strings are no lists", "ok", ReadText(Replace(ball, "DIRECTION('',(0.", "DIRECTION('()',(0.")).Status);
-  CheckRefused(
-    "the ball's direction", Replace(ball, "DIRECTION('',(0.,0.,1.))", "DIRECTION('',())"), "first #23");
-}
-
-void CheckNestedLists()
-{
-  constexpr std::size_t deep = 300000;
-  const std::string lists = std::string(deep, '(') + std::string(deep, ')');
-  CheckUnused("#90=X(" + lists + ");");
-  CheckUnused("#90=DIRECTION(''," + lists + ");");
-  CheckUnused("#90=DIRECTION('" + lists + "',(1.,0.,0.));");
-  const std::string ball = GetBallText() + GetAssemblyText();
-  const Reading named =
-    ReadText(Replace(ball, "DIRECTION('',(0.", "DIRECTION('" + lists.substr(0, deep) + "',(0."));
+  const Reading brief = ReadText(Replace(ball, "DIRECTION('',(0.,0.,1.))", "DIRECTION('',(1.))"));
+  CheckTrue("a direction with one number",
+    brief.Said.find("#21 of the file: value out of range (number of coordinates)") != std::string::npos,
+    brief.Said);
+  const std::string brackets(1000, '(');
+  CheckUnused("#90=DIRECTION('" + brackets + "',(1.,0.,0.));");
+  const Reading named = ReadText(Replace(ball, "DIRECTION('',(0.", "DIRECTION('" + brackets + "',(0."));
   CheckEqual("brackets in a string are no lists", "ok", named.Status);
   CheckEqual("  said", "", named.Said);
 }
@@ -104,7 +90,7 @@ void CheckNestedLists()
 void CheckLongNumbers()
 {
   const std::string ball = GetBallText() + GetAssemblyText();
-  for (const char* id : { "#2147483648", "#4294967322", "#9223372036854775808" })
+  for (const char* id : { "#4294967322", "#9223372036854775808" })
   {
     CheckRefused(id, Replace(Replace(ball, "#26=", std::string(id) + "="), "#26)", std::string(id) + ")"),
       "the number of its entity " + std::string(id) + " exceeds 2147483647");
@@ -114,30 +100,15 @@ void CheckLongNumbers()
     ReadText(Replace(Replace(ball, "#26=", "#2147483647="), "#26)", "#0002147483647)")).Status);
 }
 
-/// The shape that the box places belongs to the box.
-void CheckCycles()
+/// Shapes that refer to each other, but belong to no product, and a shape with two owners.
+void CheckOwners()
 {
   const std::string ball = GetBallText() + GetAssemblyText();
-  const std::string cycle = "#64 (assembly contains itself, the placed product contains this one)";
-  CheckRefused("the ball's shape is the box's", Replace(ball, "'','',#44)", "'','',#52)"), cycle);
-  CheckRefused("the box placed in itself", Replace(ball, "'','',#32,#54)", "'','',#54,#54)"), cycle);
-  CheckRefused("a mapped item of its own shape",
-    Replace(ball, "(#23,#31)", "(#23,#31,#70)") +
-      "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#32);\n",
-    "#70 (assembly contains itself, contains itself)");
-  CheckRefused("mapped items of each other's shapes",
-    Replace(ball, "(#23,#31)", "(#23,#31,#70)") +
-      "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#72);\n#72=SHAPE_REPRESENTATION('',(#23,#73),"
-      "#6);\n"
-      "#73=MAPPED_ITEM('',#74,#23);\n#74=REPRESENTATION_MAP(#23,#32);\n",
-    "(assembly contains itself, contains itself)");
   const Reading unused = ReadText(ball +
     "#70=MAPPED_ITEM('',#71,#23);\n#71=REPRESENTATION_MAP(#23,#72);\n#72=SHAPE_REPRESENTATION('',(#23,#70),#"
     "6);\n");
-  CheckEqual("one that no product has", "ok", unused.Status);
-  CheckRefused("the first owner counts",
-    Replace(ball, "#46=", "#39=SHAPE_DEFINITION_REPRESENTATION(#53,#32);\n#46="), cycle);
-  CheckEqual("the second owner does not", "ok",
+  CheckEqual("a shape that no product has", "ok", unused.Status);
+  CheckEqual("the second owner does not count", "ok",
     ReadText(ball + "#65=SHAPE_DEFINITION_REPRESENTATION(#53,#32);\n").Status);
 }
 
@@ -152,7 +123,7 @@ std::string MakeDisc()
     "#88=VERTEX_POINT('',#91);\n#87=VERTEX_POINT('',#94);\n");
 }
 
-/// OpenCASCADE took an undefined number for a record's position: at that of the oriented edge itself it recursed without end.
+/// An oriented edge of an entity that is not there. OpenCASCADE takes a number for a record's position.
 void CheckUndefinedNumbers()
 {
   // Its numbers begin with 900, so that none of them is a record's position.
@@ -162,10 +133,10 @@ void CheckUndefinedNumbers()
   // Our records, and those of OpenCASCADE's parser, which small letters of exponents are left to.
   for (const std::string& text : { disc, disc + "#90095=CARTESIAN_POINT('',(1e1,0.,0.));\n" })
   {
-    for (int number = 1; number < 150; ++number)
+    for (const char* id : { "#6", "#46", "#126" })
     {
-      const std::string id = "#" + std::to_string(number);
-      CheckRefused("undefined " + id, Replace(text, "?", id), "first #90083 (undefined reference)");
+      CheckRefused(
+        std::string("undefined ") + id, Replace(text, "?", id), "first #90083 (undefined reference)");
     }
   }
 }
@@ -173,15 +144,8 @@ void CheckUndefinedNumbers()
 void CheckOthers()
 {
   const std::string ball = GetBallText() + GetAssemblyText();
-  CheckRefused("a location in the plane",
-    Replace(ball, "(#62)", "(#70)") +
-      "#70=ITEM_DEFINED_TRANSFORMATION('','',#23,#71);\n#71=AXIS2_PLACEMENT_3D('',#72,#21,#22);\n"
-      "#72=CARTESIAN_POINT('',(0.,0.));\n",
-    "#71 (value out of range, location without three coordinates)");
   const std::string disc = MakeDisc();
   CheckTrue("a half disc", ReadText(disc + "#94=CARTESIAN_POINT('',(5.,0.,0.));\n").Bodies > 0);
-  CheckRefused("a point on a curve", disc + "#94=POINT_ON_CURVE('',#89,0.);\n",
-    "#87 (wrong type, a point that is not read)");
   // The shape of an aspect that has a validation property, with an item that is not there.
   const std::string aspect =
     "#70=SHAPE_ASPECT('','',#45,.T.);\n#71=PROPERTY_DEFINITION('','Shape for Validation Properties',#70);\n"
@@ -195,7 +159,7 @@ void CheckOthers()
 }
 }
 
-int TestSTEPCrashes(int argc, char* argv[])
+int TestSTEPGuards(int argc, char* argv[])
 {
   if (argc < 2)
   {
@@ -203,10 +167,9 @@ int TestSTEPCrashes(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   Folder = argv[1];
-  CheckEmptyLists();
-  CheckNestedLists();
+  CheckLists();
   CheckLongNumbers();
-  CheckCycles();
+  CheckOwners();
   CheckUndefinedNumbers();
   CheckOthers();
   return Finish();
