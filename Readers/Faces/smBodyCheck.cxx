@@ -9,6 +9,12 @@ namespace
 /// Vector areas that differ by less than this, relative to the larger one, are the same region.
 constexpr double SameRegion = 1e-3;
 
+/// Area of a mesh relative to that of its surface, above which it covers more than this.
+constexpr double MeshMargin = 1.05;
+
+/// A face whose edges bound less than this part of the square of its perimeter may have no triangles.
+constexpr double SliverArea = 1e-4;
+
 /// Returns true if edges bound the face, of which not all are seams.
 bool HasBorder(const FaceStatement& statement)
 {
@@ -58,6 +64,10 @@ public:
         this->Add(BodyContradiction::Type::InsideOut, i, i, 0);
       }
     }
+    for (std::size_t i = 0; i < this->Faces.size(); ++i)
+    {
+      this->CheckExtent(i);
+    }
     // In the order of the faces, so that the result does not depend on a hash.
     for (std::size_t i = 0; i < this->Faces.size(); ++i)
     {
@@ -78,6 +88,30 @@ private:
     {
       this->IsReported[face] = true;
       this->Result.push_back({ kind, face, other, edge });
+    }
+  }
+
+  void CheckExtent(std::size_t face)
+  {
+    const CheckedFace& checked = this->Faces[face];
+    const FaceStatement& statement = *checked.Statement;
+    if (checked.Pieces > 1 && checked.IsClosed)
+    {
+      this->Add(BodyContradiction::Type::InPieces, face, face, 0);
+    }
+    if (checked.IsOnBothParts)
+    {
+      this->Add(BodyContradiction::Type::CrossesItself, face, face, 0);
+    }
+    if (checked.Area > MeshMargin * statement.WholeArea)
+    {
+      this->Add(BodyContradiction::Type::TooLarge, face, face, 0);
+    }
+    const double perimeter = statement.Boundary.Length;
+    if (checked.Area == 0.0 &&
+      (perimeter == 0.0 || Norm(statement.Boundary.GetVectorArea()) > SliverArea * perimeter * perimeter))
+    {
+      this->Add(BodyContradiction::Type::NotInMesh, face, face, 0);
     }
   }
 

@@ -40,8 +40,6 @@ OPEN = {
     "w01b_ext_trim_noseam_1_7.step",
     "q02_ext_trim_ellipse.step",
     "q03c_plate_ext_trim.step",
-    "flip_screw_874.step",
-    "o02_ball_pocket_sense.step",
     "q10c_apex_no_unit_radian.step",
     "j08b_vertex_loop_cone_far.step",
     "v01_tess_in_sr.step",
