@@ -17,6 +17,7 @@ STEPCensus STEPCensusTaker::Take()
   this->CountAll();
   this->SolidsBelow = this->FindAbove({ CensusBodyKind::Solid }, true);
   this->SetInstances();
+  this->CheckTwicePlaced();
   this->CheckAlternatives();
   this->CheckVersions();
   this->FindAlternatives();
@@ -125,7 +126,8 @@ const char* GetName(CensusDefect defect)
     "several definitions of one product, which are all counted",
     "a product of closed surfaces without a solid, whose volume is not counted beside solids",
     "used by nothing", "shell without faces", "assembly contains itself", "missing placement",
-    "placement of other products", "in no product", "missing unit", "wrong unit", "absurd unit" };
+    "placed as an occurrence and by a mapped item, which are both counted", "placement of other products",
+    "in no product", "missing unit", "wrong unit", "absurd unit" };
   static_assert(
     sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(CensusDefect::Count), "a name each");
   return names[static_cast<std::size_t>(defect)];

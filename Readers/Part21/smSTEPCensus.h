@@ -38,6 +38,7 @@ enum class CensusDefect : unsigned char
   EmptyShell,        ///< a shell without a face
   AssemblyCycle,     ///< a product, or a representation, that contains itself
   MissingPlacement,  ///< an occurrence in an assembly without a transformation
+  PlacedTwice,       ///< an occurrence that its assembly has as a mapped item, too: both are counted
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses
   MissingUnit,       ///< no length unit, or no angle unit

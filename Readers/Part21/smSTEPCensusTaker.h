@@ -83,10 +83,13 @@ private:
   void ReportCycles();
   std::vector<bool> FindRead() const;
   void SetInstances();
+  void CheckTwicePlaced();
 
   // smSTEPComponents.cxx: what products declare besides their bodies
   bool IsOfAssembly(const Arc& arc) const;
   void FindAlternatives();
+  bool IsElsewhere(Index group, Index tessellation) const;
+  std::vector<std::uint32_t> FindExactBodies(Index group) const;
   void CheckAlternatives();
   void CheckVersions();
   void CheckSurfaces(Index product, const std::vector<std::uint32_t>& bodies);

@@ -1,5 +1,6 @@
 // What the products of a census declare besides their bodies: triangles in place of faces, shapes in other files, quantities.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPExtent.h"
 
 #include <algorithm>
 
@@ -17,6 +18,65 @@ constexpr STEPAttribute LinkOfTessellation = { "TESSELLATED_SOLID", 1, 2, "geome
 constexpr STEPAttribute UsingProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 3, 3, "relating product" };
 constexpr STEPAttribute UsedProduct = { "PRODUCT_DEFINITION_RELATIONSHIP", 4, 4, "related product" };
 constexpr STEPAttribute QuantityOfUsage = { "QUANTIFIED_ASSEMBLY_COMPONENT_USAGE", 0, 6, "quantity" };
+}
+
+/// Returns the exact bodies of a group, or of all products with this group if it has none.
+std::vector<std::uint32_t> STEPCensusTaker::FindExactBodies(Index group) const
+{
+  std::vector<std::uint32_t> bodies;
+  const auto add = [&](Index of)
+  {
+    for (auto it = std::lower_bound(
+           this->BodiesOfGroups.begin(), this->BodiesOfGroups.end(), std::make_pair(of, std::uint32_t{ 0 }));
+         it != this->BodiesOfGroups.end() && it->first == of; ++it)
+    {
+      const CensusBodyKind kind = this->Census.Bodies[it->second].Kind;
+      if (kind == CensusBodyKind::Solid || kind == CensusBodyKind::SurfaceModel)
+      {
+        bodies.push_back(it->second);
+      }
+    }
+  };
+  add(group);
+  for (const auto& [product, shape] : this->ShapesOfProducts)
+  {
+    if (bodies.empty() && shape == group)
+    {
+      const auto first = std::lower_bound(
+        this->ShapesOfProducts.begin(), this->ShapesOfProducts.end(), std::make_pair(product, Index{ 0 }));
+      for (auto other = first; other != this->ShapesOfProducts.end() && other->first == product; ++other)
+      {
+        add(other->second);
+      }
+    }
+  }
+  return bodies;
+}
+
+/// Returns true if triangles lie beyond the exact bodies beside them, and thus are none of these in other words.
+bool STEPCensusTaker::IsElsewhere(Index group, Index tessellation) const
+{
+  constexpr double slack = 0.1;
+  STEPExtent exact;
+  for (const std::uint32_t body : this->FindExactBodies(group))
+  {
+    AddExtent(this->Entities, this->BodyEntities[body], exact);
+  }
+  STEPExtent triangles;
+  AddExtent(this->Entities, tessellation, triangles);
+  if (exact.IsEmpty() || triangles.IsEmpty())
+  {
+    return false;
+  }
+  const double diagonal = exact.GetDiagonal();
+  const double reach = exact.Reach + (exact.IsRevolved ? 2.0 * diagonal : slack * diagonal);
+  bool isBeyond = false;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    isBeyond =
+      isBeyond || triangles.Low[c] < exact.Low[c] - reach || triangles.High[c] > exact.High[c] + reach;
+  }
+  return isBeyond;
 }
 
 bool STEPCensusTaker::IsOfAssembly(const Arc& arc) const
@@ -76,7 +136,8 @@ void STEPCensusTaker::FindAlternatives()
     const bool isLinked = linked != this->BodyIndices.end() &&
       this->Census.Bodies[linked->second].Kind == CensusBodyKind::Solid &&
       this->Census.Bodies[linked->second].Instances > 0;
-    body.Alternative = body.Alternative && (isLinked || !lacks[group]);
+    body.Alternative = body.Alternative &&
+      (isLinked || (!lacks[group] && !this->IsElsewhere(group, this->BodyEntities[index])));
   }
 }
 

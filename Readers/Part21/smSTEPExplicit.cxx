@@ -113,7 +113,31 @@ private:
     }
     this->ConvertUnit(context.Length, true);
     this->ConvertUnit(context.Angle, false);
+    if (context.Angle.Status == CensusUnit::State::Missing)
+    {
+      this->AddRadian(i);
+    }
     this->Result.Contexts.push_back(std::move(context));
+  }
+
+  const std::string& GetRadian()
+  {
+    if (this->Radian.empty())
+    {
+      this->Radian = this->Changes.Add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
+    }
+    return this->Radian;
+  }
+
+  /// Adds radians to the units of a context that has none of angles: OpenCASCADE would take degrees.
+  void AddRadian(Index context)
+  {
+    const Part21Value units = this->Entities.Get(context, UnitsOfContext);
+    Part21Value first;
+    if (units.IsList() && Part21Values(units.Text).Next(first))
+    {
+      this->Changes.Replace(first.Text, this->GetRadian() + "," + std::string(first.Text));
+    }
   }
 
   /// Makes a unit of a context one that OpenCASCADE knows.
@@ -155,12 +179,11 @@ private:
       this->Entities.FindRecord(base, SIName.Record, record) && this->File.IsComplex(base);
     if (!isDirect && !this->File.IsComplex(measure) && this->Converted.insert(measure).second)
     {
-      std::string& si = isLength ? this->Millimetre : this->Radian;
-      if (si.empty())
+      if (isLength && this->Millimetre.empty())
       {
-        si = this->Changes.Add(
-          "(" + kinds + "*" + behind + (isLength ? "SI_UNIT(.MILLI.,.METRE.))" : "SI_UNIT($,.RADIAN.))"));
+        this->Millimetre = this->Changes.Add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
       }
+      const std::string& si = isLength ? this->Millimetre : this->GetRadian();
       this->Changes.Replace(this->File.GetText(measure),
         "#" + std::to_string(this->File.GetId(measure)) + "=" +
           (isLength ? "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE("

@@ -257,4 +257,25 @@ void STEPCensusTaker::SetInstances()
     mapped.HasSolids = this->SolidsBelow[this->FindGroup(this->File.Find(mapped.Child))];
   }
 }
+/// Reports occurrences of a product whose shape is mapped into that of the assembly, too: usually both are the same instance.
+void STEPCensusTaker::CheckTwicePlaced()
+{
+  for (const auto& [from, item] : this->MappedFrom)
+  {
+    const CensusMappedItem& mapped = this->Census.MappedItems[item];
+    const Index shape = this->File.Find(mapped.Child);
+    for (std::size_t k = 0; k < this->Census.Occurrences.size() && mapped.HasSolids; ++k)
+    {
+      const CensusOccurrence& occurrence = this->Census.Occurrences[k];
+      const Index parent = this->File.Find(occurrence.Parent);
+      const Index child = this->File.Find(occurrence.Child);
+      if (occurrence.HasSolids && occurrence.Placement != 0 && occurrence.Instances > 0 &&
+        this->IsShapeOf(from, parent) && this->IsShapeOf(shape, child))
+      {
+        this->Add(CensusDefect::PlacedTwice, this->OccurrenceEntities[k], mapped.Id, "mapped item");
+        break;
+      }
+    }
+  }
+}
 }

@@ -6,6 +6,7 @@
 #include "smOCCTCompleteLoops.h"
 #include "smOCCTContradictions.h"
 #include "smOCCTEdge.h"
+#include "smOCCTFaceDomain.h"
 #include "smOCCTFaceInspection.h"
 #include "smOCCTFaceTrims.h"
 #include "smOCCTFailure.h"
@@ -231,6 +232,11 @@ private:
       return;
     }
     draft.Surface = inspected.Surface;
+    std::copy(inspected.Period, inspected.Period + 2, draft.Period);
+    std::copy(inspected.Low, inspected.Low + 2, draft.Low);
+    std::copy(inspected.High, inspected.High + 2, draft.High);
+    std::copy(inspected.EndsAtPole, inspected.EndsAtPole + 2, draft.EndsAtPole);
+    draft.IsEitherPart = inspected.IsEitherPart;
     draft.Loops = inspected.Loops;
     draft.AddedEdges = inspected.AddedEdges;
     for (DraftLoop& loop : draft.Loops)
@@ -279,6 +285,27 @@ private:
     if (!overstep.empty())
     {
       draft.Messages.push_back(overstep);
+    }
+    if (LeavesDomain(draft, box))
+    {
+      draft.Messages.push_back(
+        "The curves of its edges in its parameters lead beyond a pole of its surface; export it again "
+        "without such curves.");
+      ++draft.Defects;
+    }
+    if (draft.IsEitherPart)
+    {
+      draft.Messages.push_back(
+        "Its surface of revolution has two parameters with opposite normals at every point, "
+        "and either gives a solid: one is taken. Export it with parameter curves.");
+      ++draft.Defects;
+    }
+    if (draft.HasSeveralParts)
+    {
+      draft.Messages.push_back(
+        "Its surface of revolution crosses its own axis, and its edges do not state which "
+        "part of it is the face: one is taken. Export it with edges that bound it.");
+      ++draft.Defects;
     }
     const Handle(Geom_Surface) own =
       info.OwnSurface.Surface.IsNull() ? nullptr : CoverBox(info.OwnSurface, draft.Surface, box);

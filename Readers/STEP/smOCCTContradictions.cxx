@@ -4,9 +4,12 @@
 
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Precision.hxx>
+#include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_CartesianPoint.hxx>
 #include <StepGeom_Circle.hxx>
 #include <StepGeom_CompositeCurve.hxx>
+#include <StepGeom_ConicalSurface.hxx>
+#include <StepGeom_Direction.hxx>
 #include <StepGeom_Ellipse.hxx>
 #include <StepGeom_Point.hxx>
 #include <StepGeom_RectangularTrimmedSurface.hxx>
@@ -16,7 +19,9 @@
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_VertexLoop.hxx>
 #include <StepShape_VertexPoint.hxx>
+#include <gp_Ax3.hxx>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sm
@@ -32,17 +37,45 @@ constexpr double Rounding = 1e-14;
 /// Largest depth of trimmed surfaces of trimmed surfaces that is examined.
 constexpr int MostTrimmedSurfaces = 4;
 
-/// Returns true if no edge bounds the face: it is the whole surface.
-bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face)
+/// Largest distance of a vertex from the apex of its cone, relative to the cone's size: that of a vertex from its sphere or torus.
+constexpr double ApexLimit = 2e-3;
+
+bool GetCoordinates(const Handle(StepGeom_CartesianPoint) & point, gp_XYZ& xyz)
 {
-  for (int i = 1; i <= face->NbBounds(); ++i)
+  if (point.IsNull() || point->NbCoordinates() != 3)
   {
-    const Handle(StepShape_FaceBound) bound = face->BoundsValue(i);
-    if (!bound.IsNull() && Handle(StepShape_VertexLoop)::DownCast(bound->Bound()).IsNull())
+    return false;
+  }
+  xyz.SetCoord(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3));
+  return true;
+}
+
+/// Reads origin and axis of a placement, in the unit of the file.
+bool GetFrame(const Handle(StepGeom_Axis2Placement3d) & placement, gp_Ax3& frame)
+{
+  gp_XYZ origin;
+  if (placement.IsNull() || !GetCoordinates(placement->Location(), origin))
+  {
+    return false;
+  }
+  gp_XYZ axis(0.0, 0.0, 1.0);
+  const Handle(StepGeom_Direction) direction = placement->HasAxis() ? placement->Axis() : nullptr;
+  if (!direction.IsNull())
+  {
+    if (direction->NbDirectionRatios() != 3)
     {
       return false;
     }
+    for (int c = 1; c <= 3; ++c)
+    {
+      axis.SetCoord(c, direction->DirectionRatiosValue(c));
+    }
   }
+  if (!(axis.Modulus() > 0.0))
+  {
+    return false;
+  }
+  frame = gp_Ax3(gp_Pnt(origin), gp_Dir(axis));
   return true;
 }
 
@@ -55,6 +88,19 @@ double GetRadius(Handle(StepGeom_Curve) curve)
   const auto ellipse = Handle(StepGeom_Ellipse)::DownCast(curve);
   return !circle.IsNull() ? circle->Radius() : !ellipse.IsNull() ? ellipse->SemiAxis1() : 0.0;
 }
+}
+
+bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face)
+{
+  for (int i = 1; i <= face->NbBounds(); ++i)
+  {
+    const Handle(StepShape_FaceBound) bound = face->BoundsValue(i);
+    if (!bound.IsNull() && Handle(StepShape_VertexLoop)::DownCast(bound->Bound()).IsNull())
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & face)
@@ -74,12 +120,10 @@ bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position)
   const auto onPoint = Handle(StepShape_VertexPoint)::DownCast(vertex);
   const auto point = Handle(StepGeom_CartesianPoint)::DownCast(
     onPoint.IsNull() ? Handle(StepGeom_Point)() : onPoint->VertexGeometry());
-  if (point.IsNull() || point->NbCoordinates() != 3)
-  {
-    return false;
-  }
-  position.SetCoord(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3));
-  return true;
+  gp_XYZ xyz;
+  const bool isFound = GetCoordinates(point, xyz);
+  position = gp_Pnt(xyz);
+  return isFound;
 }
 
 void CheckSpindleTori(const ModelEntities& entities, std::vector<std::string>& defects)
@@ -94,6 +138,44 @@ void CheckSpindleTori(const ModelEntities& entities, std::vector<std::string>& d
         defects.push_back("Face #" + std::to_string(model->IdentLabel(face)) +
           " of the file is a whole torus that crosses itself (#" + std::to_string(model->IdentLabel(torus)) +
           ", its minor radius exceeds the major one): both its outer and its inner part are taken.");
+      }
+    });
+}
+
+void CheckApexes(const ModelEntities& entities, double unit, double angle, const EntityFilter& matters,
+  std::vector<std::string>& defects)
+{
+  const Handle(StepData_StepModel)& model = entities.GetModel();
+  entities.ForEach<StepShape_FaceSurface>(
+    [&](const Handle(StepShape_FaceSurface) & face)
+    {
+      const auto cone = Handle(StepGeom_ConicalSurface)::DownCast(GetBasisOfFace(face));
+      gp_Ax3 frame;
+      if (cone.IsNull() || !matters(model->IdentLabel(face)) || !GetFrame(cone->Position(), frame))
+      {
+        return;
+      }
+      const gp_Pnt apex(frame.Location().XYZ() -
+        cone->Radius() / std::tan(angle * cone->SemiAngle()) * frame.Direction().XYZ());
+      for (int i = 1; i <= face->NbBounds(); ++i)
+      {
+        const Handle(StepShape_FaceBound) bound = face->BoundsValue(i);
+        const auto loop =
+          Handle(StepShape_VertexLoop)::DownCast(bound.IsNull() ? Handle(StepShape_Loop)() : bound->Bound());
+        gp_Pnt vertex;
+        if (loop.IsNull() || !GetPoint(loop->LoopVertex(), vertex))
+        {
+          continue;
+        }
+        const double distance = vertex.Distance(apex);
+        const double size = std::max(cone->Radius(), frame.Location().Distance(apex));
+        if (!(distance <= ApexLimit * size))
+        {
+          defects.push_back("Face #" + std::to_string(model->IdentLabel(face)) +
+            " of the file: the vertex #" + std::to_string(model->IdentLabel(loop->LoopVertex())) +
+            " of its loop is " + FormatDistance(distance * unit) + " mm away from the apex of its cone #" +
+            std::to_string(model->IdentLabel(cone)) + ", which is taken. Export the file again.");
+        }
       }
     });
 }

@@ -14,6 +14,7 @@
 #include "smOCCTRecords.h"
 #include "smOCCTRepair.h"
 #include "smOCCTTable.h"
+#include "smOCCTTrimmedCurves.h"
 #include "smOCCTTurnedShells.h"
 #include "smPart21File.h"
 #include "smPart21Remains.h"
@@ -411,8 +412,12 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   CheckCompositeEdges(entities, matters, document.Messages);
   const bool isAngleKnown =
     used != declared.Census.Contexts.end() && used->Angle.Status == CensusUnit::State::Stated;
-  CheckParameterCurves(entities, document.FileUnitInMillimetres, isAngleKnown ? used->Angle.Factor : 1.0,
-    matters, document.Messages, document.Defects);
+  const double angle = isAngleKnown ? used->Angle.Factor : 1.0;
+  CheckApexes(entities, document.FileUnitInMillimetres, angle, matters, document.Defects);
+  CheckParameterCurves(
+    entities, document.FileUnitInMillimetres, angle, matters, document.Messages, document.Defects);
+  FlattenTrims(entities);
+  KeepRevolvedConics(entities, angle);
   TurnNegativeTori(entities);
   ForgetOtherFiles(entities);
   ClearClosedFlags(entities);

@@ -17,7 +17,7 @@ namespace
 NativeBox GetNaturalBox(const DraftFace& face)
 {
   NativeBox box;
-  face.Stored->Bounds(box.Low[0], box.High[0], box.Low[1], box.High[1]);
+  (face.IsPart ? face.Surface : face.Stored)->Bounds(box.Low[0], box.High[0], box.Low[1], box.High[1]);
   for (int d = 0; d < 2; ++d)
   {
     if (Precision::IsInfinite(box.Low[d]) || Precision::IsInfinite(box.High[d]))

@@ -1,6 +1,7 @@
 #include "smOCCTFoldedFaces.h"
 
 #include "smOCCTFailure.h"
+#include "smOCCTFootPoint.h"
 #include "smOCCTNaturalBoundary.h"
 
 #include <BRep_Tool.hxx>
@@ -25,11 +26,34 @@ bool IsDecidedByLoops(const DraftFace& face)
   return face.IsOutside() || (face.AddedEdges > 0 && IsOnClosedSurface(face));
 }
 
-/// Returns the outer unit normal of a face at the foot of a point; null if it is not defined.
-gp_Vec GetNormal(const TopoDS_Shape& shape, const gp_Pnt& point)
+/// Finds the foot of a point on the surface of a face. A surface of revolution may have its points twice, with opposite normals: the surface
+/// is the part that was inspected, if the face was.
+Handle(Geom_Surface)
+  FindFoot(const TopoDS_Shape& shape, const SoundFaceTable& faces, const gp_Pnt& point, gp_Pnt2d& foot)
 {
+  const auto found = faces.find(shape.TShape().get());
+  if (found != faces.end() && found->second->IsPart)
+  {
+    const DraftFace& face = *found->second;
+    const auto surface = Handle(Geom_Surface)::DownCast(face.Surface->Transformed(face.Location));
+    const auto finder = FootPointFinder::Make(surface);
+    double uv[2];
+    if (finder && finder->Find(point, nullptr, uv))
+    {
+      foot.SetCoord(uv[0], uv[1]);
+      return surface;
+    }
+  }
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(shape));
-  const gp_Pnt2d foot = ShapeAnalysis_Surface(surface).ValueOfUV(point, Precision::Confusion());
+  foot = ShapeAnalysis_Surface(surface).ValueOfUV(point, Precision::Confusion());
+  return surface;
+}
+
+/// Returns the outer unit normal of a face at the foot of a point; null if it is not defined.
+gp_Vec GetNormal(const TopoDS_Shape& shape, const SoundFaceTable& faces, const gp_Pnt& point)
+{
+  gp_Pnt2d foot;
+  const Handle(Geom_Surface) surface = FindFoot(shape, faces, point, foot);
   gp_Pnt p;
   gp_Vec du;
   gp_Vec dv;
@@ -40,7 +64,8 @@ gp_Vec GetNormal(const TopoDS_Shape& shape, const gp_Pnt& point)
   return length > 0.0 ? normal * (sign / length) : gp_Vec();
 }
 
-bool FoldsBack(const TopoDS_Shape& face, const TopTools_IndexedDataMapOfShapeListOfShape& neighbours)
+bool FoldsBack(const TopoDS_Shape& face, const SoundFaceTable& faces,
+  const TopTools_IndexedDataMapOfShapeListOfShape& neighbours)
 {
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
   {
@@ -54,7 +79,8 @@ bool FoldsBack(const TopoDS_Shape& face, const TopTools_IndexedDataMapOfShapeLis
     const gp_Pnt middle = curve->Value(0.5 * (first + last));
     for (const TopoDS_Shape& other : neighbours.FindFromKey(it.Current()))
     {
-      if (!other.IsSame(face) && GetNormal(face, middle).Dot(GetNormal(other, middle)) < Opposite)
+      if (!other.IsSame(face) &&
+        GetNormal(face, faces, middle).Dot(GetNormal(other, faces, middle)) < Opposite)
       {
         return true;
       }
@@ -80,7 +106,7 @@ std::vector<TopoDS_Shape> FindFoldedFaces(const TopoDS_Shape& body, const SoundF
       TopExp::MapShapesAndAncestors(body, TopAbs_EDGE, TopAbs_FACE, neighbours);
     }
     bool isFolded = false;
-    CatchFailure([&] { isFolded = FoldsBack(it.Current(), neighbours); });
+    CatchFailure([&] { isFolded = FoldsBack(it.Current(), faces, neighbours); });
     if (isFolded)
     {
       folded.push_back(it.Current());

@@ -1,5 +1,6 @@
 #include "smOCCTLoop.h"
 
+#include "smOCCTFaceDomain.h"
 #include "smOCCTFailure.h"
 
 #include <BRep_CurveRepresentation.hxx>
@@ -209,6 +210,61 @@ std::vector<DraftLoop> Chain(const DraftLoop& loop)
   return chains;
 }
 
+/// Returns the sum of the squared distances in (u,v) between the ends of the coedges, without the reduction modulo periods.
+double GetTotalRawGap(const DraftLoop& loop)
+{
+  double total = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    total += GetRawGap(loop[i], loop[(i + 1) % loop.size()]);
+  }
+  return total;
+}
+
+/// Returns true if both uses of a seam have the same place in (u,v): foot points do not tell them apart.
+bool HasSharedPlace(const DraftLoop& loop, double limit)
+{
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      const auto a = loop[i].GetStartPoint();
+      const auto b = loop[k].GetEndPoint();
+      if (loop[i].EdgeIndex == loop[k].EdgeIndex &&
+        (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) <= limit)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Brings the coedges of a loop that all meet at one vertex, as those round a whole torus, into the order in which they are continuous in
+/// (u,v) as they are: continued by periods, another order may run round the rest of the plane. Returns false if there is no such order.
+bool OrderAtOneVertex(const DraftFace& face, DraftLoop& loop)
+{
+  double limit = 0.0;
+  for (const double period : face.Period)
+  {
+    limit = std::max(limit, 1e-6 * period);
+  }
+  limit *= limit;
+  const bool isOneVertex = std::all_of(loop.begin(), loop.end(),
+    [&loop](const DraftCoedge& coedge) { return Meet(coedge, coedge) && Meet(coedge, loop[0]); });
+  if (loop.size() < 3 || !isOneVertex || !(GetTotalRawGap(loop) > limit) || HasSharedPlace(loop, limit))
+  {
+    return false;
+  }
+  std::vector<DraftLoop> chains = Chain(loop);
+  if (chains.size() != 1 || !(GetTotalRawGap(chains[0]) <= limit))
+  {
+    return false;
+  }
+  loop = std::move(chains[0]);
+  return true;
+}
+
 void MoveLoop(DraftLoop& loop, int direction, double by)
 {
   for (DraftCoedge& coedge : loop)
@@ -238,10 +294,14 @@ NativeBox GetBox(const DraftLoop& loop)
 std::string SetTrim(
   const DraftFace& face, const TopLoc_Location& location, MissingTrim missing, DraftCoedge& coedge)
 {
-  if (!FindStoredTrim(coedge.Edge, face.Stored, location, coedge.Trim))
+  // A trim curve that cannot be moved into the domain passes a pole, where a curve of the surface continues on the other side.
+  const bool isUsable = FindStoredTrim(coedge.Edge, face.Stored, location, coedge.Trim) &&
+    (MoveIntoDomain(face, coedge.Edge, coedge.Trim) || missing == MissingTrim::Approximated);
+  if (!isUsable)
   {
-    double first;
-    double last;
+    coedge.Trim = NativeTrim();
+    double first = 0.0;
+    double last = 0.0;
     TopLoc_Location edgeLocation;
     const bool hasCurve = !BRep_Tool::Curve(coedge.Edge, edgeLocation, first, last).IsNull();
     if (hasCurve && !Handle(Geom_Plane)::DownCast(face.Surface).IsNull())
@@ -335,10 +395,8 @@ DraftFace CollectFace(const TopoDS_Face& source, TopTools_IndexedMapOfShape& edg
   {
     throw std::runtime_error("it has no surface");
   }
-  face.Surface = GetBasisSurface(face.Stored);
   face.Location = location.Transformation();
-  face.Period[0] = face.Surface->IsUPeriodic() ? face.Surface->UPeriod() : 0.0;
-  face.Period[1] = face.Surface->IsVPeriodic() ? face.Surface->VPeriod() : 0.0;
+  FindFaceDomain(face);
   bool bounded = false;
   for (TopoDS_Iterator wires(face.Face); wires.More(); wires.Next())
   {
@@ -362,7 +420,7 @@ void OrderLoops(DraftFace& face)
   std::vector<DraftLoop> ordered;
   for (DraftLoop& loop : face.Loops)
   {
-    if (IsChain(face, loop))
+    if (OrderAtOneVertex(face, loop) || IsChain(face, loop))
     {
       ordered.push_back(std::move(loop));
       continue;

@@ -64,6 +64,22 @@ struct DraftFace
   gp_Trsf Location;
   /// Periods in u and v; 0: not periodic.
   double Period[2] = { 0.0, 0.0 };
+  /// Periods of the surface's formula in directions in which the surface is not periodic (FindFaceDomain()); 0: none.
+  double FormulaPeriod[2] = { 0.0, 0.0 };
+  /// Domain in directions with a FormulaPeriod.
+  double Low[2] = { 0.0, 0.0 };
+  double High[2] = { 0.0, 0.0 };
+  /// True if the surface has a pole at the low or high end of the domain in v.
+  bool EndsAtPole[2] = { false, false };
+  /// True if Surface is a part of the file's surface of revolution, which reaches its axis.
+  bool IsPart = false;
+  /// The other part with the same points and opposite normals, if the file does not state which one is meant: every point of a symmetric profile
+  /// that crosses the axis has two parameters.
+  Handle(Geom_Surface) OtherSurface;
+  /// True if both parts make a solid (OtherSurface).
+  bool IsEitherPart = false;
+  /// True if nothing says which one of several different parts of its surface of revolution the face is.
+  bool HasSeveralParts = false;
   std::vector<DraftLoop> Loops;
   /// Number of poles and seams that were added to the loops.
   int AddedEdges = 0;

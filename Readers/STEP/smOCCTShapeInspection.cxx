@@ -1,6 +1,7 @@
 #include "smOCCTShapeInspection.h"
 
 #include "smOCCTClosing.h"
+#include "smOCCTFaceDomain.h"
 #include "smOCCTFaceInspection.h"
 #include "smOCCTFailure.h"
 #include "smOCCTShells.h"
@@ -30,6 +31,12 @@ constexpr std::size_t FirstFaces = 32;
 
 /// The sign of an estimated volume is certain if it exceeds this fraction of the sum of the absolute volumes of its faces' cones.
 constexpr double LeastShare = 0.2;
+
+/// A shell whose estimated volume has the wrong sign by at most this fraction of that sum may not be inside out.
+constexpr double UncertainShare = 0.02;
+
+/// Choices of parts of surfaces are tried for so many faces of a shell at most.
+constexpr std::size_t MostOtherParts = 6;
 
 /// One of so many faces of a shell at most is repaired by itself, but one face always; if more need it, the body is repaired.
 constexpr std::size_t FacesPerRepair = 48;
@@ -297,6 +304,7 @@ private:
       return structure;
     }
     std::vector<FaceInspection> results(shell.Drafts.size());
+    std::vector<OtherPart> others = CopyOtherParts(shell);
     const std::size_t most = std::max<std::size_t>(1, shell.Drafts.size() / FacesPerRepair);
     std::size_t damaged = 0;
     // A body with many problems is repaired as a whole, so the inspection stops behind the group that has too many.
@@ -313,6 +321,10 @@ private:
         });
       for (; start < stop; ++start)
       {
+        if (!results[start].Problem.empty() && this->Repaired.empty())
+        {
+          this->TryOtherPart(shell, start, others, results[start]);
+        }
         if (!results[start].Problem.empty() && !this->IsRepaired(shell.Faces[start]))
         {
           ++damaged;
@@ -325,7 +337,119 @@ private:
     {
       return this->Label(this->Damaged[0]) + ": " + this->FirstProblem;
     }
+    if (damaged == 0 && this->Repaired.empty())
+    {
+      this->ChooseParts(shell, others, results);
+    }
     return this->Conclude(shell, results, damaged > 0, outwards);
+  }
+
+  /// A face on the other one of two parts of a surface (DraftFace::OtherSurface).
+  struct OtherPart
+  {
+    std::size_t Index;
+    DraftFace Draft;
+    FaceInspection Result;
+  };
+
+  static std::vector<OtherPart> CopyOtherParts(const ShellDraft& shell)
+  {
+    std::vector<OtherPart> others;
+    for (std::size_t i = 0; i < shell.Drafts.size(); ++i)
+    {
+      if (!shell.Drafts[i].OtherSurface.IsNull())
+      {
+        others.push_back({ i, shell.Drafts[i], {} });
+      }
+    }
+    return others;
+  }
+
+  /// Takes the other part of the surface for a face that has a problem on the first one and none on the other.
+  void TryOtherPart(
+    ShellDraft& shell, std::size_t index, std::vector<OtherPart>& others, FaceInspection& result) const
+  {
+    const auto other = std::find_if(
+      others.begin(), others.end(), [index](const OtherPart& part) { return part.Index == index; });
+    if (other != others.end() && this->InspectOther(shell, *other))
+    {
+      shell.Drafts[index] = std::move(other->Draft);
+      result = other->Result;
+      others.erase(other);
+    }
+  }
+
+  /// Inspects a face on the other part of its surface; returns true if it has no problem there.
+  bool InspectOther(const ShellDraft& shell, OtherPart& other) const
+  {
+    bool isTaken = false;
+    CatchFailure([&] { isTaken = TakeOtherPart(other.Draft); });
+    other.Result = isTaken ? this->InspectDraft(shell, other.Index, other.Draft) : FaceInspection();
+    return isTaken && other.Result.Problem.empty();
+  }
+
+  /**
+   * Chooses the parts of surfaces of revolution of which the file does not say which one is meant, so that the shell is not inside out: with
+   * the first parts if they do, else with the first choice that does. Faces that differ between choices that do so are marked.
+   */
+  void ChooseParts(
+    ShellDraft& shell, std::vector<OtherPart>& others, std::vector<FaceInspection>& results) const
+  {
+    others.erase(std::remove_if(others.begin(), others.end(),
+                   [&](OtherPart& other) { return !this->InspectOther(shell, other); }),
+      others.end());
+    if (others.empty() || others.size() > MostOtherParts)
+    {
+      return;
+    }
+    // A void is inside out.
+    const double sign = this->Sign != 0.0 ? -this->Sign : 1.0;
+    std::vector<unsigned int> possible;
+    for (unsigned int choice = 0; choice < 1u << others.size(); ++choice)
+    {
+      if (sign * this->GetOutwards(shell, others, results, choice) > -UncertainShare)
+      {
+        possible.push_back(choice);
+      }
+    }
+    const unsigned int chosen = possible.empty() ? 0 : possible[0];
+    for (std::size_t k = 0; k < others.size(); ++k)
+    {
+      const bool isOther = (chosen >> k & 1u) != 0;
+      DraftFace& draft = shell.Drafts[others[k].Index];
+      if (isOther)
+      {
+        draft = std::move(others[k].Draft);
+        results[others[k].Index] = others[k].Result;
+      }
+      draft.IsEitherPart = std::any_of(possible.begin(), possible.end(),
+        [&](unsigned int choice) { return ((choice >> k & 1u) != 0) != isOther; });
+    }
+  }
+
+  /// Returns the signed volume of a shell, relative to the sum of the absolute volumes of its faces' cones, for a choice of other parts.
+  static double GetOutwards(const ShellDraft& shell, const std::vector<OtherPart>& others,
+    const std::vector<FaceInspection>& results, unsigned int choice)
+  {
+    std::vector<double> cones;
+    cones.reserve(results.size());
+    for (const FaceInspection& result : results)
+    {
+      cones.push_back(result.ConeVolume);
+    }
+    for (std::size_t k = 0; k < others.size(); ++k)
+    {
+      double& cone = cones[others[k].Index];
+      cone = (choice >> k & 1u) != 0 ? others[k].Result.ConeVolume : cone;
+    }
+    double volume = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cones.size(); ++i)
+    {
+      volume += shell.Drafts[i].Reversed ? -cones[i] : cones[i];
+      sum += std::abs(cones[i]);
+    }
+    return sum > 0.0 ? volume / sum : 0.0;
   }
 
   bool IsRepaired(const TopoDS_Shape& face) const

@@ -4,10 +4,10 @@
 #include "smTestManifest.h"
 #include "smTesting.h"
 
-#include <vtkMath.h>
 #include <vtkBREPReader.h>
 #include <vtkBREPWriter.h>
 #include <vtkDataAssembly.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -16,11 +16,16 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
@@ -142,6 +147,47 @@ void CheckProducts()
   CheckEqual("children of the top", 4, tree->GetNumberOfChildren(tree->GetChild(0, 0)));
 }
 
+/// The uses of the seams of a whole torus meet at one vertex, so that their order in the wire is free.
+void CheckTorus()
+{
+  const double volume = 80.0 * vtkMath::Pi() * vtkMath::Pi();
+  const TopoDS_Face face =
+    TopoDS::Face(TopExp_Explorer(BRepPrimAPI_MakeTorus(10.0, 2.0).Shape(), TopAbs_FACE).Current());
+  std::vector<TopoDS_Shape> uses;
+  for (TopoDS_Iterator it(TopExp_Explorer(face, TopAbs_WIRE).Current()); it.More(); it.Next())
+  {
+    uses.push_back(it.Value());
+  }
+  CheckEqual("uses of two seams", 4, static_cast<int>(uses.size()));
+  const std::vector<std::vector<std::size_t>> orders = { { 0, 1, 2, 3 }, { 1, 0, 2, 3 }, { 2, 1, 0, 3 },
+    { 3, 2, 1, 0 }, { 0, 2, 1, 3 }, { 3, 1, 2, 0 } };
+  for (const std::vector<std::size_t>& order : orders)
+  {
+    BRep_Builder builder;
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (const std::size_t i : order)
+    {
+      builder.Add(wire, uses[i]);
+    }
+    TopoDS_Face whole = TopoDS::Face(face.EmptyCopied());
+    builder.Add(whole, wire);
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    builder.Add(shell, whole);
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, shell);
+    vtkNew<vtkBREPReader> reader;
+    reader->SetFileName(WriteText("brep_torus.brep", solid).c_str());
+    reader->Update();
+    const auto found = Weigh(reader->GetOutput(), 1e-9);
+    CheckEqual("a whole torus", "ok", found.Status);
+    Check("  volume", volume, found.Volume, found.Bounds[0] + 1e-13 * volume);
+    Check("  area", volume, found.Area, 1e-9 * volume);
+  }
+}
+
 void CheckFaces()
 {
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 7.0, 0.0, 8.0).Face();
@@ -224,6 +270,7 @@ int TestBREPReader(int argc, char** argv)
   }
   Folder = argv[2];
   CheckProducts();
+  CheckTorus();
   CheckFaces();
   CheckWays();
   CheckRoundTrip(argv[1]);

@@ -412,6 +412,14 @@ std::vector<CensusCase> GetAssemblyCases()
         "#80=SHAPE_REPRESENTATION('',(#23,#81,#82),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#82=MAPPED_ITEM('',#"
         "83,#23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
       Count(1, 2, 1, 0, 2), "" },
+    { "placed as an occurrence and by a mapped item",
+      ChangeBox("#54=SHAPE_REPRESENTATION('',(#23),#6);",
+        "#54=SHAPE_REPRESENTATION('',(#23,#81),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#83=REPRESENTATION_MAP(#"
+        "23,"
+        "#32);"),
+      Count(1, 2, 1, 1, 1),
+      "placed as an occurrence and by a mapped item, which are both counted: 1 (#60 "
+      "NEXT_ASSEMBLY_USAGE_OCCURRENCE mapped item #81)" },
     { "a mapped item of nothing",
       ExtendBall("(#45,#32)", "(#45,#80)",
         "#80=SHAPE_REPRESENTATION('',(#23,#81),#6);\n#81=MAPPED_ITEM('',#83,#23);\n#83=REPRESENTATION_MAP(#"

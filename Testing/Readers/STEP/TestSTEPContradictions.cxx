@@ -340,6 +340,44 @@ void CheckStraightCone()
   CheckRange("  its bound", 0.0, reading.Bound, 1e-12);
 }
 
+/// A cone of radius 3 and height 4 whose vertex loop is at the height `apex`.
+std::string MakeCone(double apex)
+{
+  EntityText step;
+  const int rim = step.Vertex({ 3, 0, 0 });
+  const int circle =
+    step.Edge(rim, rim, step.On("CIRCLE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 3.0 }));
+  const int down = step.Frame({ 0, 0, 0 }, { 0, 0, -1 }, { 1, 0, 0 });
+  const int cone = step.On("CONICAL_SURFACE", down, { 3.0, std::atan(0.75) });
+  const int loop = step.Add("VERTEX_LOOP(''," + EntityText::Id(step.Vertex({ 0, 0, apex })) + ")");
+  const int bound = step.Add("FACE_BOUND(''," + EntityText::Id(loop) + ",.T.)");
+  const int use = step.Add("ORIENTED_EDGE('',*,*," + EntityText::Id(circle) + ",.T.)");
+  const int outer = step.Add(
+    "FACE_BOUND(''," + EntityText::Id(step.Add("EDGE_LOOP('',(" + EntityText::Id(use) + "))")) + ",.T.)");
+  const int side = step.Add("ADVANCED_FACE('',(" + EntityText::Id(outer) + "," + EntityText::Id(bound) +
+    ")," + EntityText::Id(cone) + ",.T.)");
+  return step.Finish({ side, step.Face(step.On("PLANE", down), { -circle }) });
+}
+
+/// The vertex of a cone that is not its apex, and a context that has no unit of angles: radians, for which OpenCASCADE takes degrees.
+void CheckCones()
+{
+  const double volume = 12.0 * HalfTurn;
+  const std::string cone = MakeCone(4.0);
+  const Verdict sound = JudgeText(cone);
+  CheckEqual("a cone with its apex: no messages", "", sound.Messages);
+  Check("  volume", volume, sound.Volume, sound.Bound + 1e-14 * volume);
+  const Verdict far = JudgeText(MakeCone(4.1));
+  CheckTrue(
+    "a vertex beside the apex", Mentions(far, "is 0.1 mm away from the apex of its cone #"), far.Messages);
+  const std::regex unit(",#900002(?=,#900003\\)\\))");
+  CheckTrue("there is a unit of angles", std::regex_search(cone, unit));
+  const Verdict unstated = JudgeText(std::regex_replace(cone, unit, ""));
+  CheckEqual("a context without it",
+    "The file states no unit of angles (context #900005): radians are assumed.\n", unstated.Messages);
+  Check("  volume", volume, unstated.Volume, unstated.Bound + 1e-14 * volume);
+}
+
 /// A sector of a ring whose upper rim is rounded by a torus. If the sense of the torus is the wrong one, its loop bounds the rest of it.
 void CheckFoldedFace()
 {
@@ -537,6 +575,7 @@ int TestSTEPContradictions(int argc, char* argv[])
   CheckOutsideFaces();
   CheckTurnedFlags();
   CheckStraightCone();
+  CheckCones();
   CheckFoldedFace();
   CheckSpindleTorus();
   CheckOverruled();

@@ -196,6 +196,17 @@ void CheckUnreadParts()
     "#74=SHAPE_REPRESENTATION('',(#75),#6);\n#75=TESSELLATED_SOLID('t',(#77),$);\n"
     "#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n",
     false, "");
+  // The ball has the radius 5 about the origin.
+  for (const bool isElsewhere : { false, true })
+  {
+    CheckDeclared(isElsewhere ? "triangles elsewhere" : "triangles of the same place",
+      std::string("#74=SHAPE_REPRESENTATION('',(#75),#6);\n#75=TESSELLATED_SOLID('t',(#77),$);\n"
+                  "#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n"
+                  "#77=TRIANGULATED_FACE('',#78,3,(),$,(1,2,3),((1,2,3)));\n#78=COORDINATES_LIST('',3,(("
+                  "-5.,0.,0.),(0.,5.,0.),(0.,0.,") +
+        (isElsewhere ? "15." : "5.") + ")));\n",
+      isElsewhere, isElsewhere ? triangles : "");
+  }
   CheckDeclared("annotations", shape + "#75=TESSELLATED_GEOMETRIC_SET('t',(#77));\n", false, triangles);
 
   const std::string part = "#80=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','second','',#52,#72,$);\n";

@@ -1,0 +1,226 @@
+/**
+ * @file TestSTEPClosedSurfaces.cxx
+ * @brief Balls and ellipsoids with flats, holes and knobs, written by OpenCASCADE with and without parameter curves, against closed forms
+ *
+ * OpenCASCADE writes the parameter curve of a cut seam a whole turn of its circle away, where v is beyond the poles of the sphere, and the
+ * profile of an ellipsoid as a whole ellipse, whose revolution has every point twice.
+ */
+#include "smReaderTesting.h"
+#include "smStepText.h"
+
+#include "smComputeMassProperties.h"
+
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Elips.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+namespace
+{
+using namespace smtest;
+
+const double Pi = vtkMath::Pi();
+
+/// Writes a shape and compares what is read with the volume. OpenCASCADE's intersection curves are good to about 1e-7 of a length.
+void CheckShape(const std::string& name, const TopoDS_Shape& shape, double expected)
+{
+  for (const bool hasTrims : { true, false })
+  {
+    Interface_Static::SetIVal("write.surfacecurve.mode", hasTrims ? 1 : 0);
+    STEPControl_Writer writer;
+    writer.Transfer(shape, STEPControl_AsIs);
+    const std::string title = name + (hasTrims ? "" : ", no parameter curves");
+    const std::string path = Folder + "/closed_surface.step";
+    writer.Write(path.c_str());
+    vtkNew<vtkSTEPReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    const sm::MassPropertiesResult result = sm::ComputeMassProperties(reader->GetOutputDataObject(0));
+    CheckEqual(title, "ok", result.Total.Status);
+    Check("  volume", expected, result.Total.Volume.Value, 2e-9 * expected);
+  }
+  Interface_Static::SetIVal("write.surfacecurve.mode", 1);
+}
+
+/// The half space beyond a plane at this distance from the origin, as a large box.
+TopoDS_Shape MakeBeyond(const gp_Dir& direction, double distance)
+{
+  gp_Ax2 frame(gp_Pnt(distance * direction.XYZ()), direction);
+  frame.SetLocation(
+    gp_Pnt(frame.Location().XYZ() - 40.0 * (frame.XDirection().XYZ() + frame.YDirection().XYZ())));
+  return BRepPrimAPI_MakeBox(frame, 80.0, 80.0, 80.0).Shape();
+}
+
+TopoDS_Shape MakeRod(const gp_Pnt& start, const gp_Dir& direction, double radius, double length)
+{
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(start, direction), radius, length).Shape();
+}
+
+/// Volume of a cap of the unit ball beyond this distance from the centre.
+double GetCap(double distance)
+{
+  const double height = 1.0 - distance;
+  return Pi * height * height * (3.0 - height) / 3.0;
+}
+
+const gp_Dir Directions[] = { gp_Dir(0, 0, 1), gp_Dir(1, 0, 0), gp_Dir(0, 1, 0), gp_Dir(1, 1, 1),
+  gp_Dir(-2, 1, -3) };
+
+void CheckBalls()
+{
+  const double ball = 4.0 / 3.0 * Pi * 1000.0;
+  const double bead = 4.0 / 3.0 * Pi * std::pow(91.0, 1.5);
+  for (const gp_Dir& axis : { gp_Dir(0, 0, 1), gp_Dir(1, 2, 3) })
+  {
+    const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(), axis), 10.0).Shape();
+    for (const gp_Dir& d : Directions)
+    {
+      CheckShape(
+        "ball with a flat", BRepAlgoAPI_Cut(sphere, MakeBeyond(d, 8.0)).Shape(), ball - 1000.0 * GetCap(0.8));
+      CheckShape("ball with a hole",
+        BRepAlgoAPI_Cut(sphere, MakeRod(gp_Pnt(-20.0 * d.XYZ()), d, 3.0, 40.0)).Shape(), bead);
+      CheckShape("ball with a knob", BRepAlgoAPI_Fuse(sphere, MakeRod(gp_Pnt(), d, 3.0, 14.0)).Shape(),
+        ball + Pi * 9.0 * 14.0 - 0.5 * (ball - bead));
+    }
+  }
+}
+
+/// Half an ellipse with x >= 0 and semi-axes a along x and c along z about the height z; with `isUpper` its upper quarter. `turn` reverses the
+/// first axis of the ellipse (1) or its direction (2).
+TopoDS_Edge MakeProfile(double a, double c, double z, bool isUpper, int turn)
+{
+  gp_Dir x = a > c ? gp_Dir(1, 0, 0) : gp_Dir(0, 0, 1);
+  x = turn == 1 ? x.Reversed() : x;
+  const gp_Elips ellipse(
+    gp_Ax2(gp_Pnt(0, 0, z), gp_Dir(0, turn == 2 ? 1 : -1, 0), x), std::max(a, c), std::min(a, c));
+  const gp_Pnt low = isUpper ? gp_Pnt(a, 0, z) : gp_Pnt(0, 0, z - c);
+  const gp_Pnt high(0, 0, z + c);
+  return turn == 2 ? BRepBuilderAPI_MakeEdge(ellipse, high, low).Edge()
+                   : BRepBuilderAPI_MakeEdge(ellipse, low, high).Edge();
+}
+
+TopoDS_Edge MakeSide(double x0, double z0, double x1, double z1)
+{
+  return BRepBuilderAPI_MakeEdge(gp_Pnt(x0, 0, z0), gp_Pnt(x1, 0, z1)).Edge();
+}
+
+TopoDS_Shape Revolve(std::initializer_list<TopoDS_Edge> edges)
+{
+  BRepBuilderAPI_MakeWire wire;
+  for (const TopoDS_Edge& edge : edges)
+  {
+    wire.Add(edge);
+  }
+  return BRepPrimAPI_MakeRevol(
+    BRepBuilderAPI_MakeFace(wire.Wire(), true).Face(), gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)))
+    .Shape();
+}
+
+void CheckEllipsoids()
+{
+  for (const bool isLong : { false, true })
+  {
+    const double a = isLong ? 8.0 : 12.0;
+    const double c = isLong ? 13.0 : 7.0;
+    const double whole = 4.0 / 3.0 * Pi * a * a * c;
+    for (const int turn : { 0, 1, 2 })
+    {
+      const TopoDS_Shape egg = Revolve({ MakeProfile(a, c, 0, false, turn), MakeSide(0, c, 0, -c) });
+      CheckShape("ellipsoid", egg, whole);
+      for (const gp_Dir& d : { gp_Dir(0, 0, 1), gp_Dir(1, 0, 0), gp_Dir(-1, 0.2, 0), gp_Dir(1, -2, 1.5) })
+      {
+        const double width = std::sqrt(a * a * (d.X() * d.X() + d.Y() * d.Y()) + c * c * d.Z() * d.Z());
+        CheckShape("ellipsoid with a flat", BRepAlgoAPI_Cut(egg, MakeBeyond(d, 0.6 * width)).Shape(),
+          whole - a * a * c * GetCap(0.6));
+      }
+      CheckShape("ellipsoid with a hole along its axis",
+        BRepAlgoAPI_Cut(egg, MakeRod(gp_Pnt(0, 0, -20), gp_Dir(0, 0, 1), 3.0, 40.0)).Shape(),
+        whole * std::pow(1.0 - 9.0 / (a * a), 1.5));
+      CheckShape("dome",
+        Revolve({ MakeProfile(a, c, 5, true, turn), MakeSide(0, 5 + c, 0, 0), MakeSide(0, 0, a, 0),
+          MakeSide(a, 0, a, 5) }),
+        2.0 / 3.0 * Pi * a * a * c + Pi * a * a * 5.0);
+      CheckShape("dished end",
+        Revolve({ MakeProfile(a, c, 5, true, turn), MakeSide(0, 5 + c, 0, 4 + c),
+          MakeProfile(a - 1, c - 1, 5, true, turn), MakeSide(a - 1, 5, a - 1, 0), MakeSide(a - 1, 0, a, 0),
+          MakeSide(a, 0, a, 5) }),
+        2.0 / 3.0 * Pi * (a * a * c - (a - 1) * (a - 1) * (c - 1)) + Pi * 5.0 * (2.0 * a - 1.0));
+    }
+  }
+}
+
+/// A circle that is revolved about a chord crosses itself: without edges nothing says whether its outer or its inner part is meant.
+void CheckChord()
+{
+  for (const double sign : { 1.0, -1.0 })
+  {
+    StepText text;
+    const std::string frame =
+      text.AddFrame({ sign, 0, 0 }, { 0, -1, 0 }, { -1.0 / 3.0, 0, -std::sqrt(8.0) / 3.0 });
+    const std::string circle = text.Add("CIRCLE(''," + frame + ",3.)");
+    const std::string axis = text.Add(
+      "AXIS1_PLACEMENT(''," + text.AddPoint({ 0, 0, 0 }) + "," + text.AddDirection({ 0, 0, 1 }) + ")");
+    const std::string surface = text.Add("SURFACE_OF_REVOLUTION(''," + circle + "," + axis + ")");
+    const std::string loop = text.AddVertexLoop(text.AddVertex({ 0, 0, std::sqrt(8.0) }));
+    const std::string path = Folder + "/chord.step";
+    text.Write(path, { text.AddFace({ text.AddBound(loop, false) }, surface) });
+    vtkNew<vtkSTEPReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    const sm::MassPropertiesResult result = sm::ComputeMassProperties(reader->GetOutputDataObject(0));
+    CheckEqual("a circle about a chord", "suspect", result.Total.Status);
+    bool isTold = false;
+    for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+    {
+      isTold = isTold || std::string(reader->GetMessage(i)).find("crosses its own axis") != std::string::npos;
+    }
+    for (const sm::BodyMassProperties& solid : result.Solids)
+    {
+      for (const std::string& message : solid.Messages)
+      {
+        isTold = isTold || message.find("crosses its own axis") != std::string::npos;
+      }
+    }
+    CheckTrue("  with a message", isTold);
+  }
+}
+}
+
+int TestSTEPClosedSurfaces(int argc, char* argv[])
+{
+  if (argc < 3)
+  {
+    return 1;
+  }
+  Folder = argv[1];
+  const std::string mode = argv[2];
+  if (mode == "balls")
+  {
+    CheckBalls();
+  }
+  else
+  {
+    CheckEllipsoids();
+    CheckChord();
+  }
+  return Finish();
+}
