@@ -25,6 +25,7 @@
 #include "smFaceCheck.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace sm
@@ -34,7 +35,7 @@ struct CheckedFace
 {
   const FaceStatement* Statement = nullptr;
   FaceFinding Finding;
-  /// True if both sides of a loop on its surface are finite.
+  /// True if both sides of a loop on its surface are known to be finite.
   bool IsClosed = false;
   /// Number of pieces of the face (smFacePieces.h), and whether it has points of both parts of a surface that
   /// crosses itself.
@@ -74,10 +75,13 @@ struct BodyContradiction
   std::uint64_t Edge = 0;
 };
 
-/// Finds the contradictions of a body, at most one for each face. `isInsideOut`: its outer shell is inside
-/// out in the file.
+/// Returns true if both sides of a loop on the surface of a face are finite.
+using ClosedTest = std::function<bool(std::size_t)>;
+
+/// Finds the contradictions of a body, at most one for each face. `isInsideOut`: its outer shell is inside out in
+/// the file. `isClosed` is called, at most once a face, where it matters and CheckedFace::IsClosed is false.
 SMREADERSFACES_EXPORT std::vector<BodyContradiction> FindContradictions(
-  const std::vector<CheckedFace>& faces, bool isInsideOut);
+  const std::vector<CheckedFace>& faces, bool isInsideOut, const ClosedTest& isClosed = {});
 }
 
 #endif

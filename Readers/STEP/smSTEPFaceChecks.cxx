@@ -89,20 +89,16 @@ std::vector<StatedFace> CollectStatedFaces(const FaceStatements& statements, con
   return faces;
 }
 
-/// Returns true if a surface is closed by its kind, or by the kernel's surface of the face.
+/// Returns true if the kernel's surface of a face is closed.
 bool IsClosedSurface(const StatedFace& face, const ConvertedBody& body)
 {
-  bool isClosed = face.Statement->Extent == SurfaceExtent::Closed;
-  if (!isClosed)
-  {
-    CatchFailure(
-      [&]
-      {
-        TopTools_IndexedMapOfShape edges;
-        isClosed =
-          IsOnClosedSurface(CollectFace(body.Faces[face.Indices[0]].Source, edges, MissingTrim::Feet));
-      });
-  }
+  bool isClosed = false;
+  CatchFailure(
+    [&]
+    {
+      TopTools_IndexedMapOfShape edges;
+      isClosed = IsOnClosedSurface(CollectFace(body.Faces[face.Indices[0]].Source, edges, MissingTrim::Feet));
+    });
   return isClosed;
 }
 
@@ -239,21 +235,20 @@ void CheckFaces(const FaceStatements& statements, const CheckedBody& checked, Co
   std::vector<std::string> messages;
   for (const StatedFace& face : faces)
   {
-    // Whether other surfaces than spheres and tori are closed takes time, and matters for these faces only.
-    const bool matters = isInsideOut || face.Finding.Verdict == FaceVerdict::Turned;
     CheckedFace result;
     result.Statement = face.Statement;
     result.Finding = face.Finding;
     MeasureExtent(face, checked, result);
-    result.IsClosed = matters || result.Pieces > 1 ? IsClosedSurface(face, body)
-                                                   : face.Statement->Extent == SurfaceExtent::Closed;
+    result.IsClosed = face.Statement->Extent == SurfaceExtent::Closed;
     results.push_back(result);
     if (face.Finding.Verdict == FaceVerdict::Differs)
     {
       messages.push_back(DescribeDifference(face));
     }
   }
-  for (const BodyContradiction& found : FindContradictions(results, isInsideOut))
+  // For other surfaces than spheres and tori this takes time.
+  const auto isClosed = [&](std::size_t i) { return IsClosedSurface(faces[i], body); };
+  for (const BodyContradiction& found : FindContradictions(results, isInsideOut, isClosed))
   {
     messages.push_back(DescribeContradiction(found, results[found.Face].Area, faces, checked));
   }

@@ -62,6 +62,19 @@ void TestCaps()
   turned.Turn(0);
   CheckFound("a turned cap", turned, false, 1, Type::Turned);
   CheckFound("a cap by the letter", MakeCap(false, false), false, 1, Type::SameDirection);
+  // A surface that is closed, which the file does not say.
+  TestBody egg = MakeCap(false, false);
+  egg.Faces[0].IsClosed = false;
+  CheckFound("a cap of an unknown surface", egg, false, 0);
+  int calls = 0;
+  const std::vector<sm::BodyContradiction> found = sm::FindContradictions(egg.Faces, false,
+    [&calls](std::size_t i)
+    {
+      ++calls;
+      return i == 0;
+    });
+  smtest::CheckEqual("a cap of an egg by the letter", 1LL, static_cast<long long>(found.size()));
+  smtest::CheckEqual("  both faces are asked for once", 2LL, static_cast<long long>(calls));
   TestBody plane = MakeCap(true, true);
   plane.Turn(1);
   CheckFound("a turned plane beside a cap", plane, false, 0);
