@@ -1,9 +1,10 @@
 /**
  * @file TestSTEPClosedSurfaces.cxx
- * @brief Balls and ellipsoids with flats, holes and knobs, written by OpenCASCADE with and without parameter curves, against closed forms
+ * @brief Balls and ellipsoids with flats, holes and knobs, written by OpenCASCADE, against closed forms
  *
- * OpenCASCADE writes the parameter curve of a cut seam a whole turn of its circle away, where v is beyond the poles of the sphere, and the
- * profile of an ellipsoid as a whole ellipse, whose revolution has every point twice.
+ * OpenCASCADE writes the parameter curve of a cut seam a whole turn of its circle away, where v is beyond the
+ * poles of the sphere, and the profile of an ellipsoid as a whole ellipse, whose revolution has every point
+ * twice.
  */
 #include "smReaderTesting.h"
 #include "smStepText.h"
@@ -143,8 +144,8 @@ void CheckBalls()
   }
 }
 
-/// Parameter curves of the rims of a bead that begin elsewhere on their circles of latitude, a turn beyond a pole or on its other side, are the
-/// curves of their edges all the same.
+/// Parameter curves of the rims of a bead that begin elsewhere on their circles of latitude, a turn beyond a
+/// pole or on its other side, are the curves of their edges all the same.
 void CheckFarTrims()
 {
   const TopoDS_Shape bead = BRepAlgoAPI_Cut(
@@ -173,8 +174,8 @@ void CheckFarTrims()
   }
 }
 
-/// Half an ellipse with x >= 0 and semi-axes a along x and c along z about the height z; with `isUpper` its upper quarter. `turn` reverses the
-/// first axis of the ellipse (1) or its direction (2).
+/// Half an ellipse with x >= 0 and semi-axes a along x and c along z about the height z; with `isUpper` its
+/// upper quarter. `turn` reverses the first axis of the ellipse (1) or its direction (2).
 TopoDS_Edge MakeProfile(double a, double c, double z, bool isUpper, int turn)
 {
   gp_Dir x = a > c ? gp_Dir(1, 0, 0) : gp_Dir(0, 0, 1);
@@ -243,7 +244,8 @@ void CheckEllipsoids()
   }
 }
 
-/// A circle that is revolved about a chord crosses itself: without edges nothing says whether its outer or its inner part is meant.
+/// A circle that is revolved about a chord crosses itself: without edges nothing says whether its outer or
+/// its inner part is meant.
 void CheckChord()
 {
   for (const double sign : { 1.0, -1.0 })
