@@ -149,7 +149,7 @@ std::size_t ComputeBuffer::ChooseCapacity(std::size_t bytes)
   if (bytes > this->Capacity)
   {
     // A new store takes a GPU's driver a tenth of a millisecond, so that the next one is rarely needed.
-    return this->Resources && !this->Resources->HasFastCopies ? std::max(bytes, 2 * this->Capacity) : bytes;
+    return this->Resources && !this->Resources->IsSoftware ? std::max(bytes, 2 * this->Capacity) : bytes;
   }
   if (this->Capacity <= SmallStore || bytes >= this->Capacity / 4)
   {
@@ -220,7 +220,7 @@ bool ComputeBuffer::Transfer(const char* what, std::size_t bytes, std::size_t of
 void* ComputeBuffer::BeginStaging(std::size_t bytes)
 {
   ContextResources& resources = *this->Resources;
-  if (resources.HasFastCopies || !ContextScope::IsInside(resources.Context))
+  if (resources.IsSoftware || !ContextScope::IsInside(resources.Context))
   {
     return nullptr;
   }
@@ -266,7 +266,7 @@ bool ComputeBuffer::Upload(const void* data, std::size_t bytes, std::size_t offs
       }
       if (size > 0)
       {
-        if (!this->Resources->HasFastCopies)
+        if (!this->Resources->IsSoftware)
         {
           // Not every driver waits for shaders that read the buffer (TransferStage).
           glFinish();

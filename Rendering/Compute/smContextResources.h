@@ -37,9 +37,9 @@ struct ContextResources
   std::int64_t MaximumStorageBlockSize = 0;
   int StorageOffsetAlignment = 0;
   int MaximumWorkGroupCount[2] = { 0, 0 };
-  /// True if the driver's own copies are as fast, and Stage is not used: those of a software renderer are
-  /// copies within the host.
-  bool HasFastCopies = true;
+  /// True for a software renderer, which has few lanes, and whose copies are copies within the host. Tests set it
+  /// to false, so that what is for a GPU is done there, too.
+  bool IsSoftware = true;
   /// Made by the first transfer of the generation.
   std::unique_ptr<TransferStage> Stage;
 

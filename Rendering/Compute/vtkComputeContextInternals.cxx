@@ -249,7 +249,7 @@ int vtkComputeContext::vtkInternals::Use(vtkOpenGLRenderWindow* window, const ch
     this->Detach();
     return this->Fail(label, renderer + " " + complaint, NO_DOUBLES);
   }
-  this->Self->Resources->HasFastCopies = vtkEGLSurfacelessRenderWindow::IsSoftware(renderer);
+  this->Self->Resources->IsSoftware = vtkEGLSurfacelessRenderWindow::IsSoftware(renderer);
   this->Renderer = renderer;
   this->Version = GetString(GL_VERSION);
   this->SourceName = name;

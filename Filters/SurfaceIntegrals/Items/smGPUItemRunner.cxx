@@ -2,6 +2,7 @@
 
 #include "smBatchParameters.h"
 #include "smComputeBuffer.h"
+#include "smContextResources.h"
 #include "smContextScope.h"
 #include "smFaceIntegrals.h"
 #include "smIntegrationPrograms.h"
@@ -138,9 +139,14 @@ struct GPUItemRunner::Internals
     return this->Work.Bind(3) && this->Parameters.Bind(4) && this->Shapes.Bind(6) && this->LineSums.Bind(7);
   }
 
+  bool IsSoftware() const { return this->Context->GetResources()->IsSoftware; }
+  ProgramKey ChooseProgram(const WorkItem& item) const
+  {
+    return IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1], this->IsSoftware());
+  }
   PortionLimits GetLimits(const RowLayout& layout) const
   {
-    PortionLimits limits = this->Context->IsSoftware() ? SoftwareLimits : DeviceLimits;
+    PortionLimits limits = this->IsSoftware() ? SoftwareLimits : DeviceLimits;
     const auto block = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize());
     // A portion has one item at least, which has at most 255 lines.
     limits.Lines = std::clamp<std::size_t>(block / GetLineBytes(layout), 255, limits.Lines);
@@ -235,7 +241,7 @@ bool GPUItemRunner::Acquire(const std::vector<CutFacePointer>& faces, const Prog
 bool GPUItemRunner::Internals::Reserve(
   const RowLayout& layout, const std::vector<CutFacePointer>& faces, std::size_t maximumRows)
 {
-  if (this->Context->IsSoftware())
+  if (this->IsSoftware())
   {
     return true;
   }
@@ -268,7 +274,8 @@ bool GPUItemRunner::Internals::WarmUp(
       if (count > 0 && this->Places[i].Error.empty())
       {
         const int page = this->Places[i].Page;
-        needed[IntegrationPrograms::ChooseProgram(kind, face.Degree[0], face.Degree[1])] = page;
+        needed[IntegrationPrograms::ChooseProgram(kind, face.Degree[0], face.Degree[1], this->IsSoftware())] =
+          page;
         needed[FinishProgram] = needed[RowBlockProgram] = needed[FaceSumProgram] = page;
       }
     }
@@ -338,8 +345,8 @@ std::size_t GPUItemRunner::GetRowLimit() const
 
 bool GPUItemRunner::IsProved(const WorkItem& item) const
 {
-  const auto key = IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1]);
   const Internals& self = *this->Implementation;
+  const ProgramKey key = self.ChooseProgram(item);
   return self.ProvedGeneration == self.Context->GetGeneration() && self.Proved.count(key) > 0;
 }
 
@@ -351,7 +358,7 @@ void GPUItemRunner::SetProved(const WorkItem& item)
     self.Proved.clear();
     self.ProvedGeneration = self.Context->GetGeneration();
   }
-  self.Proved.insert(IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1]));
+  self.Proved.insert(self.ChooseProgram(item));
 }
 
 bool GPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)

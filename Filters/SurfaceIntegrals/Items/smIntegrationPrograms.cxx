@@ -57,15 +57,20 @@ void IntegrationPrograms::Configure(const ItemRunner::Setup& setup, const RowLay
   this->Programs.clear();
 }
 
-ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int degreeR)
+ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int degreeR, bool isSoftware)
 {
   static const std::pair<int, int> common[] = { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 3, 3 } };
-  // With a constant degree in s the curve that a patch is along a line stays in registers. A line of a ribbon
-  // needs one point of it only: programs for their degrees were no faster on an H200, and more to compile.
+  // With a constant degree in s the curve that a patch is along a line stays in registers. Ribbons of a plate take a
+  // sixth of the time for it on an H200; llvmpipe, which takes longer to compile, gains nothing.
   constexpr int MaximumPanelDegree = 6;
-  if (kind != ItemKind::Panel)
+  constexpr int MaximumRibbonDegree = 3;
+  if (kind == ItemKind::Cap)
   {
-    return { kind == ItemKind::Ribbon ? ProgramKind::Ribbons : ProgramKind::Caps, 0, 0 };
+    return { ProgramKind::Caps, 0, 0 };
+  }
+  if (kind == ItemKind::Ribbon)
+  {
+    return { ProgramKind::Ribbons, !isSoftware && degreeS <= MaximumRibbonDegree ? degreeS : 0, 0 };
   }
   const bool isCommon =
     std::find(std::begin(common), std::end(common), std::make_pair(degreeS, degreeR)) != std::end(common);

@@ -6,6 +6,7 @@
 #define smIntegrationPrograms_h
 
 #include "smComputeProgram.h"
+#include "smFiltersSurfaceIntegralsModule.h"
 #include "smItemRunner.h"
 
 #include <functional>
@@ -40,7 +41,7 @@ enum class ProgramKind
 using ProgramKey = std::tuple<ProgramKind, int, int>;
 
 /// Builds and keeps the compute programs of one context.
-class IntegrationPrograms
+class SMFILTERSSURFACEINTEGRALS_EXPORT IntegrationPrograms
 {
 public:
   explicit IntegrationPrograms(vtkComputeContext* context);
@@ -48,9 +49,9 @@ public:
   /// Sets integrands and layout. A change releases the compiled shaders.
   void Configure(const ItemRunner::Setup& setup, const RowLayout& layout);
 
-  /// Returns the key of the program for an item on a patch of these degrees. The choice depends on nothing
-  /// else, so that the results of a face are bitwise the same in any batch.
-  static ProgramKey ChooseProgram(ItemKind kind, int degreeS, int degreeR);
+  /// Returns the key of the program for an item on a patch of these degrees by such a renderer. The choice
+  /// depends on nothing else, so that the results of a face are bitwise the same in any batch.
+  static ProgramKey ChooseProgram(ItemKind kind, int degreeS, int degreeR, bool isSoftware);
 
   bool IsBuilt(const ProgramKey& key) const;
   /// Builds programs side by side, as far as the driver can. Returns false, with GetError(), if one cannot be

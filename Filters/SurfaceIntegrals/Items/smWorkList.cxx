@@ -29,9 +29,9 @@ std::uint64_t GetShapeKey(const WorkItem& item)
   return (kind << 10 | degrees) << 32 | (item.Work.Detail[0] & 0xffffffu) << 8 | edgeDegree;
 }
 
-ProgramKey GetProgram(const WorkItem& item)
+ProgramKey GetProgram(const WorkItem& item, const PortionLimits& limits)
 {
-  return IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1]);
+  return IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1], limits.IsSoftware);
 }
 
 /// Items of one key: one of them, how many they are, and where the first of them lies in the list.
@@ -66,7 +66,7 @@ WorkList::WorkList(
       const auto [found, isNew] = known.try_emplace(key, static_cast<std::uint32_t>(shapes.size()));
       if (isNew)
       {
-        shapes.push_back({ key, &item, GetProgram(item), 0, 0 });
+        shapes.push_back({ key, &item, GetProgram(item, limits), 0, 0 });
       }
       guess = found->second;
     }
@@ -96,9 +96,9 @@ void WorkList::AddShape(
   const WorkItem& item, std::uint32_t firstItem, std::uint32_t count, const PortionLimits& limits)
 {
   const std::uint32_t nodes = GetNodes(item);
-  const std::uint32_t lines = limits.HasWholeRibbons && item.Kind != ItemKind::Panel ? 1u : nodes;
+  const std::uint32_t lines = limits.IsSoftware && item.Kind != ItemKind::Panel ? 1u : nodes;
   const std::int64_t costOfItem = std::max<std::int64_t>(item.GetCost(), 1);
-  const ProgramKey program = GetProgram(item);
+  const ProgramKey program = GetProgram(item, limits);
   const std::int64_t points = item.Kind == ItemKind::Panel ? (item.Work.Detail[0] >> 16) & 255u
     : item.Kind == ItemKind::Ribbon                        ? 1
                                                            : 0;

@@ -5,6 +5,7 @@
 #ifndef smWorkList_h
 #define smWorkList_h
 
+#include "smFiltersSurfaceIntegralsModule.h"
 #include "smIntegrationPrograms.h"
 #include "smWorkItems.h"
 
@@ -46,14 +47,13 @@ struct PortionLimits
 {
   std::int64_t Cost = 0;
   std::size_t Lines = 0;
-  /// True if a ribbon is one line: the samples of a node are few, so that it pays off only where a processor
-  /// has thousands of lanes to give them a line.
-  bool HasWholeRibbons = false;
+  /// True for a processor with few lanes: a ribbon, whose nodes have few samples, is one line there.
+  bool IsSoftware = false;
 };
 
 /// The order of the items depends on nothing but the items. Shapes are in the order of their programs, so
 /// that each program is dispatched once for a portion.
-class WorkList
+class SMFILTERSSURFACEINTEGRALS_EXPORT WorkList
 {
 public:
   WorkList(

@@ -1,5 +1,6 @@
-// TestMassPropertiesBackends FOLDER solids|options: the CPU and OpenGL compute the same.
+// TestMassPropertiesBackends FOLDER solids|device|options: the CPU and OpenGL compute the same.
 //   solids    all exact solids: within the sum of both bounds, and to 1e-13
+//   device    the same by what is for a GPU: a line for each node of a ribbon, programs for its degrees, mapped memory
 //   options   the same bits for any number of threads; expressions, budget, abort and a change of backend
 #include "smBackendComparison.h"
 #include "smTestManifest.h"
@@ -32,7 +33,7 @@ std::vector<double> GetAll(vtkMassPropertiesGPU* mass)
   return all;
 }
 
-void CheckSolids(const std::string& folder)
+void CheckSolids(const std::string& folder, bool asDevice)
 {
   const Manifest manifest(folder);
   vtkNew<vtkSTEPReader> reader;
@@ -44,7 +45,7 @@ void CheckSolids(const std::string& folder)
     {
       // Two sums of a million roundings: 1e-13. Far from the origin of the file nothing is worse, for moments are local.
       reader->SetFileName(expected.Path.c_str());
-      CompareBackends(reader, 1e-13);
+      CompareBackends(reader, 1e-13, asDevice);
     }
   }
 }
@@ -175,15 +176,15 @@ int TestMassPropertiesBackends(int argc, char* argv[])
 {
   if (argc < 3)
   {
-    std::fprintf(stderr, "usage: TestMassPropertiesBackends FOLDER solids|options\n");
+    std::fprintf(stderr, "usage: TestMassPropertiesBackends FOLDER solids|device|options\n");
     return 1;
   }
   vtkSMPTools::SetBackend("STDThread");
   const std::string folder = argv[1];
   const std::string mode = argv[2];
-  if (mode == "solids")
+  if (mode == "solids" || mode == "device")
   {
-    CheckSolids(folder);
+    CheckSolids(folder, mode == "device");
   }
   else if (mode == "options")
   {

@@ -1,4 +1,7 @@
 #include "smBackendComparison.h"
+#include "smContextResources.h"
+
+#include "vtkComputeContext.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -37,7 +40,7 @@ void CheckArrays(const std::string& what, vtkMassPropertiesGPU* gpu, vtkMassProp
 }
 }
 
-void CompareBackends(vtkSTEPReader* reader, double relative)
+void CompareBackends(vtkSTEPReader* reader, double relative, bool asDevice)
 {
   std::printf("--- %s\n", reader->GetFileName());
   // One pair of filters for all files: their context and shaders are made once.
@@ -49,6 +52,10 @@ void CompareBackends(vtkSTEPReader* reader, double relative)
   cpu->SetInputConnection(reader->GetOutputPort());
   gpu->SetBackend(vtkMassPropertiesGPU::OPENGL);
   cpu->SetBackend(vtkMassPropertiesGPU::CPU);
+  if (asDevice && gpu->GetComputeContext()->Start() == vtkComputeContext::READY)
+  {
+    gpu->GetComputeContext()->GetResources()->IsSoftware = false;
+  }
   gpu->Update();
   cpu->Update();
   CheckEqual("backend", names::BackendOpenGL, gpu->GetBackendName());

@@ -186,6 +186,8 @@ public:
     {
       source.AddChunk(name, text.c_str());
     }
+    // What the assembler would refuse, the compiler is to see.
+    source.SetUnchecked();
     source.Define("SM_SAMPLE_DETAIL", 0);
     source.Replace("//SM::UserFunctions",
       "//SM::Include smSample\n//SM::Include smUserFunctions\n" + expression.MakeFunction("smUser0", true));

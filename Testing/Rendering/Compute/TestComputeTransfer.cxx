@@ -90,12 +90,12 @@ void TestOrder(vtkComputeContext* context)
 
 void TestTransfers(vtkComputeContext* context)
 {
-  for (const bool isFast : { true, false })
+  for (const bool isSoftware : { true, false })
   {
-    context->GetResources()->HasFastCopies = isFast;
-    std::printf("--- %s\n", isFast ? "by the driver's functions" : "through mapped memory");
+    context->GetResources()->IsSoftware = isSoftware;
+    std::printf("--- %s\n", isSoftware ? "by the driver's functions" : "through mapped memory");
     TestBytes(context);
-    if (!isFast || context->IsSoftware())
+    if (!isSoftware || context->IsSoftware())
     {
       TestOrder(context);
     }
