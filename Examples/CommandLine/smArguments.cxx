@@ -158,7 +158,8 @@ std::string FindWrongComparison(const CLI::App& app, const sm::Arguments& argume
   return {};
 }
 
-/// Returns an error message for an invalid column or expression, or for a required result that is not computed; empty otherwise.
+/// Returns an error message for an invalid column or expression, or for a required result that is not
+/// computed; empty otherwise.
 std::string FindWrongRequest(const CLI::App& app, const sm::Arguments& arguments)
 {
   const sm::Json file = sm::UnreadableFile(arguments.Job, "");
@@ -262,7 +263,8 @@ void PrintMaterials()
   }
 }
 
-/// Parses densities and frame into the job. Returns an error message if the materials cannot be read; empty otherwise.
+/// Parses densities and frame into the job. Returns an error message if the materials cannot be read; empty
+/// otherwise.
 std::string TakeMass(sm::Arguments& arguments)
 {
   sm::JobOptions& job = arguments.Job;

@@ -44,8 +44,8 @@ struct Arguments
   bool Quiet = false;
 };
 
-/// Reads the arguments. Returns an exit status when there is nothing more to do: after help, version, or wrong usage, which is
-/// explained on the standard error.
+/// Reads the arguments. Returns an exit status when there is nothing more to do: after help, version, or
+/// wrong usage, which is explained on the standard error.
 std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments);
 
 /// Prints the message on the standard error; returns UsageOrOutput.

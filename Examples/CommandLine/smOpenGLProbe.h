@@ -7,8 +7,8 @@
 
 namespace sm
 {
-/// Prints driver and table to the standard output. Returns the exit status: UsageOrOutput if there is no context that can compute, or if a
-/// construct that shaders use is wrong.
+/// Prints driver and table to the standard output. Returns the exit status: UsageOrOutput if there is no
+/// context that can compute, or if a construct that shaders use is wrong.
 int PrintOpenGLProbe();
 }
 

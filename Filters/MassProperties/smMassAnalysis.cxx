@@ -199,10 +199,43 @@ bool IsLeftOut(const BodyIntegrals& body)
       body.Faces->begin(), body.Faces->end(), [](const FaceIntegrals& face) { return face.Error.empty(); });
 }
 
+/// Flags a body as suspect if the area of a face is below 0: its loops run around it the wrong way. An area of
+/// the body below 0 becomes NaN.
+void FlagNegativeAreas(BodyIntegrals& body)
+{
+  std::size_t negative = 0;
+  std::string first;
+  for (std::size_t i = 0; i < body.Faces->size(); ++i)
+  {
+    const FaceIntegrals& face = (*body.Faces)[i];
+    if (face.Error.empty() && face.Face[MassArea] < -face.GetBound(MassArea))
+    {
+      first = negative++ == 0
+        ? "face #" + std::to_string(body.Model->GetFaces()[i]->FileId) + ": its area is negative, " +
+          FormatDigits(face.Face[MassArea], 6) + ": its loops run around it the wrong way"
+        : first;
+      body.FaceDefects.push_back({ { i }, "its area is negative", true });
+    }
+  }
+  if (negative > 0)
+  {
+    body.Flag(Status::Suspect,
+      first + (negative > 1 ? ", and " + std::to_string(negative - 1) + " more are" : std::string()));
+  }
+  if (body.Value[MassArea] < -body.Bound[MassArea])
+  {
+    body.Value[MassArea] = vtkMath::Nan();
+  }
+}
+
 /// Computes the row of a body. `moments` receives its moments in the world if it has a volume.
 MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Moments& moments)
 {
   MassRow row;
+  if (body.Faces && options.HasBounds)
+  {
+    FlagNegativeAreas(body);
+  }
   row.Area = body.Value[MassArea];
   // An affine map that lengthens nothing by more than this lengthens normals by twice as much.
   const double stretched =

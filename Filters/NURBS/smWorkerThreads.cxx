@@ -27,7 +27,8 @@ public:
   {
   }
 
-  /// The threads of this process. They are never destroyed: they may wait on their conditions while statics are.
+  /// The threads of this process. They are never destroyed: they may wait on their conditions while statics
+  /// are.
   static WorkerThreads& Get()
   {
     static std::mutex mutex;
@@ -40,7 +41,8 @@ public:
     return *threads;
   }
 
-  /// Runs the loop on so many threads, of which the caller is one. Returns false if another thread's loop is running.
+  /// Runs the loop on so many threads, of which the caller is one. Returns false if another thread's loop is
+  /// running.
   bool Run(std::size_t threads, std::size_t count, std::size_t grain, const LoopPart& part)
   {
     const std::unique_lock<std::mutex> running(this->Running, std::try_to_lock);

@@ -2,8 +2,8 @@
  * @file smWorkerThreads.h
  * @brief Threads that wait for loops; not installed
  *
- * The backend STDThread of vtkSMPTools starts and joins its threads in every loop (VTK 9.1 and 9.2), which takes a millisecond with 16 threads:
- * as long as the integration of a small part.
+ * The backend STDThread of vtkSMPTools starts and joins its threads in every loop (VTK 9.1 and 9.2), which
+ * takes a millisecond with 16 threads: as long as the integration of a small part.
  */
 #ifndef smWorkerThreads_h
 #define smWorkerThreads_h
@@ -19,9 +19,10 @@ namespace sm
 using LoopPart = std::function<void(std::size_t begin, std::size_t end)>;
 
 /**
- * Calls part(begin, end) for the parts of [0, count) with about `grain` indices each (0: a quarter of each thread's share), on the threads
- * that vtkSMPTools would use. Within a part, and while another thread runs a loop, all of it runs in the calling thread. `part` must not throw.
- * Backends other than STDThread run the loop themselves. The threads belong to the process that started them: after fork() the child starts its
+ * Calls part(begin, end) for the parts of [0, count) with about `grain` indices each (0: a quarter of each
+ * thread's share), on the threads that vtkSMPTools would use. Within a part, and while another thread runs a
+ * loop, all of it runs in the calling thread. `part` must not throw. Backends other than STDThread run the
+ * loop themselves. The threads belong to the process that started them: after fork() the child starts its
  * own.
  */
 SMFILTERSNURBS_EXPORT void RunLoop(std::size_t count, std::size_t grain, const LoopPart& part);

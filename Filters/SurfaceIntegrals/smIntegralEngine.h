@@ -39,14 +39,16 @@ enum class BackendChoice
 struct IntegralRequest
 {
   std::vector<Integrand> Integrands;
-  /// True: in world coordinates, for each instance. False: about each part's own origin, once for all its instances.
+  /// True: in world coordinates, for each instance. False: about each part's own origin, once for all its
+  /// instances.
   bool UsePlacements = true;
-  /// Returns absolute tolerances of the integrands over a whole body. Every face gets an equal share, independent of other
-  /// results.
+  /// Returns absolute tolerances of the integrands over a whole body. Every face gets an equal share,
+  /// independent of other results.
   std::function<std::vector<double>(const BodyIntegrals&)> GetTolerances;
   /// Entity numbers of the faces to integrate over; empty: all.
   std::set<int> FaceIds;
-  /// True: gaps that do not make a body suspect are messages, too, where they are wider than the file's tolerances.
+  /// True: gaps that do not make a body suspect are messages, too, where they are wider than the file's
+  /// tolerances.
   bool ReportSmallGaps = true;
   /// Size of a face's part of the run; empty: that of integrals to a tolerance.
   std::function<RunSize(const Face&)> EstimateFace;
@@ -69,8 +71,8 @@ struct IntegralLimits
 };
 
 /**
- * Runs the integration for a filter. It keeps the context, the integrator with its runner, and cached data of faces from run to
- * run. Not thread safe.
+ * Runs the integration for a filter. It keeps the context, the integrator with its runner, and cached data of
+ * faces from run to run. Not thread safe.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT IntegralEngine
 {
@@ -89,8 +91,8 @@ public:
   vtkMultiProcessController* GetController() const;
   ///@}
 
-  /// Role of a rank in a run: it has the bodies; it computes a share of another rank's faces; or it has nothing to do, with empty
-  /// outputs.
+  /// Role of a rank in a run: it has the bodies; it computes a share of another rank's faces; or it has
+  /// nothing to do, with empty outputs.
   enum class Role
   {
     Owner,
@@ -98,47 +100,53 @@ public:
     Idle
   };
   /**
-   * Determines this rank's role together with the other ranks, if `pieces` of the update equals the number of ranks; otherwise
-   * the rank runs alone. Collective; every rank that took part ends the run by FinishSharing().
+   * Determines this rank's role together with the other ranks, if `pieces` of the update equals the number of
+   * ranks; otherwise the rank runs alone. Collective; every rank that took part ends the run by
+   * FinishSharing().
    */
   Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies);
-  /// Ends the part of this rank in a shared run, wherever it is in it, so that no rank waits for it. `failure` is the exception that
-  /// ended the run of this rank, or null.
+  /// Ends the part of this rank in a shared run, wherever it is in it, so that no rank waits for it.
+  /// `failure` is the exception that ended the run of this rank, or null.
   void FinishSharing(const std::exception_ptr& failure = nullptr) noexcept;
 
   /// Sets the rates by which runs are estimated from now on.
   void SetRates(const BackendRates& rates) { this->Rates = rates; }
-  /// Estimates what the run takes on either backend, for ChooseRunner() and the report. It depends on the request, the faces of the
-  /// bodies, threads and lanes, and not on what earlier runs have left.
+  /// Estimates what the run takes on either backend, for ChooseRunner() and the report. It depends on the
+  /// request, the faces of the bodies, threads and lanes, and not on what earlier runs have left.
   void EstimateBackends(const IntegralRequest& request, const std::vector<BodyIntegrals>& bodies);
   /**
-   * Gives the integrator a runner that `backend` allows and the machine supports. Returns false, with a reason in the report, if
-   * there is none. BackendChoice::Automatic takes OpenGL for expressions and where the context has a window or source of the user's, and
-   * otherwise the backend with the lower estimate (on a rank that shares the run, that of the rank with the bodies): OpenGL then only on a
-   * GPU, as a software renderer is slower on the same processor than the CPU backend. Where the estimate is for the CPU no context is made.
+   * Gives the integrator a runner that `backend` allows and the machine supports. Returns false, with a
+   * reason in the report, if there is none. BackendChoice::Automatic takes OpenGL for expressions and where
+   * the context has a window or source of the user's, and otherwise the backend with the lower estimate (on a
+   * rank that shares the run, that of the rank with the bodies): OpenGL then only on a GPU, as a software
+   * renderer is slower on the same processor than the CPU backend. Where the estimate is for the CPU no
+   * context is made.
    */
   bool ChooseRunner(const IntegralRequest& request, BackendChoice backend);
-  /// Returns true if all placements are finite. Otherwise nothing can be integrated in the world's coordinates; the report has the reason.
+  /// Returns true if all placements are finite. Otherwise nothing can be integrated in the world's
+  /// coordinates; the report has the reason.
   bool CheckPlacements(const std::vector<BodyIntegrals>& bodies);
   /// Sets the integrands and limits of the integrator.
   void Configure(const IntegralRequest& request, const IntegralLimits& limits);
 
   /**
-   * Sets the Faces of every body, together with the other ranks if they share the run. Returns false if nothing was computed; the
-   * report then has the reason.
+   * Sets the Faces of every body, together with the other ranks if they share the run. Returns false if
+   * nothing was computed; the report then has the reason.
    */
   bool Integrate(
     const IntegralRequest& request, const IntegralLimits& limits, std::vector<BodyIntegrals>& bodies);
   /**
-   * Sums the faces of every body and measures the gaps of their edges, or sets unknown values if nothing was computed. The status of the
-   * run becomes that of the file; what the bodies add to it follows from the analysis (RunReport::AddStatuses).
+   * Sums the faces of every body and measures the gaps of their edges, or sets unknown values if nothing was
+   * computed. The status of the run becomes that of the file; what the bodies add to it follows from the
+   * analysis (RunReport::AddStatuses).
    */
   void Sum(
     const IntegralRequest& request, bool computed, double gapLimit, std::vector<BodyIntegrals>& bodies);
   /// Integrates this rank's share of another rank's faces. This rank's own report has only its device.
   void RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits);
 
-  /// Adds the effort of the integrator's last run to the report. `dispatches` is the number of dispatches before that run.
+  /// Adds the effort of the integrator's last run to the report. `dispatches` is the number of dispatches
+  /// before that run.
   void AddEffort(vtkTypeUInt64 dispatches);
   /// Returns the reason why an integrand of the last run could not be evaluated; empty if it could.
   std::string GetObstacle(std::size_t integrand) const { return this->Integrator.GetObstacle(integrand); }
@@ -151,7 +159,8 @@ private:
   void ReportRanks();
   std::string DescribeEstimate(bool hasOpenGL) const;
   void SetRunner(bool hasOpenGL);
-  /// Goes on with the CPU, because OpenGL computes something wrong, in this run and in others by the same context.
+  /// Goes on with the CPU, because OpenGL computes something wrong, in this run and in others by the same
+  /// context.
   void LeaveOpenGL(const std::string& distrust);
   /// True if the last run by OpenGL failed for that, and the CPU may take its place.
   bool MustLeaveOpenGL(const IntegralLimits& limits) const;

@@ -14,7 +14,8 @@ namespace sm
 {
 namespace
 {
-// Fractions of the progress for cutting, planning and the preparation by the runner; the integration takes the rest.
+// Fractions of the progress for cutting, planning and the preparation by the runner; the integration takes
+// the rest.
 constexpr double CutShare = 0.2;
 constexpr double PlanShare = 0.3;
 constexpr double AcquireShare = 0.1;
@@ -202,8 +203,8 @@ bool SurfaceIntegrator::Internals::RunAll(
 bool SurfaceIntegrator::Internals::RunBatches(const std::vector<FaceTask>& tasks,
   const std::vector<std::vector<std::size_t>>& batches, std::vector<FaceIntegrals>& results)
 {
-  // In a shared run all ranks take part in the agreement after every batch, including those without batches left, until no rank
-  // has any left.
+  // In a shared run all ranks take part in the agreement after every batch, including those without batches
+  // left, until no rank has any left.
   for (std::size_t next = 0;;)
   {
     if (next < batches.size())

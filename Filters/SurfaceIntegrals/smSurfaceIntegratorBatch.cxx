@@ -6,6 +6,8 @@
 #include "smSurfaceIntegratorInternals.h"
 #include "smUnitRoundoff.h"
 
+#include "vtkTimerLog.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -49,7 +51,8 @@ void SurfaceIntegrator::Internals::AddBounds(const std::vector<FaceTask>& tasks,
     double area = plan.Area;
     for (std::size_t k = 0; k < this->Chosen.size(); ++k)
     {
-      // In a planned run the rows have errors only for the area of compared items, and for values that are not finite.
+      // In a planned run the rows have errors only for the area of compared items, and for values that are
+      // not finite.
       double& error = result.QuadratureError[this->Chosen[k]];
       const bool compared = this->Plans.GetBoundClass(k).Kind == BoundClass::AreaMoment;
       error = compared || !std::isfinite(error) ? error : 0.0;
@@ -241,7 +244,8 @@ bool SurfaceIntegrator::Internals::RunPlanned(
   {
     return true;
   }
-  // The plan's bounds of everything but the area also hold for the parts, since their ellipses lie in that of the whole item.
+  // The plan's bounds of everything but the area also hold for the parts, since their ellipses lie in that of
+  // the whole item.
   const bool mayBisect = depth < MaximumBisections && this->Evaluations < this->Allowance;
   for (const std::size_t i : compared)
   {
@@ -288,7 +292,8 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
   std::vector<WorkItem> children;
   for (const std::size_t index : bisected)
   {
-    // The parts share their parent's tolerance. Along a line with vanishing normals, half of the quarters need no part of it.
+    // The parts share their parent's tolerance. Along a line with vanishing normals, half of the quarters
+    // need no part of it.
     const bool quarters = items[index].Kind == ItemKind::Panel && !this->Planned;
     BisectItem(items[index], quarters ? 2 : 1, children);
   }
@@ -302,9 +307,9 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
 bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
   const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
 {
-  // Items are evaluated in portions that have room for their rows; the results of a face are added up in order. The end of a
-  // portion within a face must not depend on other faces: it is before the face, or where the face has filled entire portions of
-  // its own.
+  // Items are evaluated in portions that have room for their rows; the results of a face are added up in
+  // order. The end of a portion within a face must not depend on other faces: it is before the face, or where
+  // the face has filled entire portions of its own.
   const std::size_t portion = this->Runner->GetRowLimit();
   std::size_t end = 0;
   for (std::size_t begin = 0; begin < items.size(); begin = end)
@@ -375,7 +380,12 @@ bool SurfaceIntegrator::Internals::CheckRunner(
   }
   const ItemRunner::Setup setup = { this->ChosenIntegrands,
     OrderLadder(this->ChosenIntegrands).GetStripPoints(), this->UsePlacements, this->Perturbation };
+  const double start = vtkTimerLog::GetUniversalTime();
   this->Distrust = FindRunnerDifference(*this->Runner, setup, this->Faces, faces, examples);
+  // It belongs to the start of a context, not to the part.
+  const double seconds = vtkTimerLog::GetUniversalTime() - start;
+  this->StartSeconds += seconds;
+  this->IntegrateSeconds -= seconds;
   return this->Distrust.empty() || this->Fail(this->Distrust);
 }
 

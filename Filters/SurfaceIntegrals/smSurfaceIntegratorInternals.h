@@ -1,6 +1,7 @@
 /**
  * @file smSurfaceIntegratorInternals.h
- * @brief State of a SurfaceIntegrator, shared by its source files: a run, a batch of faces, and the sharing among ranks
+ * @brief State of a SurfaceIntegrator, shared by its source files: a run, a batch of faces, and the sharing
+ * among ranks
  */
 #ifndef smSurfaceIntegratorInternals_h
 #define smSurfaceIntegratorInternals_h
@@ -82,7 +83,8 @@ struct SurfaceIntegrator::Internals
   bool FailByRunner() { return this->Fail(this->Runner->GetError()); }
   bool ReportProgress(double fraction);
   bool ReportItemProgress();
-  /// In a shared run, ends a step of all ranks and adds up their numbers. Returns false if some rank was stopped, which stops all.
+  /// In a shared run, ends a step of all ranks and adds up their numbers. Returns false if some rank was
+  /// stopped, which stops all.
   bool Agree(double& number, bool isBatch = false);
   bool AddUpPlans(std::int64_t& evaluations);
   void Configure();
@@ -92,8 +94,8 @@ struct SurfaceIntegrator::Internals
   void Skip(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& faces,
     std::vector<FaceIntegrals>& results) const;
   bool RunAll(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results);
-  /// Takes known results, and divides the other faces into batches whose rows fit into memory and whose results may be lost when the run is
-  /// stopped.
+  /// Takes known results, and divides the other faces into batches whose rows fit into memory and whose
+  /// results may be lost when the run is stopped.
   void MakeBatches(const std::vector<FaceTask>& tasks, std::vector<FaceIntegrals>& results,
     std::vector<std::vector<std::size_t>>& batches);
   bool RunBatches(const std::vector<FaceTask>& tasks, const std::vector<std::vector<std::size_t>>& batches,
@@ -114,11 +116,12 @@ struct SurfaceIntegrator::Internals
     std::vector<FaceIntegrals>& results);
   bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
     std::vector<FaceIntegrals>& results);
-  /// Evaluates all items once, and those that are compared again at twice their orders; `candidates` gets those of them that are to be bisected
-  /// if they do not converge.
+  /// Evaluates all items once, and those that are compared again at twice their orders; `candidates` gets
+  /// those of them that are to be bisected if they do not converge.
   bool RunPlanned(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& candidates);
   bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
-  /// Adds the rows of the items to the results. Those of a face are contiguous: its panels, the ribbons of each coedge, its caps.
+  /// Adds the rows of the items to the results. Those of a face are contiguous: its panels, the ribbons of
+  /// each coedge, its caps.
   bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
   FaceTotals GetTotals(const FaceIntegrals& result) const;

@@ -35,11 +35,13 @@ BodySize MeasureBody(const std::vector<FaceMesh>& meshes)
       }
       size.IsKnown = true;
     }
+    size.FaceAreas.push_back(0.0);
     for (const std::array<int, 3>& t : mesh.Triangles)
     {
       const Vector3& a = mesh.Points[t[0]];
       const Vector3 n = Cross(Subtract(mesh.Points[t[1]], a), Subtract(mesh.Points[t[2]], a));
       size.Area += 0.5 * Norm(n);
+      size.FaceAreas.back() += 0.5 * Norm(n);
       size.Volume += Dot(a, n) / 6.0;
     }
   }

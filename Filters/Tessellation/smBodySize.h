@@ -23,6 +23,8 @@ struct BodySize
   double Area = 0.0;
   /// The volume with its sign and all digits: below 0 for a body whose normals point inwards.
   double SignedVolume = 0.0;
+  /// Area of the triangles of each face, with all digits.
+  std::vector<double> FaceAreas;
   /// False: no face has a triangle.
   bool IsKnown = false;
 };

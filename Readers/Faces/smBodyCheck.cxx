@@ -9,6 +9,12 @@ namespace
 /// Vector areas that differ by less than this, relative to the larger one, are the same region.
 constexpr double SameRegion = 1e-3;
 
+/// Area of a mesh relative to that of its surface, above which it covers more than this.
+constexpr double MeshMargin = 1.05;
+
+/// A face whose edges bound less than this part of the square of its perimeter may have no triangles.
+constexpr double SliverArea = 1e-4;
+
 /// Returns true if edges bound the face, of which not all are seams.
 bool HasBorder(const FaceStatement& statement)
 {
@@ -31,9 +37,11 @@ struct UseOfEdge
 class ContradictionFinder
 {
 public:
-  ContradictionFinder(const std::vector<CheckedFace>& faces, bool isInsideOut)
+  ContradictionFinder(const std::vector<CheckedFace>& faces, bool isInsideOut, const ClosedTest& isClosed)
     : Faces(faces)
     , IsInsideOut(isInsideOut)
+    , Test(isClosed)
+    , Known(faces.size(), -1)
     , IsReported(faces.size(), false)
   {
   }
@@ -46,17 +54,21 @@ public:
       for (const EdgeUseStatement& use : statement.Uses)
       {
         // A face of which only one side is finite has that side, whatever the file says.
-        const bool isMended = this->IsTurned(i) && !this->Faces[i].IsClosed;
+        const bool isMended = this->IsTurned(i) && !this->IsClosed(i);
         this->Uses[use.Edge].push_back({ i, use.IsForward != isMended, use.IsArc });
       }
-      if (this->IsTurned(i) && this->Faces[i].IsClosed)
+      if (this->IsTurned(i) && this->IsClosed(i))
       {
         this->Add(BodyContradiction::Type::Turned, i, i, 0);
       }
-      if (this->IsInsideOut && this->Faces[i].IsClosed && HasBorder(statement))
+      if (this->IsInsideOut && HasBorder(statement) && this->IsClosed(i))
       {
         this->Add(BodyContradiction::Type::InsideOut, i, i, 0);
       }
+    }
+    for (std::size_t i = 0; i < this->Faces.size(); ++i)
+    {
+      this->CheckExtent(i);
     }
     // In the order of the faces, so that the result does not depend on a hash.
     for (std::size_t i = 0; i < this->Faces.size(); ++i)
@@ -70,6 +82,15 @@ public:
   }
 
 private:
+  bool IsClosed(std::size_t face)
+  {
+    if (this->Known[face] < 0)
+    {
+      this->Known[face] = this->Faces[face].IsClosed || (this->Test && this->Test(face)) ? 1 : 0;
+    }
+    return this->Known[face] > 0;
+  }
+
   bool IsTurned(std::size_t face) const { return this->Faces[face].Finding.Verdict == FaceVerdict::Turned; }
 
   void Add(BodyContradiction::Type kind, std::size_t face, std::size_t other, std::uint64_t edge)
@@ -81,18 +102,42 @@ private:
     }
   }
 
+  void CheckExtent(std::size_t face)
+  {
+    const CheckedFace& checked = this->Faces[face];
+    const FaceStatement& statement = *checked.Statement;
+    if (checked.Pieces > 1 && this->IsClosed(face))
+    {
+      this->Add(BodyContradiction::Type::InPieces, face, face, 0);
+    }
+    if (checked.IsOnBothParts)
+    {
+      this->Add(BodyContradiction::Type::CrossesItself, face, face, 0);
+    }
+    if (checked.Area > MeshMargin * statement.WholeArea)
+    {
+      this->Add(BodyContradiction::Type::TooLarge, face, face, 0);
+    }
+    const double perimeter = statement.Boundary.Length;
+    if (checked.Area == 0.0 &&
+      (perimeter == 0.0 || Norm(statement.Boundary.GetVectorArea()) > SliverArea * perimeter * perimeter))
+    {
+      this->Add(BodyContradiction::Type::NotInMesh, face, face, 0);
+    }
+  }
+
   void CheckEdge(std::size_t face, std::uint64_t edge)
   {
     const std::vector<UseOfEdge>& uses = this->Uses[edge];
     if (uses.size() == 2 && uses[0].Face != uses[1].Face && uses[0].IsForward == uses[1].IsForward &&
-      this->Faces[face].IsClosed)
+      this->IsClosed(face))
     {
       this->Add(BodyContradiction::Type::SameDirection, face,
         uses[0].Face == face ? uses[1].Face : uses[0].Face, edge);
     }
     const bool isBackwards = std::all_of(uses.begin(), uses.end(),
       [this](const UseOfEdge& use)
-      { return use.IsArc && this->IsTurned(use.Face) && !this->Faces[use.Face].IsClosed; });
+      { return use.IsArc && this->IsTurned(use.Face) && !this->IsClosed(use.Face); });
     if (isBackwards && this->HasOtherArcs(face))
     {
       this->Add(BodyContradiction::Type::Backwards, face, face, edge);
@@ -115,14 +160,18 @@ private:
 
   const std::vector<CheckedFace>& Faces;
   bool IsInsideOut;
+  const ClosedTest& Test;
+  /// 1 and 0: whether the surface is closed; -1: not known yet.
+  std::vector<signed char> Known;
   std::vector<bool> IsReported;
   std::unordered_map<std::uint64_t, std::vector<UseOfEdge>> Uses;
   std::vector<BodyContradiction> Result;
 };
 }
 
-std::vector<BodyContradiction> FindContradictions(const std::vector<CheckedFace>& faces, bool isInsideOut)
+std::vector<BodyContradiction> FindContradictions(
+  const std::vector<CheckedFace>& faces, bool isInsideOut, const ClosedTest& isClosed)
 {
-  return ContradictionFinder(faces, isInsideOut).Run();
+  return ContradictionFinder(faces, isInsideOut, isClosed).Run();
 }
 }

@@ -13,6 +13,10 @@
  * | same_sense turned: the other part, inside out               | InsideOut          | "a rest that is inside out"            |
  * | arcs that run backwards, so that all their faces are turned | Backwards          | "arcs that run backwards"              |
  * | a bound of a plane turned: one side is infinite             | nothing, by intent | "a turned plane beside a cap"          |
+ * | same_sense of a zone turned: two caps                       | InPieces           | "two caps as one face"                 |
+ * | same_sense on a torus turned that crosses itself            | CrossesItself      | "both parts of a torus"                |
+ * | a whole closed surface too many                             | TooLarge           | "more than the whole sphere"           |
+ * | a face that the mesh lacks                                  | NotInMesh          | "a face without triangles"             |
  * | same_sense of a dimple turned: a knob                       | nothing            | a sound part, too                      |
  */
 #ifndef smBodyCheck_h
@@ -21,6 +25,7 @@
 #include "smFaceCheck.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace sm
@@ -30,8 +35,14 @@ struct CheckedFace
 {
   const FaceStatement* Statement = nullptr;
   FaceFinding Finding;
-  /// True if both sides of a loop on its surface are finite.
+  /// True if both sides of a loop on its surface are known to be finite.
   bool IsClosed = false;
+  /// Number of pieces of the face (smFacePieces.h), and whether it has points of both parts of a surface that
+  /// crosses itself.
+  int Pieces = 1;
+  bool IsOnBothParts = false;
+  /// Area by a mesh, in the units of the statement; NaN if not known.
+  double Area = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct BodyContradiction
@@ -44,6 +55,14 @@ struct BodyContradiction
     SameDirection,
     /// The body is inside out, and the face is a part of a closed surface.
     InsideOut,
+    /// The face has several pieces within its bounds, on a closed surface.
+    InPieces,
+    /// The face crosses itself.
+    CrossesItself,
+    /// The area of the face exceeds that of its whole surface.
+    TooLarge,
+    /// The mesh lacks the face, whose edges bound an area.
+    NotInMesh,
     /// All faces at an arc of a closed curve have the other side of their bounds than the file says: the
     /// other part of the curve may be meant.
     Backwards
@@ -56,10 +75,13 @@ struct BodyContradiction
   std::uint64_t Edge = 0;
 };
 
-/// Finds the contradictions of a body, at most one for each face. `isInsideOut`: its outer shell is inside
-/// out in the file.
+/// Returns true if both sides of a loop on the surface of a face are finite.
+using ClosedTest = std::function<bool(std::size_t)>;
+
+/// Finds the contradictions of a body, at most one for each face. `isInsideOut`: its outer shell is inside out in
+/// the file. `isClosed` is called, at most once a face, where it matters and CheckedFace::IsClosed is false.
 SMREADERSFACES_EXPORT std::vector<BodyContradiction> FindContradictions(
-  const std::vector<CheckedFace>& faces, bool isInsideOut);
+  const std::vector<CheckedFace>& faces, bool isInsideOut, const ClosedTest& isClosed = {});
 }
 
 #endif

@@ -32,6 +32,16 @@ struct EdgeUseStatement
   bool IsArc = false;
 };
 
+/// A torus whose minor radius exceeds the major one: it crosses itself.
+struct SpindleTorus
+{
+  Vector3 Origin{};
+  Vector3 Axis{};
+  double Major = 0.0;
+  /// 0: the surface is none.
+  double Minor = 0.0;
+};
+
 struct FaceStatement
 {
   std::uint64_t Id = 0;
@@ -44,6 +54,7 @@ struct FaceStatement
   double WholeArea = std::numeric_limits<double>::infinity();
   /// Volume that the whole surface encloses; NaN if it is not closed, or crosses itself.
   double WholeVolume = std::numeric_limits<double>::quiet_NaN();
+  SpindleTorus Spindle;
   /// False if the orientation of the face's shell in its body is .F. (ORIENTED_CLOSED_SHELL).
   bool IsShellForward = true;
   /// Mean of the vertices.

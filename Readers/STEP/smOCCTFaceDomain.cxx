@@ -36,6 +36,9 @@ constexpr double AxisTolerance = 1e-9;
 /// Largest distance of a trim curve from its edge, relative to the length of that: OpenCASCADE may have mistaken the unit of the trim curve.
 constexpr double RoughTrim = 0.02;
 
+/// Relative difference of numbers that are equal but for their digits in the file.
+constexpr double Rounded = 1e-14;
+
 /// Two parts of a surface are the same if points of one are closer than this to the other, relative to the extent of the profile.
 constexpr double SamePart = 1e-7;
 
@@ -371,6 +374,31 @@ FoundParts FindParts(const DraftFace& face, const AxialProfile& profile,
   return found;
 }
 
+/// Returns a closed spline whose ends have the same control point and weight as a periodic one: its parts between poles may pass its ends.
+/// Returns null for other curves.
+Handle(Geom_BSplineCurve) MakePeriodic(const Handle(Geom_Curve) & curve)
+{
+  const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
+  if (spline.IsNull() || spline->IsPeriodic() || spline->Degree() < 1 || !spline->IsClosed())
+  {
+    return {};
+  }
+  const int last = spline->NbPoles();
+  const gp_Pnt start = spline->Pole(1);
+  const bool isSame = start.Distance(spline->Pole(last)) <=
+      Rounded * (start.XYZ().Modulus() + spline->Pole(last).XYZ().Modulus()) &&
+    std::abs(spline->Weight(1) - spline->Weight(last)) <= Rounded * spline->Weight(1);
+  const bool isClamped = spline->Multiplicity(1) == spline->Degree() + 1 &&
+    spline->Multiplicity(spline->NbKnots()) == spline->Degree() + 1;
+  if (!isSame || !isClamped)
+  {
+    return {};
+  }
+  const auto periodic = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
+  periodic->SetPeriodic();
+  return periodic;
+}
+
 /// Returns the surface along the whole curve for one that is swept along a trimmed curve.
 Handle(Geom_Surface) RemoveTrim(const Handle(Geom_SweptSurface) & surface)
 {
@@ -402,6 +430,14 @@ void TakePart(DraftFace& face, double start, double middle)
   if (!poles.empty() && !GetTrimOfPeriodic(surface).IsNull())
   {
     surface = Handle(Geom_SurfaceOfRevolution)::DownCast(RemoveTrim(surface));
+    profile = AxialProfile(surface);
+    poles = profile.FindPoles();
+  }
+  const Handle(Geom_BSplineCurve) periodic =
+    poles.empty() ? Handle(Geom_BSplineCurve)() : MakePeriodic(surface->BasisCurve());
+  if (!periodic.IsNull())
+  {
+    surface = Handle(Geom_SurfaceOfRevolution)::DownCast(SweepAlong(surface, periodic));
     profile = AxialProfile(surface);
     poles = profile.FindPoles();
   }

@@ -1,5 +1,6 @@
 #include "smSTEPFaceChecks.h"
 
+#include "smFacePieces.h"
 #include "smFormat.h"
 #include "smOCCTFailure.h"
 #include "smOCCTNaturalBoundary.h"
@@ -88,20 +89,16 @@ std::vector<StatedFace> CollectStatedFaces(const FaceStatements& statements, con
   return faces;
 }
 
-/// Returns true if a surface is closed by its kind, or by the kernel's surface of the face.
+/// Returns true if the kernel's surface of a face is closed.
 bool IsClosedSurface(const StatedFace& face, const ConvertedBody& body)
 {
-  bool isClosed = face.Statement->Extent == SurfaceExtent::Closed;
-  if (!isClosed)
-  {
-    CatchFailure(
-      [&]
-      {
-        TopTools_IndexedMapOfShape edges;
-        isClosed =
-          IsOnClosedSurface(CollectFace(body.Faces[face.Indices[0]].Source, edges, MissingTrim::Feet));
-      });
-  }
+  bool isClosed = false;
+  CatchFailure(
+    [&]
+    {
+      TopTools_IndexedMapOfShape edges;
+      isClosed = IsOnClosedSurface(CollectFace(body.Faces[face.Indices[0]].Source, edges, MissingTrim::Feet));
+    });
   return isClosed;
 }
 
@@ -157,8 +154,25 @@ std::string DescribeVolumes(const StatedFace& face, const CheckedBody& checked)
     : std::string();
 }
 
-std::string DescribeContradiction(
-  const BodyContradiction& found, const std::vector<StatedFace>& faces, const CheckedBody& checked)
+/// Fills in what the faces of the body show: pieces, crossings and areas.
+void MeasureExtent(const StatedFace& face, const CheckedBody& checked, CheckedFace& result)
+{
+  const double scale = std::cbrt(
+    std::abs(Dot(checked.Place.Linear[0], Cross(checked.Place.Linear[1], checked.Place.Linear[2]))));
+  double area = 0.0;
+  for (std::size_t i = 0; i < face.Parts.size(); ++i)
+  {
+    const Face& part = *face.Parts[i];
+    result.Pieces = std::max(result.Pieces, part.Loops.size() > 1 ? CountOuterLoops(part) : 1);
+    result.IsOnBothParts = result.IsOnBothParts ||
+      (face.Statement->Spindle.Minor > 0.0 && IsOnBothParts(part, face.Statement->Spindle, checked.Place));
+    area += checked.Areas.empty() ? 0.0 : checked.Areas[face.Indices[i]];
+  }
+  result.Area = checked.Areas.empty() ? result.Area : area / (scale * scale);
+}
+
+std::string DescribeContradiction(const BodyContradiction& found, double area,
+  const std::vector<StatedFace>& faces, const CheckedBody& checked)
 {
   const StatedFace& face = faces[found.Face];
   const std::string name = "Face #" + std::to_string(face.Statement->Id) + " of the file";
@@ -179,6 +193,24 @@ std::string DescribeContradiction(
         "meant (" +
         NameEdges(*face.Statement) + ")." + DescribeVolumes(face, checked) +
         " Correct the sense of the face, or export the file again.";
+    case BodyContradiction::Type::InPieces:
+      return name + " is in several pieces of a closed surface within its bounds (" +
+        NameEdges(*face.Statement) +
+        "), which no face is: the rest of the surface may be meant. Correct the senses of the face and its "
+        "bounds, or export the file again.";
+    case BodyContradiction::Type::CrossesItself:
+      return name + " crosses itself: it has the outer and the inner part of a torus whose minor radius, " +
+        FormatDigits(face.Statement->Spindle.Minor, MessageDigits) + " mm, exceeds the major one (" +
+        NameEdges(*face.Statement) +
+        "). The other part of the torus may be meant. Correct the sense of the face, or export the file "
+        "again.";
+    case BodyContradiction::Type::TooLarge:
+      return name + " has an area of about " + FormatDigits(area, 3) + " mm^2, and its whole surface has " +
+        FormatDigits(face.Statement->WholeArea, MessageDigits) + " mm^2 (" + NameEdges(*face.Statement) +
+        "). Area and volume are in doubt; export the file again.";
+    case BodyContradiction::Type::NotInMesh:
+      return name + " has no triangles, but its edges bound an area (" + NameEdges(*face.Statement) +
+        "). Area and volume are in doubt; export the file again, or correct the face.";
     default:
       return name + " and all others at " + edge +
         " lie on the other side of their bounds than the file says: the rest of the edge's curve may be "
@@ -203,18 +235,22 @@ void CheckFaces(const FaceStatements& statements, const CheckedBody& checked, Co
   std::vector<std::string> messages;
   for (const StatedFace& face : faces)
   {
-    // Whether other surfaces than spheres and tori are closed takes time, and matters for these faces only.
-    const bool matters = isInsideOut || face.Finding.Verdict == FaceVerdict::Turned;
-    results.push_back({ face.Statement, face.Finding,
-      matters ? IsClosedSurface(face, body) : face.Statement->Extent == SurfaceExtent::Closed });
+    CheckedFace result;
+    result.Statement = face.Statement;
+    result.Finding = face.Finding;
+    MeasureExtent(face, checked, result);
+    result.IsClosed = face.Statement->Extent == SurfaceExtent::Closed;
+    results.push_back(result);
     if (face.Finding.Verdict == FaceVerdict::Differs)
     {
       messages.push_back(DescribeDifference(face));
     }
   }
-  for (const BodyContradiction& found : FindContradictions(results, isInsideOut))
+  // For other surfaces than spheres and tori this takes time.
+  const auto isClosed = [&](std::size_t i) { return IsClosedSurface(faces[i], body); };
+  for (const BodyContradiction& found : FindContradictions(results, isInsideOut, isClosed))
   {
-    messages.push_back(DescribeContradiction(found, faces, checked));
+    messages.push_back(DescribeContradiction(found, results[found.Face].Area, faces, checked));
   }
   body.Defects += static_cast<int>(messages.size());
   for (std::size_t i = 0; i < std::min(messages.size(), MaxNamedFaces); ++i)

@@ -8,6 +8,8 @@
 #include "smBodyCheck.h"
 #include "smOCCTBody.h"
 
+#include <vector>
+
 namespace sm
 {
 /// What is known of a body besides its faces.
@@ -18,6 +20,8 @@ struct CheckedBody
   /// Its volume in the unit of the model by a mesh, below 0 if its normals point inwards; NaN if there is no
   /// mesh.
   double Volume = 0.0;
+  /// Area of the mesh of each face in the unit of the model; empty if there is no mesh.
+  std::vector<double> Areas;
 };
 
 /// Adds a defect and a message for each face that contradicts its statement (smFaceCheck.h), and for

@@ -1,6 +1,7 @@
 #include "smSTEPFaceStatements.h"
 
 #include "smSTEPCurves.h"
+#include "smSTEPFrames.h"
 #include "smSTEPTopologyAttributes.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ constexpr STEPAttribute SenseOfShell = { "ORIENTED_CLOSED_SHELL", 1, 3, "orienta
 constexpr STEPAttribute PolygonOfLoop = { "POLY_LOOP", 0, 1, "polygon" };
 constexpr STEPAttribute VertexOfStatedLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
 constexpr STEPAttribute BasisOfTrimmedSurface = { "RECTANGULAR_TRIMMED_SURFACE", 0, 1, "basis surface" };
+constexpr STEPAttribute PlaceOfStatedSurface = { "ELEMENTARY_SURFACE", 0, 1, "position" };
 constexpr STEPAttribute RadiusOfStatedSphere = { "SPHERICAL_SURFACE", 0, 2, "radius" };
 constexpr STEPAttribute RadiiOfStatedTorus[] = { { "TOROIDAL_SURFACE", 0, 2, "major radius" },
   { "TOROIDAL_SURFACE", 1, 3, "minor radius" } };
@@ -156,6 +158,16 @@ private:
       if (std::abs(radii[0]) >= radii[1])
       {
         statement.WholeVolume = 0.5 * statement.WholeArea * radii[1] * unit;
+      }
+      STEPFrame frame;
+      const Index place = this->Entities.Follow(this->Entities.Get(surface, PlaceOfStatedSurface));
+      if (std::abs(radii[0]) < radii[1] && ReadSTEPFrame(this->Entities, place, frame))
+      {
+        statement.Spindle = { frame.Origin, frame.Axes[2], unit * std::abs(radii[0]), unit * radii[1] };
+        for (double& coordinate : statement.Spindle.Origin)
+        {
+          coordinate *= unit;
+        }
       }
     }
   }

@@ -57,7 +57,7 @@ LeafMaker::LeafMaker(
     body.Messages.push_back("The body could not be carried over: " + failure + ".");
     ++body.MissingFaces;
   }
-  CheckFaces(statements, { this->GetStatementPlace(part), part.Solid, size.SignedVolume }, body);
+  CheckFaces(statements, { this->GetStatementPlace(part), part.Solid, size.SignedVolume, std::move(size.FaceAreas) }, body);
   body.MissingFaces = std::max(body.MissingFaces, part.LostFaces);
   body.Messages.insert(body.Messages.end(), part.Messages.begin(), part.Messages.end());
   if (part.Misplaced)

@@ -120,8 +120,8 @@ bool ComputeBuffer::Create(std::size_t bytes)
 #ifdef GL_DYNAMIC_STORAGE_BIT
   if (glBufferStorage)
   {
-    // In the memory of the device: NVIDIA's driver keeps a store with a hint of changes (GL_DYNAMIC_COPY) in that of the host, from where
-    // shaders read and write it at a hundredth of the speed.
+    // In the memory of the device: NVIDIA's driver keeps a store with a hint of changes (GL_DYNAMIC_COPY) in
+    // that of the host, from where shaders read and write it at a hundredth of the speed.
     glBufferStorage(GL_COPY_WRITE_BUFFER, size, nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
   else
@@ -142,7 +142,8 @@ bool ComputeBuffer::Create(std::size_t bytes)
   return true;
 }
 
-/// Returns the size of the store for a use of `bytes`: the present one, a larger one, or a smaller one after many small uses.
+/// Returns the size of the store for a use of `bytes`: the present one, a larger one, or a smaller one after
+/// many small uses.
 std::size_t ComputeBuffer::ChooseCapacity(std::size_t bytes)
 {
   if (bytes > this->Capacity)
@@ -225,7 +226,7 @@ void* ComputeBuffer::BeginStaging(std::size_t bytes)
   }
   if (!resources.Stage)
   {
-    resources.Stage = std::make_unique<TransferStage>(resources);
+    resources.Stage = std::make_unique<TransferStage>();
   }
   return resources.Stage->BeginUpload(bytes);
 }
@@ -265,6 +266,11 @@ bool ComputeBuffer::Upload(const void* data, std::size_t bytes, std::size_t offs
       }
       if (size > 0)
       {
+        if (!this->Resources->HasFastCopies)
+        {
+          // Not every driver waits for shaders that read the buffer (TransferStage).
+          glFinish();
+        }
         glBindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
         glBufferSubData(GL_COPY_WRITE_BUFFER, at, size, from);
       }

@@ -22,8 +22,8 @@ struct ContextResources;
 
 /**
  * Owns one GL buffer. The context must have been started. Every method except Bind() may be called outside a
- * ContextScope (it enters one); inside a scope is faster. A method that fails returns false, sets GetError(), and leaves the buffer
- * unchanged; Allocate() leaves it empty.
+ * ContextScope (it enters one); inside a scope is faster. A method that fails returns false, sets GetError(),
+ * and leaves the buffer unchanged; Allocate() leaves it empty.
  *
  * When the context ended since the buffer was filled, the content is gone: GetSize() is 0, IsLost() is true
  * until the next Allocate() or Upload(), which makes a new store in the context's present generation.
@@ -41,9 +41,9 @@ public:
   ComputeBuffer& operator=(const ComputeBuffer&) = delete;
 
   /**
-   * Makes the size `bytes`; the content is undefined afterwards. A store that is large enough is kept, until the last
-   * UsesBeforeShrinking calls all needed less than a quarter of it: it is then replaced by one of the largest size they needed. So a single
-   * small use between large ones does not release the store.
+   * Makes the size `bytes`; the content is undefined afterwards. A store that is large enough is kept, until
+   * the last UsesBeforeShrinking calls all needed less than a quarter of it: it is then replaced by one of
+   * the largest size they needed. So a single small use between large ones does not release the store.
    */
   bool Allocate(std::size_t bytes);
   static constexpr int UsesBeforeShrinking = 8;
@@ -86,8 +86,8 @@ public:
   bool Clear();
 
   /** Binds [offset, offset + bytes) to a shader storage binding point; bytes 0: up to the end. Inside a
-   * ContextScope only. The offset must be a multiple of vtkComputeContext::GetStorageOffsetAlignment() and the
-   * range at most GetMaximumStorageBlockSize(). A buffer of size 0 binds a small valid range. */
+   * ContextScope only. The offset must be a multiple of vtkComputeContext::GetStorageOffsetAlignment() and
+   * the range at most GetMaximumStorageBlockSize(). A buffer of size 0 binds a small valid range. */
   bool Bind(unsigned int binding, std::size_t offset = 0, std::size_t bytes = 0);
 
   /** Returns the size in bytes of the last Allocate() or Upload(); 0 if the context has ended since. */
@@ -113,7 +113,8 @@ public:
 
 private:
   bool Fail(const std::string& what);
-  /// Returns mapped memory for a content of so many bytes, inside a ContextScope and if the driver's own copies are slow; else null.
+  /// Returns mapped memory for a content of so many bytes, inside a ContextScope and if the driver's own
+  /// copies are slow; else null.
   void* BeginStaging(std::size_t bytes);
   bool EndStaging();
   bool Create(std::size_t bytes);
@@ -127,7 +128,8 @@ private:
   unsigned int Name = 0;
   std::size_t Size = 0;
   std::size_t Capacity = 0;
-  // Calls of Allocate() in a row that needed less than a quarter of the store, and the largest of these needs.
+  // Calls of Allocate() in a row that needed less than a quarter of the store, and the largest of these
+  // needs.
   int SmallUses = 0;
   std::size_t LargestSmallUse = 0;
   std::string Error;

@@ -19,8 +19,8 @@ namespace sm
 struct ContextResources;
 
 /**
- * Owns one GL program with a compute shader. When the context ends the program is gone: IsBuilt() is false and
- * Build() must be called again.
+ * Owns one GL program with a compute shader. When the context ends the program is gone: IsBuilt() is false
+ * and Build() must be called again.
  */
 class SMRENDERINGCOMPUTE_EXPORT ComputeProgram
 {
@@ -63,8 +63,8 @@ public:
 
   /** Runs at least `invocations` invocations in groups of `localSize`, the shader's local_size_x, then a
    * memory barrier. Inside a ContextScope only. When one axis has not enough groups the groups form a
-   * rectangle: the shader takes its index from smInvocationIndex() (chunk smInvocation) and returns when it is
-   * not below the count. With 0 invocations it does nothing. Counts as one dispatch of the context. */
+   * rectangle: the shader takes its index from smInvocationIndex() (chunk smInvocation) and returns when it
+   * is not below the count. With 0 invocations it does nothing. Counts as one dispatch of the context. */
   bool Dispatch(unsigned int invocations, unsigned int localSize, Barrier barrier = Barrier::After);
 
   /** A memory barrier in the current context: what follows sees what earlier dispatches wrote. */

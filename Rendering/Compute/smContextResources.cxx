@@ -78,6 +78,10 @@ void ContextResources::End(bool current)
     }
     --LivePrograms;
   }
+  if (this->Stage && current)
+  {
+    this->Stage->Free();
+  }
   this->Stage = nullptr;
   this->Buffers.clear();
   this->Programs.clear();

@@ -2,8 +2,8 @@
  * @file smContextResources.h
  * @brief State that a compute context shares with the buffers and programs made in it; not installed
  *
- * The object lives as long as the context or one of the owners of names. The context frees all names when it ends, so an owner only has to
- * compare generations to know if its name still exists.
+ * The object lives as long as the context or one of the owners of names. The context frees all names when it
+ * ends, so an owner only has to compare generations to know if its name still exists.
  */
 #ifndef smContextResources_h
 #define smContextResources_h
@@ -37,7 +37,8 @@ struct ContextResources
   std::int64_t MaximumStorageBlockSize = 0;
   int StorageOffsetAlignment = 0;
   int MaximumWorkGroupCount[2] = { 0, 0 };
-  /// True if the driver's own copies are as fast, and Stage is not used: those of a software renderer are copies within the host.
+  /// True if the driver's own copies are as fast, and Stage is not used: those of a software renderer are
+  /// copies within the host.
   bool HasFastCopies = true;
   /// Made by the first transfer of the generation.
   std::unique_ptr<TransferStage> Stage;
@@ -46,7 +47,8 @@ struct ContextResources
   std::unordered_map<unsigned int, std::size_t> Buffers;
   std::unordered_set<unsigned int> Programs;
 
-  /// Callbacks for the end of the generation, by the addresses of their owners. A callback may erase its own entry.
+  /// Callbacks for the end of the generation, by the addresses of their owners. A callback may erase its own
+  /// entry.
   std::map<const void*, std::function<void()>> AtEnd;
 
   void AddBuffer(unsigned int name, std::size_t bytes);

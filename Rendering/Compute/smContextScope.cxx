@@ -53,7 +53,8 @@ struct Bindings
     }
   }
 
-  /// Returns the name of a buffer, or 0 if it was deleted inside the scope: binding a deleted name is a GL error.
+  /// Returns the name of a buffer, or 0 if it was deleted inside the scope: binding a deleted name is a GL
+  /// error.
   static GLuint Living(GLint buffer)
   {
     const GLuint name = static_cast<GLuint>(buffer);
@@ -154,7 +155,8 @@ void ContextScope::State::Leave()
   {
     if (this->Shader)
     {
-      // VTK's shader cache must have its program as the current one again, because code in the middle of a draw relies on it.
+      // VTK's shader cache must have its program as the current one again, because code in the middle of a
+      // draw relies on it.
       window->GetShaderCache()->ReadyShaderProgram(this->Shader);
     }
     else

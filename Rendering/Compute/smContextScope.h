@@ -1,6 +1,7 @@
 /**
  * @file smContextScope.h
- * @brief A scope in which a compute context is current; at its end the previous context and bindings are restored
+ * @brief A scope in which a compute context is current; at its end the previous context and bindings are
+ * restored
  */
 #ifndef smContextScope_h
 #define smContextScope_h
@@ -22,9 +23,9 @@ namespace sm
  * bindings 0 to 7, the generic shader storage, uniform, copy-read, copy-write and dispatch-indirect
  * bindings. Compute code must not change any other state.
  *
- * Inside the scope of an EGL context no X window may render or be deleted: VTK would make its GLX context current beside the EGL context,
- * which is an X error that ends the process. Scopes nest, of one context or of several. The context may end inside the scope; then the
- * previous context is restored all the same.
+ * Inside the scope of an EGL context no X window may render or be deleted: VTK would make its GLX context
+ * current beside the EGL context, which is an X error that ends the process. Scopes nest, of one context or
+ * of several. The context may end inside the scope; then the previous context is restored all the same.
  */
 class SMRENDERINGCOMPUTE_EXPORT ContextScope
 {

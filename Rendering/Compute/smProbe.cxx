@@ -34,7 +34,8 @@ using Operand = std::array<double, Operands>;
 const std::array<double, 6> Special = { 0x3p-1070, 0x1p-515, 0x1p100, Infinity,
   std::numeric_limits<double>::quiet_NaN(), 3.0 };
 
-/// A construct, the right value for the operands, and the relative error that is allowed: 0 where the shaders rely on every bit.
+/// A construct, the right value for the operands, and the relative error that is allowed: 0 where the shaders
+/// rely on every bit.
 struct Construct
 {
   const char* Name;
@@ -72,8 +73,9 @@ double SumVectors(const Operand& x)
   return sum;
 }
 
-// Drivers for graphics cards make quotients and roots by iteration, some units in the last place off; in single precision they would be off
-// by 1e-8. Products and sums of positive numbers may be fused. NVIDIA's compiler reads 0.1 one unit in the last place off.
+// Drivers for graphics cards make quotients and roots by iteration, some units in the last place off; in
+// single precision they would be off by 1e-8. Products and sums of positive numbers may be fused. NVIDIA's
+// compiler reads 0.1 one unit in the last place off.
 const Construct Used[] = {
   { "a quotient", 8 * Epsilon, [](const Operand& x) { return x[0] / x[1]; } },
   { "a square root", 8 * Epsilon, [](const Operand& x) { return std::sqrt(x[1]); } },
@@ -196,8 +198,8 @@ bool ProbeConstructs(vtkComputeContext* context, std::string& complaint)
   {
     if (!result.IsRight)
     {
-      text << (text.tellp() > 0 ? ", " : "computes ") << result.Construct << " wrong, with a relative error of "
-           << std::setprecision(2) << result.Error;
+      text << (text.tellp() > 0 ? ", " : "computes ") << result.Construct
+           << " wrong, with a relative error of " << std::setprecision(2) << result.Error;
     }
   }
   complaint = text.str();

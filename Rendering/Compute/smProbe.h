@@ -22,12 +22,14 @@ struct ProbeResult
   /// False for constructs that no shader uses, because some driver gets them wrong.
   bool IsUsed = true;
   bool IsRight = false;
-  /// Largest relative error of 32 results; infinite if a program could not be built or run, or if a NaN was lost.
+  /// Largest relative error of 32 results; infinite if a program could not be built or run, or if a NaN was
+  /// lost.
   double Error = 0.0;
 };
 
-/// Tests the constructs that shaders use, by one dispatch in the context, which must be READY. On failure `complaint` continues a sentence that
-/// starts with the driver's name, and names the constructs that are wrong. Not counted as a dispatch.
+/// Tests the constructs that shaders use, by one dispatch in the context, which must be READY. On failure
+/// `complaint` continues a sentence that starts with the driver's name, and names the constructs that are
+/// wrong. Not counted as a dispatch.
 bool ProbeConstructs(vtkComputeContext* context, std::string& complaint);
 
 /// Returns a row for each construct, used or not. The context must be READY.

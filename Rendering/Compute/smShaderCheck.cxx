@@ -27,7 +27,8 @@ bool IsName(const std::string& text)
   return !text.empty() && IsWordCharacter(text[0]) && std::isdigit(static_cast<unsigned char>(text[0])) == 0;
 }
 
-/// Cuts a text into words and signs, without comments. Lines of directives become tokens of `directives`, one list each.
+/// Cuts a text into words and signs, without comments. Lines of directives become tokens of `directives`, one
+/// list each.
 class ShaderScanner
 {
 public:
@@ -347,7 +348,8 @@ private:
     "dmat3x3", "dmat3x4", "dmat4x2", "dmat4x3", "dmat4x4" };
   /// Members of structures that are vectors.
   std::set<std::string> Members;
-  /// Names of vectors: global ones, then those of each open brace; and those of the parameters of a function that begins.
+  /// Names of vectors: global ones, then those of each open brace; and those of the parameters of a function
+  /// that begins.
   std::vector<std::set<std::string>> Scopes;
   std::set<std::string> Pending;
 };

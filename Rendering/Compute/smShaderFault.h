@@ -12,8 +12,8 @@
 
 namespace sm
 {
-/// Names of the shaders (ShaderSource::GetName()) that are assembled, from now on, with arrays that hold floats instead of doubles, as NVIDIA's
-/// compiler makes them. None is by default. Not thread safe.
+/// Names of the shaders (ShaderSource::GetName()) that are assembled, from now on, with arrays that hold
+/// floats instead of doubles, as NVIDIA's compiler makes them. None is by default. Not thread safe.
 SMRENDERINGCOMPUTE_EXPORT std::set<std::string>& GetFaultyShaders();
 }
 

@@ -22,10 +22,11 @@ namespace sm
  *                            first included, and may include others
  *     //SM::Anything         the text given to Replace("//SM::Anything", text)
  *
- * A source with a construct that drivers are known to get wrong (arrays of doubles of one invocation, see smShaderCheck.h) is refused.
+ * A source with a construct that drivers are known to get wrong (arrays of doubles of one invocation, see
+ * smShaderCheck.h) is refused.
  *
- * The assembled source starts with `#version 430 core`, which no file repeats. Chunks of this module are always
- * known: smInvocation (include it after the local_size layout), smErrorFree, smPortable.
+ * The assembled source starts with `#version 430 core`, which no file repeats. Chunks of this module are
+ * always known: smInvocation (include it after the local_size layout), smErrorFree, smPortable.
  */
 class SMRENDERINGCOMPUTE_EXPORT ShaderSource
 {
@@ -50,7 +51,8 @@ public:
   void SetUnchecked() { this->IsChecked = false; }
 
   /** Builds the source. False, with a sentence in GetError() that names shader and line, when a chunk is
-   * unknown, a tag is left, a replacement or the definitions have no place, a text has its own #version, or a construct is unsafe. */
+   * unknown, a tag is left, a replacement or the definitions have no place, a text has its own #version, or a
+   * construct is unsafe. */
   bool Assemble();
 
   /** The assembled source; empty before Assemble() succeeded. */

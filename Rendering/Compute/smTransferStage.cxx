@@ -1,12 +1,13 @@
 #include "smTransferStage.h"
 
-#include "smContextResources.h"
 #include "smOpenGL.h"
 
 namespace sm
 {
 namespace
 {
+/// Least size of the memory: a small part's work lists have a third of it.
+constexpr std::size_t LeastCapacity = std::size_t{ 1 } << 19;
 /// Alignment of the memory of an upload.
 constexpr std::size_t Alignment = 64;
 /// Nanoseconds after which waiting begins anew.
@@ -32,14 +33,9 @@ bool TransferStage::Map(std::size_t bytes)
   {
     return false;
   }
-  if (this->Name != 0)
-  {
-    // The driver keeps the memory until pending copies have read it.
-    this->Resources.FreeBuffer(this->Name);
-    this->Name = 0;
-    this->Memory = nullptr;
-  }
-  this->Capacity = MinimumBytes;
+  // The driver keeps the memory until pending copies have read it.
+  this->Free();
+  this->Capacity = LeastCapacity;
   while (this->Capacity < bytes)
   {
     this->Capacity *= 2;
@@ -57,7 +53,6 @@ bool TransferStage::Map(std::size_t bytes)
     glDeleteBuffers(1, &name);
     return false;
   }
-  this->Resources.AddBuffer(name, this->Capacity);
   this->Name = name;
   this->Memory = static_cast<unsigned char*>(memory);
   this->Begin = this->Bytes = 0;
@@ -68,9 +63,19 @@ bool TransferStage::Map(std::size_t bytes)
 #endif
 }
 
+void TransferStage::Free()
+{
+  if (this->Name != 0)
+  {
+    glDeleteBuffers(1, &this->Name);
+    this->Name = 0;
+    this->Memory = nullptr;
+  }
+}
+
 void* TransferStage::BeginUpload(std::size_t bytes)
 {
-  if (bytes < MinimumBytes || bytes > MaximumBytes)
+  if (bytes > MaximumBytes)
   {
     return nullptr;
   }

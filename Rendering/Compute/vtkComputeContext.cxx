@@ -110,7 +110,8 @@ void vtkComputeContext::Stop()
   vtkInternals& internals = *this->Internals;
   if (internals.Own && internals.Own->IsCurrent())
   {
-    // After rendering with our own window its context may be current; it is released, so that no scope restores it after its end.
+    // After rendering with our own window its context may be current; it is released, so that no scope
+    // restores it after its end.
     internals.Own->ReleaseCurrent();
   }
   const sm::CurrentContext::Guard guard;

@@ -2,19 +2,20 @@
  * @class   vtkComputeContext
  * @brief   one OpenGL context in which compute shaders in double precision run
  *
- * The context is that of a given vtkRenderWindow, so that results can stay where a renderer uses them, or one of its own: on the X display,
- * or without any display by surfaceless EGL. Start() makes it. If there is none, the reason is a status, and nothing is printed or aborted.
+ * The context is that of a given vtkRenderWindow, so that results can stay where a renderer uses them, or one
+ * of its own: on the X display, or without any display by surfaceless EGL. Start() makes it. If there is
+ * none, the reason is a status, and nothing is printed or aborted.
  *
  * Everything of this module that owns a GL name (sm::ComputeBuffer, sm::ComputeProgram) is tied to a context
  * and to its generation. When the window ends, is finalized or releases its resources, the context frees
  * the names while they can be freed, the status becomes LOST and the generation changes: objects of
  * the old generation have no content. Objects may be released in any order.
  *
- * A given window is referenced weakly, so a filter that holds a context inside that window's pipeline makes no
- * reference loop.
+ * A given window is referenced weakly, so a filter that holds a context inside that window's pipeline makes
+ * no reference loop.
  *
- * When the process exits by the thread that started a context, the context is stopped before OpenGL's driver ends, so that its
- * owner may be a static object or be never destroyed.
+ * When the process exits by the thread that started a context, the context is stopped before OpenGL's driver
+ * ends, so that its owner may be a static object or be never destroyed.
  *
  * Not thread safe: a context is used by one thread at a time, and a window's by the thread that renders.
  *
@@ -45,8 +46,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** The source of the context. AUTOMATIC tries the given window, then an own context on the X display, then surfaceless EGL, of
-   * a GPU before a software renderer's, and uses the first that has OpenGL 4.3 with double precision. If none has, the status is the
-   * highest one of all attempts, in the order NO_CONTEXT, NO_COMPUTE, NO_DOUBLES. */
+   * a GPU before a software renderer's, and uses the first that has OpenGL 4.3 with double precision. If none
+   * has, the status is the highest one of all attempts, in the order NO_CONTEXT, NO_COMPUTE, NO_DOUBLES. */
   enum SourceType
   {
     AUTOMATIC = 0,
@@ -97,8 +98,8 @@ public:
   int Start();
 
   /**
-   * Like Start(), but never makes a context of a software renderer: returns whether the context is READY and that of a GPU. A negative
-   * result is kept until source, window or version change.
+   * Like Start(), but never makes a context of a software renderer: returns whether the context is READY and
+   * that of a GPU. A negative result is kept until source, window or version change.
    */
   bool StartOnGPU();
 
@@ -141,8 +142,9 @@ public:
 
   ///@{
   /**
-   * Bytes of GPU memory that the buffers of this module hold in the OpenGL context now, and the largest value since its first use. Contexts
-   * of the same window share the OpenGL context, and each reports the sum. 0 when not READY.
+   * Bytes of GPU memory that the buffers of this module hold in the OpenGL context now, and the largest value
+   * since its first use. Contexts of the same window share the OpenGL context, and each reports the sum. 0
+   * when not READY.
    */
   vtkTypeInt64 GetAllocatedBytes();
   vtkTypeInt64 GetPeakAllocatedBytes();

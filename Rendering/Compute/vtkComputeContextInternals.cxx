@@ -317,7 +317,8 @@ void vtkComputeContext::vtkInternals::Detach()
   }
 }
 
-/// Handles DeleteEvent, before the destructor of the window: its observers, one of which may make it current, still work.
+/// Handles DeleteEvent, before the destructor of the window: its observers, one of which may make it current,
+/// still work.
 void vtkComputeContext::vtkInternals::WindowIsDeleted()
 {
   if (this->Used)

@@ -2,8 +2,9 @@
  * @file smPortableCxx.h
  * @brief Compiles the chunks of mathematics in glsl/ as C++, through GLM; not installed
  *
- * Include it in a source file, not in a header, and inside no namespace. Then include the files of the chunks in a namespace, or in the
- * body of a class, where the names that they need are declared: accessors, sizes and arrays, which every chunk lists in its first comment.
+ * Include it in a source file, not in a header, and inside no namespace. Then include the files of the chunks
+ * in a namespace, or in the body of a class, where the names that they need are declared: accessors, sizes
+ * and arrays, which every chunk lists in its first comment.
  */
 #ifndef smPortableCxx_h
 #define smPortableCxx_h

@@ -1,17 +1,20 @@
 /**
  * @file smPortableLanes.h
- * @brief Compiles the chunks of mathematics in glsl/ as C++ that evaluates several items side by side; not installed
+ * @brief Compiles the chunks of mathematics in glsl/ as C++ that evaluates several items side by side; not
+ * installed
  *
- * Like smPortableCxx.h, but the type that the chunks call double is the parameter Number of a class template: sm::Lanes, or double itself.
- * Every lane does the operations of one double in the same order, so that its bits do not depend on the number of lanes. Numbers of loops
- * and conditions of if must be the same for all lanes; where a condition compares Numbers the chunk uses SM_SELECT, or SM_ANY, which holds
- * for all lanes if it does for one. In a class template, put between `#define double Number` and `#undef double`:
+ * Like smPortableCxx.h, but the type that the chunks call double is the parameter Number of a class template:
+ * sm::Lanes, or double itself. Every lane does the operations of one double in the same order, so that its
+ * bits do not depend on the number of lanes. Numbers of loops and conditions of if must be the same for all
+ * lanes; where a condition compares Numbers the chunk uses SM_SELECT, or SM_ANY, which holds for all lanes if
+ * it does for one. In a class template, put between `#define double Number` and `#undef double`:
  *
  *     using dvec2 = sm::LaneVector2<Number>; (and so dvec3, dvec4), using uvec4 = sm::LaneIndices;
  *     #include "glsl/sm....glsl"
  *
- * A source file that is compiled for a special instruction set must not use inline functions that other files use, too, because the linker
- * keeps one copy of each. Therefore this header has only templates of Number and does not include GLM.
+ * A source file that is compiled for a special instruction set must not use inline functions that other files
+ * use, too, because the linker keeps one copy of each. Therefore this header has only templates of Number and
+ * does not include GLM.
  */
 #ifndef smPortableLanes_h
 #define smPortableLanes_h

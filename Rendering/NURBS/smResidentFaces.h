@@ -20,7 +20,8 @@ class vtkComputeContext;
 
 namespace sm
 {
-/// Position of a face on the GPU: its page, and the bases that are added to the indices in its FacePanels, which are relative to the face.
+/// Position of a face on the GPU: its page, and the bases that are added to the indices in its FacePanels,
+/// which are relative to the face.
 struct ResidentFace
 {
   int Page = -1;
@@ -34,17 +35,19 @@ struct ResidentFace
 };
 
 /**
- * Uploads control points, patches, polynomial coefficients and caps of cut faces, which the shaders read. Faces are packed into
- * pages, each a set of buffers within the driver's limit of a storage block. A face that is resident is found again by its id and
- * costs nothing. A page whose faces no longer exist, as after an edit, is dropped by the next upload. When the bytes exceed the
- * budget, the pages used longest ago are dropped as a whole.
+ * Uploads control points, patches, polynomial coefficients and caps of cut faces, which the shaders read.
+ * Faces are packed into pages, each a set of buffers within the driver's limit of a storage block. A face
+ * that is resident is found again by its id and costs nothing. A page whose faces no longer exist, as after
+ * an edit, is dropped by the next upload. When the bytes exceed the budget, the pages used longest ago are
+ * dropped as a whole.
  *
- * All users of one OpenGL context share the pages: a face that two filters of a window integrate is stored once. A page is dropped
- * when its last user has released it. The faces of a user's last request stay until its EndRun(), whatever others ask for.
+ * All users of one OpenGL context share the pages: a face that two filters of a window integrate is stored
+ * once. A page is dropped when its last user has released it. The faces of a user's last request stay until
+ * its EndRun(), whatever others ask for.
  *
  * When the OpenGL context ends, all pages are lost, and the next Acquire() uploads again.
- * Storage and bindings: see glsl/smResident.glsl. All methods except Bind() and BindCaps() enter the context themselves; progress is
- * reported outside of it.
+ * Storage and bindings: see glsl/smResident.glsl. All methods except Bind() and BindCaps() enter the context
+ * themselves; progress is reported outside of it.
  */
 class SMRENDERINGNURBS_EXPORT ResidentFaces
 {
@@ -61,10 +64,12 @@ public:
   ResidentFaces(const ResidentFaces&) = delete;
   ResidentFaces& operator=(const ResidentFaces&) = delete;
 
-  /// Bytes of GPU memory that the pages may take together, of all users that share them; default 1 GiB. One request may exceed it.
+  /// Bytes of GPU memory that the pages may take together, of all users that share them; default 1 GiB. One
+  /// request may exceed it.
   void SetBudget(std::size_t bytes);
 
-  /// Work items (panels, ribbons, caps) of one page at most; default 262144. A larger face has a page of its own.
+  /// Work items (panels, ribbons, caps) of one page at most; default 262144. A larger face has a page of its
+  /// own.
   void SetMaximumItemsPerPage(std::size_t items);
 
   /// Makes `faces` resident; `locations` gets one entry per face. `progress` (may be empty) gets a fraction
@@ -84,7 +89,8 @@ public:
   bool BindCaps(int page);
 
   ///@{
-  /// Counters: faces and bytes resident now, and pages dropped, of all users that share them; faces uploaded by this one.
+  /// Counters: faces and bytes resident now, and pages dropped, of all users that share them; faces uploaded
+  /// by this one.
   std::size_t GetNumberOfFaces() const;
   std::size_t GetBytes() const;
   std::uint64_t GetNumberOfUploads() const;
@@ -98,8 +104,8 @@ private:
   std::unique_ptr<Internals> Implementation;
 };
 
-/// Texts of the chunks smBernstein, smDisplayPoint, smPatch, smPatchRecord, smPatchSecond and smResident, by name; null
-/// for another name.
+/// Texts of the chunks smBernstein, smDisplayPoint, smPatch, smPatchRecord, smPatchSecond and smResident, by
+/// name; null for another name.
 SMRENDERINGNURBS_EXPORT const char* GetNURBSShaderChunk(const std::string& name);
 }
 

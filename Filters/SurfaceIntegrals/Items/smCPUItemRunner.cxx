@@ -23,7 +23,8 @@ namespace
 constexpr std::size_t RowsOfChunk = 4096;
 // Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
-// Least number of segments per task of a thread, and number of tasks of each thread: every task has buffers of its own.
+// Least number of segments per task of a thread, and number of tasks of each thread: every task has buffers
+// of its own.
 constexpr std::size_t SegmentsPerTask = 64;
 constexpr std::size_t TasksPerThread = 16;
 
@@ -34,7 +35,8 @@ std::size_t GetGrain(std::size_t count, std::size_t least)
   return std::max(count / (TasksPerThread * threads), least);
 }
 
-/// Lanes for so many items: four half as wide take less time than eight that are half empty. Fewer have no fused multiply-add.
+/// Lanes for so many items: four half as wide take less time than eight that are half empty. Fewer have no
+/// fused multiply-add.
 int GetLanesOf(int count, int widest)
 {
   return widest == 8 && count <= 4 ? 4 : widest;

@@ -14,9 +14,10 @@
 namespace sm
 {
 /**
- * Evaluates items in parallel by vtkSMPTools, with the backend and the number of threads that the application chose, and items of
- * one shape side by side in the lanes of vector registers; results are bitwise the same for any of these. All faces are one group. User
- * integrands are GLSL text, which needs OpenGL; for these GetObstacle() returns a reason.
+ * Evaluates items in parallel by vtkSMPTools, with the backend and the number of threads that the application
+ * chose, and items of one shape side by side in the lanes of vector registers; results are bitwise the same
+ * for any of these. All faces are one group. User integrands are GLSL text, which needs OpenGL; for these
+ * GetObstacle() returns a reason.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT CPUItemRunner : public ItemRunner
 {
@@ -27,8 +28,8 @@ public:
   /// Returns "CPU, N threads".
   static std::string GetDescription();
 
-  /// Sets how many items are evaluated side by side, one of GetLaneCounts(); default: as many as the processor can. Results are
-  /// bitwise the same for any number.
+  /// Sets how many items are evaluated side by side, one of GetLaneCounts(); default: as many as the
+  /// processor can. Results are bitwise the same for any number.
   void SetLaneCount(int lanes);
 
   std::string GetObstacle(const Integrand& integrand) const override;
@@ -45,8 +46,9 @@ public:
     const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps) override;
   void Release() override;
 
-  /// Computes the sums of all columns over each segment [first, last) of rows, GetLayout().GetStride() doubles each, and the
-  /// maximum of the column LargestGap. An empty segment has zeros. Sums are compensated; a NaN is preserved.
+  /// Computes the sums of all columns over each segment [first, last) of rows, GetLayout().GetStride()
+  /// doubles each, and the maximum of the column LargestGap. An empty segment has zeros. Sums are
+  /// compensated; a NaN is preserved.
   using Segment = std::pair<unsigned int, unsigned int>;
   bool Sum(const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps);
 

@@ -32,10 +32,11 @@ constexpr unsigned int LocalSizeOfBlocks = 64;
 constexpr std::uint32_t RowsOfBlock = 64;
 // Largest number of rows at a time, which limits the memory of rows and lists.
 constexpr std::size_t MaximumRows = 262144;
-// Estimated cost (evaluations times a factor for the degree) and lines of a portion: for a software renderer some 50 ms on two CPU cores, and
-// for a GPU, which evaluates a hundred times as fast, no more, so that a run can be aborted and the driver's watchdog does not interrupt it.
-constexpr PortionLimits SoftwareLimits = { 4000000, 65536 };
-constexpr PortionLimits DeviceLimits = { 400000000, 1048576 };
+// Estimated cost (evaluations times a factor for the degree) and lines of a portion: for a software renderer
+// some 50 ms on two CPU cores, and for a GPU, which evaluates a hundred times as fast, no more, so that a run
+// can be aborted and the driver's watchdog does not interrupt it.
+constexpr PortionLimits SoftwareLimits = { 4000000, 65536, true };
+constexpr PortionLimits DeviceLimits = { 400000000, 131072, false };
 
 // Records that a thread makes at a time.
 constexpr std::size_t RecordsOfTask = 4096;
@@ -175,7 +176,11 @@ struct GPUItemRunner::Internals
     return record;
   }
 
-  /// Builds the programs that the faces need and runs each once, as drivers finish compilation at the first dispatch.
+  /// Makes the buffers for as many items as the faces have, since a new store takes a GPU's driver up to a
+  /// millisecond; the plan may have more.
+  bool Reserve(const RowLayout& layout, const std::vector<CutFacePointer>& faces, std::size_t maximumRows);
+  /// Builds the programs that the faces need and runs each once, as drivers finish compilation at the first
+  /// dispatch.
   bool WarmUp(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress, std::string& error);
   /// Runs a program for a range of a portion's lines, or the program that finishes the portion's items.
   bool DispatchLines(const RowLayout& layout, const WorkPortion& portion, const LineRange& range);
@@ -216,11 +221,37 @@ bool GPUItemRunner::Acquire(const std::vector<CutFacePointer>& faces, const Prog
     self.Places.clear();
     return this->Fail(self.Resident.GetError());
   }
+  if (!self.Reserve(this->Layout, faces, this->GetRowLimit()))
+  {
+    return this->Fail("the results do not fit on the GPU: " + self.GetBufferErrors());
+  }
   const double start = vtkTimerLog::GetUniversalTime();
   std::string error;
   const bool isWarm = self.WarmUp(faces, progress, error);
   this->StartSeconds = vtkTimerLog::GetUniversalTime() - start;
   return isWarm || this->Fail(error);
+}
+
+bool GPUItemRunner::Internals::Reserve(
+  const RowLayout& layout, const std::vector<CutFacePointer>& faces, std::size_t maximumRows)
+{
+  if (this->Context->IsSoftware())
+  {
+    return true;
+  }
+  std::size_t items = 0;
+  for (const CutFacePointer& face : faces)
+  {
+    items += face->GetNumberOfItems();
+  }
+  const std::size_t rows = std::clamp<std::size_t>(items, 1, maximumRows);
+  // An item has some six lines, and hardly an item is a part of its own.
+  const std::size_t lines = std::min(6 * rows, this->GetLimits(layout).Lines);
+  return this->Work.Allocate(rows * sizeof(WorkRecord)) &&
+    this->Rows.Allocate(rows * layout.GetStride() * sizeof(double)) &&
+    this->LineSums.Allocate(lines * GetLineBytes(layout)) &&
+    this->StatusFlags.Allocate(rows * sizeof(std::uint32_t)) &&
+    this->BlockSums.Allocate((rows / 4 + 1) * GetBlockBytes(layout));
 }
 
 bool GPUItemRunner::Internals::WarmUp(

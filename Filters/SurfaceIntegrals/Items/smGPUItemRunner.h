@@ -15,9 +15,10 @@ class vtkComputeContext;
 namespace sm
 {
 /**
- * Keeps faces resident (ResidentFaces); a group is a page of them. Work is dispatched in portions of limited cost, each in its
- * own scope of the context, so that a run can be aborted between them, the driver's watchdog does not interrupt it, and a
- * progress observer may render in another window. Nothing is read back before AddUp(): rows stay on the GPU. The context must be READY.
+ * Keeps faces resident (ResidentFaces); a group is a page of them. Work is dispatched in portions of limited
+ * cost, each in its own scope of the context, so that a run can be aborted between them, the driver's
+ * watchdog does not interrupt it, and a progress observer may render in another window. Nothing is read back
+ * before AddUp(): rows stay on the GPU. The context must be READY.
  */
 class GPUItemRunner : public ItemRunner
 {

@@ -60,16 +60,12 @@ void IntegrationPrograms::Configure(const ItemRunner::Setup& setup, const RowLay
 ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int degreeR)
 {
   static const std::pair<int, int> common[] = { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 3, 3 } };
-  // With a constant degree in s the curve that a patch is along a line stays in registers. A ribbon needs it for one point only.
+  // With a constant degree in s the curve that a patch is along a line stays in registers. A line of a ribbon
+  // needs one point of it only: programs for their degrees were no faster on an H200, and more to compile.
   constexpr int MaximumPanelDegree = 6;
-  constexpr int MaximumRibbonDegree = 3;
-  if (kind == ItemKind::Cap)
+  if (kind != ItemKind::Panel)
   {
-    return { ProgramKind::Caps, 0, 0 };
-  }
-  if (kind == ItemKind::Ribbon)
-  {
-    return { ProgramKind::Ribbons, degreeS <= MaximumRibbonDegree ? degreeS : 0, 0 };
+    return { kind == ItemKind::Ribbon ? ProgramKind::Ribbons : ProgramKind::Caps, 0, 0 };
   }
   const bool isCommon =
     std::find(std::begin(common), std::end(common), std::make_pair(degreeS, degreeR)) != std::end(common);

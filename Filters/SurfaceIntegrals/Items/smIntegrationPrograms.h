@@ -48,18 +48,19 @@ public:
   /// Sets integrands and layout. A change releases the compiled shaders.
   void Configure(const ItemRunner::Setup& setup, const RowLayout& layout);
 
-  /// Returns the key of the program for an item on a patch of these degrees. The choice depends on nothing else, so that the
-  /// results of a face are bitwise the same in any batch.
+  /// Returns the key of the program for an item on a patch of these degrees. The choice depends on nothing
+  /// else, so that the results of a face are bitwise the same in any batch.
   static ProgramKey ChooseProgram(ItemKind kind, int degreeS, int degreeR);
 
   bool IsBuilt(const ProgramKey& key) const;
-  /// Builds programs side by side, as far as the driver can. Returns false, with GetError(), if one cannot be built.
+  /// Builds programs side by side, as far as the driver can. Returns false, with GetError(), if one cannot be
+  /// built.
   bool Build(const std::vector<ProgramKey>& keys);
   /// Returns the program, which is built on first use; null, with GetError(), if it cannot be built.
   ComputeProgram* Get(const ProgramKey& key);
 
-  /// Returns the reason why an integrand does not compile, with the column in the user's text; empty if it compiles. Each
-  /// integrand is compiled separately, and only once.
+  /// Returns the reason why an integrand does not compile, with the column in the user's text; empty if it
+  /// compiles. Each integrand is compiled separately, and only once.
   std::string FindError(const Integrand& integrand);
 
   const std::string& GetError() const { return this->Error; }

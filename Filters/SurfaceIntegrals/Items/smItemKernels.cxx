@@ -71,7 +71,8 @@ public:
   {
   }
 
-  /// Stores the sums that are lane `lane` of `lanes`. Returns false if the differences are above the tolerances.
+  /// Stores the sums that are lane `lane` of `lanes`. Returns false if the differences are above the
+  /// tolerances.
   bool Store(const WorkItem& item, const ItemLanes& sums, int lane, int lanes)
   {
     for (uint k = 0; k < smIntegrandCount; ++k)
@@ -166,7 +167,8 @@ struct InputSizes
   static constexpr std::size_t CoefficientsBegin = PatchBegin + 10;
   std::size_t GetPointsBegin() const { return CoefficientsBegin + this->Trim + this->Edge + this->Cap; }
   std::size_t GetPlacementBegin() const { return this->GetPointsBegin() + this->Points; }
-  /// The number of doubles of an item, and more up to a multiple of the lanes: arrays are interleaved in squares.
+  /// The number of doubles of an item, and more up to a multiple of the lanes: arrays are interleaved in
+  /// squares.
   std::size_t GetTotal() const
   {
     return (this->GetPlacementBegin() + this->Placement + MostLanes - 1) / MostLanes * MostLanes;

@@ -14,7 +14,8 @@
 
 namespace sm
 {
-/// The formulas of a list of integrands (without user integrands) in the flat form in which samples are evaluated.
+/// The formulas of a list of integrands (without user integrands) in the flat form in which samples are
+/// evaluated.
 class SMFILTERSSURFACEINTEGRALS_EXPORT SampleFormulas
 {
 public:
@@ -27,7 +28,8 @@ public:
     /// Index of the base: flux, area element, normal x, y, z.
     int Base;
     double Factor;
-    /// Indices of two coordinates that multiply the term, where 3 stands for 1; the range in More has those of higher degrees.
+    /// Indices of two coordinates that multiply the term, where 3 stands for 1; the range in More has those
+    /// of higher degrees.
     int First, Second;
     int MoreBegin, MoreEnd;
     bool ClosedChain;
@@ -90,11 +92,13 @@ struct KernelItem
 constexpr int MostLanes = 8;
 /// Returns the numbers of items, ascending from 1, that this processor can evaluate side by side.
 SMFILTERSSURFACEINTEGRALS_EXPORT const std::vector<int>& GetLaneCounts();
-/// Returns a number that is equal for items which may be evaluated side by side: those of equal kind, degrees, orders and signs.
+/// Returns a number that is equal for items which may be evaluated side by side: those of equal kind,
+/// degrees, orders and signs.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::uint64_t GetItemShape(const KernelItem& item);
 
-/// Evaluates `count` items of one shape, at most `lanes` of them, by the mathematics of glsl/sm{Panel,Ribbon,Cap}CS.glsl, and writes
-/// their rows. A row has the same bits for any number of lanes and in any company.
+/// Evaluates `count` items of one shape, at most `lanes` of them, by the mathematics of
+/// glsl/sm{Panel,Ribbon,Cap}CS.glsl, and writes their rows. A row has the same bits for any number of lanes
+/// and in any company.
 SMFILTERSSURFACEINTEGRALS_EXPORT void EvaluateItems(const KernelData& data, const KernelItem* items,
   int count, int lanes, KernelScratch& scratch, KernelResult* results);
 }

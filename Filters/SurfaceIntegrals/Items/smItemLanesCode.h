@@ -1,6 +1,7 @@
 /**
  * @file smItemLanesCode.h
- * @brief The shader chunks of glsl/ compiled for SM_LANES items side by side; included by smItemLanes<SM_LANES>.cxx only
+ * @brief The shader chunks of glsl/ compiled for SM_LANES items side by side; included by
+ * smItemLanes<SM_LANES>.cxx only
  *
  * Nothing here may leave the file that is compiled for an instruction set: see smPortableLanes.h.
  */
@@ -49,14 +50,14 @@ public:
   {
     this->Clear();
     const smWorkRecord work = this->MakeWork();
-    return smIntegratePanel(work, 0, smGetLines(work));
+    return smIntegratePanel(work, 0, smGetNodes(work));
   }
   __attribute__((flatten)) unsigned int IntegrateRibbon()
   {
     dvec3 gaps;
     this->Clear();
     const smWorkRecord work = this->MakeWork();
-    const unsigned int evaluations = smIntegrateRibbon(work, 0, smGetLines(work), gaps);
+    const unsigned int evaluations = smIntegrateRibbon(work, 0, smGetNodes(work), gaps);
     auto* stored = reinterpret_cast<Number*>(this->Items.Gaps);
     stored[0] = gaps.x;
     stored[1] = gaps.y;
@@ -155,7 +156,8 @@ private:
     this->Accumulate(weight, noise, position, normal, true);
   }
 
-  /// Multiplies the factors from left to right, as in the shaders' generated text; a multiplication by 1 is exact.
+  /// Multiplies the factors from left to right, as in the shaders' generated text; a multiplication by 1 is
+  /// exact.
   void Accumulate(
     const Number& weight, const Number& noise, const dvec3& position, const dvec3& normal, bool chainOnly)
   {
@@ -288,7 +290,8 @@ inline void SumRowsInLanes(const double* rows, std::size_t count, int stride, do
   }
 }
 
-/// The common degrees are compiled with constants, others up to 6 with that of the inner direction, in which most of the work is done.
+/// The common degrees are compiled with constants, others up to 6 with that of the inner direction, in which
+/// most of the work is done.
 unsigned int IntegratePanels(const ItemLanes& items)
 {
   switch (100 * items.Degree[0] + items.Degree[1])

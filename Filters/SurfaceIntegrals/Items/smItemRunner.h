@@ -1,6 +1,7 @@
 /**
  * @file smItemRunner.h
- * @brief Interface of the GPU and CPU runners, which evaluate items of integration (panels, ribbons, caps) and sum their results
+ * @brief Interface of the GPU and CPU runners, which evaluate items of integration (panels, ribbons, caps)
+ * and sum their results
  */
 #ifndef smItemRunner_h
 #define smItemRunner_h
@@ -19,7 +20,8 @@
 
 namespace sm
 {
-/// Consecutive rows [Begin, End) of the items of one kind of a face, those of ribbons of one coedge. Parts of a face are consecutive, too.
+/// Consecutive rows [Begin, End) of the items of one kind of a face, those of ribbons of one coedge. Parts of
+/// a face are consecutive, too.
 struct RowPart
 {
   std::uint32_t Slot = 0;
@@ -58,15 +60,15 @@ struct FaceTotals
  *   2. Acquire(): the cut faces of the run. Faces with GetFaceError() have no items.
  *   3. BeginBatch() for some faces of one GetGroup(); for this batch
  *   4. BeginRows() for a list of items, each with its own row, which has no meaning until the item ran,
- *   5. Run() for any of these items, any number of times. An item has its orders and flags in its record. Its sums are compared
- *      with the content of its row (unless a flag excludes the comparison) and then overwrite it, so that an item can be repeated
- *      at a higher order,
+ *   5. Run() for any of these items, any number of times. An item has its orders and flags in its record. Its
+ *   sums are compared with the content of its row (unless a flag excludes the comparison) and then overwrite
+ *   it, so that an item can be repeated at a higher order,
  *   6. AddUp() of parts of the rows, and GetUnconverged(), in any order: a GPU is read in these two alone.
  * Steps 3 to 6 repeat; Release() ends the run. The integrator chooses orders and tolerances, not the runner.
  *
- * The row of an item depends only on the item, its face, and the arguments of Configure() and BeginBatch(); the sum of a part
- * depends only on its rows and their order. Results are therefore bitwise the same for any order, batch, number of threads or
- * dispatches.
+ * The row of an item depends only on the item, its face, and the arguments of Configure() and BeginBatch();
+ * the sum of a part depends only on its rows and their order. Results are therefore bitwise the same for any
+ * order, batch, number of threads or dispatches.
  *
  * Methods return false if they fail, with GetError(), or if `shouldContinue` returned false. Not thread safe.
  */
@@ -100,7 +102,8 @@ public:
   /// Returns the reason why this runner cannot evaluate an integrand; empty if it can.
   virtual std::string GetObstacle(const Integrand& integrand) const = 0;
 
-  /// Sets integrands and constants, from the next BeginBatch() on. GetObstacle() must be empty for all integrands.
+  /// Sets integrands and constants, from the next BeginBatch() on. GetObstacle() must be empty for all
+  /// integrands.
   void Configure(const Setup& setup)
   {
     this->Configured = setup;
@@ -111,7 +114,8 @@ public:
 
   /// Prepares the faces for items, with all work that does not count as integration.
   virtual bool Acquire(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress) = 0;
-  /// Returns the reason why a face of the last Acquire() cannot be integrated by this runner; empty if it can.
+  /// Returns the reason why a face of the last Acquire() cannot be integrated by this runner; empty if it
+  /// can.
   virtual std::string GetFaceError(std::size_t face) const = 0;
   /// Returns the group of a face. Only faces of one group may share a batch.
   virtual int GetGroup(std::size_t face) const = 0;
@@ -119,7 +123,8 @@ public:
   virtual std::size_t GetRowLimit() const = 0;
 
   ///@{
-  /// Whether the code that evaluates an item has been compared with that of the CPU, see FindRunnerDifference(), and to say so.
+  /// Whether the code that evaluates an item has been compared with that of the CPU, see
+  /// FindRunnerDifference(), and to say so.
   virtual bool IsProved(const WorkItem&) const { return true; }
   virtual void SetProved(const WorkItem&) {}
   ///@}
@@ -132,12 +137,14 @@ public:
   virtual bool Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
     std::int64_t& evaluations, const ContinueCallback& shouldContinue) = 0;
 
-  /// Sets unconverged[i] to 1 if the differences of items[active[i]] of the last Run() are above the tolerances, else to 0.
+  /// Sets unconverged[i] to 1 if the differences of items[active[i]] of the last Run() are above the
+  /// tolerances, else to 0.
   virtual bool GetUnconverged(std::vector<std::uint8_t>& unconverged) = 0;
 
-  /// Adds what the rows of each part sum up to: values, errors and roundings to the totals of the part's face, where each addition adds its
-  /// rounding; its gaps to those of the face and, for a coedge, to `gaps`. `totals` has an entry for each face of the parts, in their order;
-  /// `gaps` gets one for each part of a coedge. Sums within a part are compensated; a NaN is preserved.
+  /// Adds what the rows of each part sum up to: values, errors and roundings to the totals of the part's
+  /// face, where each addition adds its rounding; its gaps to those of the face and, for a coedge, to `gaps`.
+  /// `totals` has an entry for each face of the parts, in their order; `gaps` gets one for each part of a
+  /// coedge. Sums within a part are compensated; a NaN is preserved.
   virtual bool AddUp(
     const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps) = 0;
 

@@ -169,8 +169,8 @@ void BisectItem(const WorkItem& parent, int shareHalvings, std::vector<WorkItem>
     child.Level = 0;
     child.Work.Detail[3] -= shareHalvings * Doubling;
     child.Work.Range[part & 1 ? 0 : 1] = middle[0];
-    // The second range of a ribbon, along the edge's curve, is divided together with the first one; that of a panel is
-    // independent.
+    // The second range of a ribbon, along the edge's curve, is divided together with the first one; that of a
+    // panel is independent.
     const bool upper = isPanel ? part & 2 : part & 1;
     child.Work.Range[upper ? 2 : 3] = middle[1];
     children.push_back(child);

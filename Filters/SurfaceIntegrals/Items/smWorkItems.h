@@ -16,7 +16,8 @@
 namespace sm
 {
 
-/// A work item in the layout (std430) of smWorkRecord in glsl/smWorkRecord.glsl. Indices are relative to the face.
+/// A work item in the layout (std430) of smWorkRecord in glsl/smWorkRecord.glsl. Indices are relative to the
+/// face.
 struct WorkRecord
 {
   std::uint32_t Item[4];
@@ -64,13 +65,13 @@ struct WorkItem
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddItems(
   const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& items);
 
-/// Writes the items of a face's plan, as many as it has, panels, then ribbons, then caps, with their orders. Each is evaluated once, without
-/// a comparison.
+/// Writes the items of a face's plan, as many as it has, panels, then ribbons, then caps, with their orders.
+/// Each is evaluated once, without a comparison.
 SMFILTERSSURFACEINTEGRALS_EXPORT void MakePlannedItems(
   const CutFace& face, const FacePlan& plan, std::uint32_t slot, WorkItem* items);
 
-/// Doubles the points of an item that was evaluated, for a comparison with its row. If `mayBisect` is true, an item that does not
-/// converge leaves zeros in its row.
+/// Doubles the points of an item that was evaluated, for a comparison with its row. If `mayBisect` is true,
+/// an item that does not converge leaves zeros in its row.
 SMFILTERSSURFACEINTEGRALS_EXPORT void DoubleOrders(WorkItem& item, bool mayBisect);
 /// Halves the points again, for the parts of such an item.
 SMFILTERSSURFACEINTEGRALS_EXPORT void HalveOrders(WorkItem& item);
@@ -78,12 +79,12 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void HalveOrders(WorkItem& item);
 /// Returns the orders of the item at its level.
 SMFILTERSSURFACEINTEGRALS_EXPORT Orders GetItemOrders(const OrderLadder& ladder, const WorkItem& item);
 
-/// Writes the orders into the record. If `mayBisect` is true, an item that does not converge at the last order leaves zeros in
-/// its row.
+/// Writes the orders into the record. If `mayBisect` is true, an item that does not converge at the last
+/// order leaves zeros in its row.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SetItemOrders(WorkItem& item, const Orders& orders, bool mayBisect);
 
-/// Appends the quarters of a panel, or the halves of a ribbon, at the first level. The tolerance of each is that of its parent,
-/// halved `shareHalvings` times.
+/// Appends the quarters of a panel, or the halves of a ribbon, at the first level. The tolerance of each is
+/// that of its parent, halved `shareHalvings` times.
 SMFILTERSSURFACEINTEGRALS_EXPORT void BisectItem(
   const WorkItem& parent, int shareHalvings, std::vector<WorkItem>& children);
 }

@@ -13,12 +13,13 @@ namespace
 /// Bit of WorkShape::LinesOfItem for items that measure gaps, as in glsl/smLineStorage.glsl.
 constexpr std::uint32_t MeasuresGaps = 0x80000000u;
 
-std::uint32_t GetLines(const WorkItem& item)
+std::uint32_t GetNodes(const WorkItem& item)
 {
   return (item.Work.Detail[0] >> 8) & 255u;
 }
 
-/// Equal for items that are evaluated by the same instructions: kind, degrees, numbers of points, degrees of trim and edge.
+/// Equal for items that are evaluated by the same instructions: kind, degrees, numbers of points, degrees of
+/// trim and edge.
 std::uint64_t GetShapeKey(const WorkItem& item)
 {
   const std::uint64_t edgeDegree = item.Kind == ItemKind::Ribbon ? item.Work.Detail[2] & 255u : 0u;
@@ -51,8 +52,9 @@ WorkList::WorkList(
   std::vector<KeyedItems> shapes;
   std::unordered_map<std::uint64_t, std::uint32_t> known;
   std::vector<std::uint32_t> shapeOf(active.size());
-  // Neighbours often alternate between a few shapes: the last one of each of some keys is found without the map.
-  constexpr std::size_t Recent = 64;
+  // Neighbours often alternate between a few shapes: the last one of each of some keys is found without the
+  // map.
+  constexpr std::size_t Recent = 1024;
   std::array<std::uint32_t, Recent> recent{};
   for (std::size_t i = 0; i < active.size(); ++i)
   {
@@ -93,13 +95,14 @@ WorkList::WorkList(
 void WorkList::AddShape(
   const WorkItem& item, std::uint32_t firstItem, std::uint32_t count, const PortionLimits& limits)
 {
-  const std::uint32_t lines = GetLines(item);
+  const std::uint32_t nodes = GetNodes(item);
+  const std::uint32_t lines = limits.HasWholeRibbons && item.Kind != ItemKind::Panel ? 1u : nodes;
   const std::int64_t costOfItem = std::max<std::int64_t>(item.GetCost(), 1);
   const ProgramKey program = GetProgram(item);
   const std::int64_t points = item.Kind == ItemKind::Panel ? (item.Work.Detail[0] >> 16) & 255u
     : item.Kind == ItemKind::Ribbon                        ? 1
                                                            : 0;
-  this->Evaluations += points * lines * count;
+  this->Evaluations += points * nodes * count;
   while (count > 0)
   {
     const std::int64_t room = this->Portions.empty()

@@ -14,8 +14,9 @@
 
 namespace sm
 {
-/// Items of one kind, degrees and numbers of points, which lie one after another in the list, in the layout of smShapes in
-/// glsl/smLineStorage.glsl. A shape of a larger number of lines than a portion has is there several times.
+/// Items of one kind, degrees and numbers of points, which lie one after another in the list, in the layout
+/// of smShapes in glsl/smLineStorage.glsl. A shape of a larger number of lines than a portion has is there
+/// several times.
 struct WorkShape
 {
   /// The first line is counted from the beginning of the portion.
@@ -45,10 +46,13 @@ struct PortionLimits
 {
   std::int64_t Cost = 0;
   std::size_t Lines = 0;
+  /// True if a ribbon is one line: the samples of a node are few, so that it pays off only where a processor
+  /// has thousands of lanes to give them a line.
+  bool HasWholeRibbons = false;
 };
 
-/// The order of the items depends on nothing but the items. Shapes are in the order of their programs, so that each program is dispatched once
-/// for a portion.
+/// The order of the items depends on nothing but the items. Shapes are in the order of their programs, so
+/// that each program is dispatched once for a portion.
 class WorkList
 {
 public:

@@ -1,6 +1,6 @@
-// The sums of a line, and functions that add a sample to them; the terms are generated from the list of integrands. Every sum is a variable
-// of its own: smPortable says why they are not an array.
-// Needs: chunks smWorkStorage, smLineStorage.
+// The sums of a line, and functions that add a sample to them; the terms are generated from the list of
+// integrands. Every sum is a variable of its own: smPortable says why they are not an array. Needs: chunks
+// smWorkStorage, smLineStorage.
 
 //SM::DeclareSums
 
@@ -28,12 +28,15 @@ void smStoreLineGaps(uint line, dvec3 gaps)
   smLineSums[at + 2u * smLineStride] = gaps.z;
 }
 
-// Returns the item of a line, an index into smWork, and its node.
-uvec2 smFindItem(uint line)
+// Returns the item of a line, an index into smWork, and the first node of the line and the one behind its last.
+uvec3 smFindItem(uint line)
 {
   uvec4 shape = smFindShape(line, 0);
-  uint node = (line - shape.x) / shape.z;
-  return uvec2(shape.y + (line - shape.x) - node * shape.z, node);
+  uint lines = shape.w & ~smMeasuresGaps;
+  uint place = (line - shape.x) / shape.z;
+  uint item = shape.y + (line - shape.x) - place * shape.z;
+  uint nodes = uint(smGetNodes(smWork[item]));
+  return uvec3(item, place * nodes / lines, (place + 1u) * nodes / lines);
 }
 
 //SM::UserFunctions

@@ -1,8 +1,9 @@
-// Adds up samples of one flat triangle X = apex + l (from + t (to - from) - apex), or of some lines of it, with SM_STRIP_POINTS squared
-// Gauss points, which are exact for the polynomial integrands. A line has the points in l at one node in t.
+// Adds up samples of one flat triangle X = apex + l (from + t (to - from) - apex), or of some lines of it,
+// with SM_STRIP_POINTS squared Gauss points, which are exact for the polynomial integrands. A line has the
+// points in l at one node in t.
 //
-// Needs: chunk smWork; SM_STRIP_POINTS, SM_PERTURBATION; double smCap(uint index), nine coordinates per cap: apex, from, to; void
-// smAccumulateChain(double weight, double noise, dvec3 position, dvec3 normal).
+// Needs: chunk smWork; SM_STRIP_POINTS, SM_PERTURBATION; double smCap(uint index), nine coordinates per cap:
+// apex, from, to; void smAccumulateChain(double weight, double noise, dvec3 position, dvec3 normal).
 
 dvec3 smCapPoint(uint first)
 {

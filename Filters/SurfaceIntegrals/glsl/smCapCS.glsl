@@ -29,8 +29,8 @@ void main()
     return;
   }
   uint line = smFirstLine + index;
-  uvec2 item = smFindItem(line);
+  uvec3 item = smFindItem(line);
   smClear();
-  smIntegrateCap(smWork[item.x], int(item.y), int(item.y) + 1);
+  smIntegrateCap(smWork[item.x], int(item.y), int(item.z));
   smStoreLine(line);
 }

@@ -1,7 +1,7 @@
-// sin, cos, tan, exp, log and pow in double precision, which GLSL does not have. They use series and no tables; results are
-// within 2 units in the last place (tan: 3), see TestElementary. Sine, cosine and tangent require |x| <= 2^20 and return NaN for
-// larger angles; the others accept all arguments, with infinities, zeros and NaN as in C. Needs: chunk smPortable; as C++
-// smErrorFree.
+// sin, cos, tan, exp, log and pow in double precision, which GLSL does not have. They use series and no
+// tables; results are within 2 units in the last place (tan: 3), see TestElementary. Sine, cosine and tangent
+// require |x| <= 2^20 and return NaN for larger angles; the others accept all arguments, with infinities,
+// zeros and NaN as in C. Needs: chunk smPortable; as C++ smErrorFree.
 
 //SM::Include smErrorFree
 
@@ -15,8 +15,8 @@ double smNotANumber()
   return packDouble2x32(uvec2(0u, 0x7ff80000u));
 }
 
-// Parts of constants, given by their bits: NVIDIA's compiler may be one unit in the last place off in reading decimal digits. The products of the
-// first parts with small integers are exact.
+// Parts of constants, given by their bits: NVIDIA's compiler may be one unit in the last place off in reading
+// decimal digits. The products of the first parts with small integers are exact.
 double smLogTwoHigh() // 6.93147180369123816490e-01
 {
   return packDouble2x32(uvec2(0xfee00000u, 0x3fe62e42u));
@@ -110,7 +110,8 @@ dvec2 smLogParts(double x)
     m *= 0.5LF;
     ++k;
   }
-  // log m = 2 (s + s^3/3 + ...), s = (m - 1) / (m + 1), |s| < 0.172; the first two terms include their rounding errors.
+  // log m = 2 (s + s^3/3 + ...), s = (m - 1) / (m + 1), |s| < 0.172; the first two terms include their
+  // rounding errors.
   precise double f = m - 1.0LF;
   precise double g = m + 1.0LF;
   precise double gLow = f - (g - 2.0LF);

@@ -1,4 +1,5 @@
-// Adds up the parts of faces. An invocation has one integrand of one face, or the gaps of it (ItemRunner::AddUp).
+// Adds up the parts of faces. An invocation has one integrand of one face, or the gaps of it
+// (ItemRunner::AddUp).
 //SM::Define
 layout(local_size_x = 32) in;
 //SM::Include smInvocation
@@ -12,7 +13,8 @@ layout(std430, binding = 3) readonly buffer smFaceBuffer
 {
   uint smFaces[];
 };
-// First block and number of blocks; 0 for panels, 1 for ribbons and caps, 2 for ribbons of one coedge; index of the gaps of a coedge.
+// First block and number of blocks; 0 for panels, 1 for ribbons and caps, 2 for ribbons of one coedge; index
+// of the gaps of a coedge.
 layout(std430, binding = 4) readonly buffer smPartBuffer
 {
   uvec4 smParts[];
@@ -20,8 +22,8 @@ layout(std430, binding = 4) readonly buffer smPartBuffer
 // Index of the rounding of each integrand.
 const int smRoundingOf[SM_INTEGRANDS] = int[SM_INTEGRANDS](SM_ROUNDING_OF);
 
-// For each face and integrand the sum of panels, that of ribbons and caps, errors, roundings; for each face largest gap, squared gap, gap
-// area; then for each part of a coedge its gaps.
+// For each face and integrand the sum of panels, that of ribbons and caps, errors, roundings; for each face
+// largest gap, squared gap, gap area; then for each part of a coedge its gaps.
 layout(std430, binding = 6) writeonly buffer smTotalBuffer
 {
   double smTotals[];

@@ -1,17 +1,18 @@
 // The end of an item of integration: its sums are compared with those of a lower order and stored in its row.
 //
-// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_MIN_ERROR_SHARE (smallest error as a share of the difference before the last one);
-// the sums double smResult(uint k) of SM_INTEGRANDS integrands and double smNoise(uint k), the roundings; smRoundingOf, an array of
-// SM_INTEGRANDS ints; columns of a row smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn, smStride; smIntegrandCount,
-// smRoundingCount (the same numbers as variables); smToleranceOffset; double smParameter(uint at), double smGetRow(uint at), void
-// smSetRow(uint at, double value), void smSetStatus(uint index, bool converged).
+// Needs: chunks smPortable, smWorkRecord; SM_INTEGRANDS, SM_MIN_ERROR_SHARE (smallest error as a share of the
+// difference before the last one); the sums double smResult(uint k) of SM_INTEGRANDS integrands and double
+// smNoise(uint k), the roundings; smRoundingOf, an array of SM_INTEGRANDS ints; columns of a row
+// smValueColumn, smErrorColumn, smRoundingColumn, smDifferenceColumn, smStride; smIntegrandCount,
+// smRoundingCount (the same numbers as variables); smToleranceOffset; double smParameter(uint at), double
+// smGetRow(uint at), void smSetRow(uint at, double value), void smSetStatus(uint index, bool converged).
 
 SM_CONSTANT double smLargest = 1.7976931348623157e308LF;
 
-// Estimates the error of a value from the last two differences between orders, `difference` and, before it, `before` (negative:
-// none). If differences decrease fast, the last one is far above the error. If they hardly decrease (area near a vanishing
-// normal), the error is their geometric tail. A single small difference after a large one may be a coincidence, most likely at
-// kinks, which a user expression may have.
+// Estimates the error of a value from the last two differences between orders, `difference` and, before it,
+// `before` (negative: none). If differences decrease fast, the last one is far above the error. If they
+// hardly decrease (area near a vanishing normal), the error is their geometric tail. A single small
+// difference after a large one may be a coincidence, most likely at kinks, which a user expression may have.
 double smEstimate(double difference, double before)
 {
   if (before < 0.0LF)
@@ -38,9 +39,9 @@ void smStoreFirst(uint row)
   }
 }
 
-// Compares the sums with the values of a lower order in the row, and stores values, errors, roundings and differences. Returns
-// false if the item was discarded, to be bisected. The loops run to variables so that drivers do not unroll the memory accesses,
-// which would take llvmpipe a second longer to compile.
+// Compares the sums with the values of a lower order in the row, and stores values, errors, roundings and
+// differences. Returns false if the item was discarded, to be bisected. The loops run to variables so that
+// drivers do not unroll the memory accesses, which would take llvmpipe a second longer to compile.
 bool smFinish(uint index, smWorkRecord work)
 {
   uint row = work.item.z * smStride;
@@ -54,9 +55,9 @@ bool smFinish(uint index, smWorkRecord work)
   }
   bool converged = true;
   double scale = double(uintBitsToFloat(work.detail.w));
-  // With two orders only, a single difference may be small by coincidence; the largest difference relative to its tolerance was
-  // never below the error of any integrand (Filters/Quadrature/Bounds.md). The part of differences that rounding causes is not an error of
-  // the order.
+  // With two orders only, a single difference may be small by coincidence; the largest difference relative to
+  // its tolerance was never below the error of any integrand (Filters/Quadrature/Bounds.md). The part of
+  // differences that rounding causes is not an error of the order.
   double largest = 0.0LF;
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
@@ -70,8 +71,9 @@ bool smFinish(uint index, smWorkRecord work)
   }
   for (uint k = 0u; k < smIntegrandCount; ++k)
   {
-    // No order and no bisection improves a value that is NaN or infinite, so that it counts as converged, with that error. It remains
-    // whatever follows: a point that a higher order or a part of the item has no more is a point of the integrand.
+    // No order and no bisection improves a value that is NaN or infinite, so that it counts as converged,
+    // with that error. It remains whatever follows: a point that a higher order or a part of the item has no
+    // more is a point of the integrand.
     double known = smGetRow(row + smValueColumn + k);
     double value = abs(known) <= smLargest ? smResult(k) : known;
     bool isNumber = abs(value) <= smLargest;

@@ -1,12 +1,15 @@
-// Adds up samples of one panel {(xi s(t), r(t))}, or of some lines of it, with Gauss points in t along the trim piece and in xi across. A line is the points across at one node in t, for which the patch is reduced once to a curve in s.
+// Adds up samples of one panel {(xi s(t), r(t))}, or of some lines of it, with Gauss points in t along the
+// trim piece and in xi across. A line is the points across at one node in t, for which the patch is reduced
+// once to a curve in s.
 //
-// Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (degrees of patchRecord, constants for the common
-// degrees), SM_PERTURBATION (a factor of every sample), SM_SAMPLE_DETAIL (data that smSample provides for every sample, which
-// does not affect anything else; above 0 also chunk smSample, above 2 also smPatchSecond); smPatchRecord smGetPatch(uint index),
-// void smAccumulateFace(double weight, double noise, dvec3 position, dvec3 normal).
+// Needs: chunks smPatchRecord, smPatch, smWork; SM_DEGREE_S, SM_DEGREE_R (degrees of patchRecord, constants
+// for the common degrees), SM_PERTURBATION (a factor of every sample), SM_SAMPLE_DETAIL (data that smSample
+// provides for every sample, which does not affect anything else; above 0 also chunk smSample, above 2 also
+// smPatchSecond); smPatchRecord smGetPatch(uint index), void smAccumulateFace(double weight, double noise,
+// dvec3 position, dvec3 normal).
 
-// Returns the number of roundings per sample that is added to the bound, in the units of smIntegratePanel: an estimate. The panels of the real
-// files needed at most 2, 3.3 and 3.6 for p + q = 2, 3 and more.
+// Returns the number of roundings per sample that is added to the bound, in the units of smIntegratePanel: an
+// estimate. The panels of the real files needed at most 2, 3.3 and 3.6 for p + q = 2, 3 and more.
 double smSampleRoundings(int p, int q)
 {
   return min(8.0LF, 2.0LF * double(p + q));
@@ -24,7 +27,7 @@ uint smIntegratePanel(smWorkRecord work, int first, int end)
   dvec2 width = dvec2(patchRecord.domain.z, patchRecord.domain.w);
 
   int trimDegree = int(work.detail.x & 255u);
-  int countT = smGetLines(work);
+  int countT = smGetNodes(work);
   int countX = int((work.detail.x >> 16) & 255u);
   uint flags = work.detail.x >> 24;
   double coverage = (flags & smFlagNegative) != 0u ? -1.0LF : 1.0LF;
@@ -68,7 +71,8 @@ uint smIntegratePanel(smWorkRecord work, int first, int end)
 
       double lengthS = length(tangentS);
       double lengthR = length(tangentR);
-      // Rounding of the sample relative to the largest steps of the control net, and rounding of the trim curve: Bounds.md, 2.
+      // Rounding of the sample relative to the largest steps of the control net, and rounding of the trim
+      // curve: Bounds.md, 2.
       double stretchS = min(patchRecord.stretch.x, lengthS + 2.0LF * double(p) * radius);
       double stretchR = min(patchRecord.stretch.y, lengthR + 2.0LF * double(q) * radius);
       double noise = abs(weightT * ruleX.y) *

@@ -22,8 +22,8 @@ void main()
     return;
   }
   uint line = smFirstLine + index;
-  uvec2 item = smFindItem(line);
+  uvec3 item = smFindItem(line);
   smClear();
-  smIntegratePanel(smWork[item.x], int(item.y), int(item.y) + 1);
+  smIntegratePanel(smWork[item.x], int(item.y), int(item.z));
   smStoreLine(line);
 }

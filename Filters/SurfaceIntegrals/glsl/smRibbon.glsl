@@ -1,11 +1,12 @@
-// Adds up samples of one ribbon X(l,t) = (1-l) A(t) + l C(t), or of some lines of it, where A = S(c(t)) is on the face and C is the edge's
-// curve, with SM_STRIP_POINTS Gauss points in l, which are exact for the polynomial integrands. It also measures the gap
-// at foot points on the edge's curve.
+// Adds up samples of one ribbon X(l,t) = (1-l) A(t) + l C(t), or of some lines of it, where A = S(c(t)) is on
+// the face and C is the edge's curve, with SM_STRIP_POINTS Gauss points in l, which are exact for the
+// polynomial integrands. It also measures the gap at foot points on the edge's curve.
 //
-// Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the number of steps to the
-// foot point of a gap (not a constant, so that the compiler does not unroll the loop).
+// Needs: as smPanel, with smAccumulateChain in place of smAccumulateFace; SM_STRIP_POINTS; smGapSteps, the
+// number of steps to the foot point of a gap (not a constant, so that the compiler does not unroll the loop).
 
-// Returns a bound of the second derivative of an edge piece on [0,1]: n (n-1) times the largest second difference of coefficients.
+// Returns a bound of the second derivative of an edge piece on [0,1]: n (n-1) times the largest second
+// difference of coefficients.
 double smEdgeBend(uint edge, int degree)
 {
   double largest = 0.0LF;
@@ -21,10 +22,11 @@ double smEdgeBend(uint edge, int degree)
   return double(degree * (degree - 1)) * sqrt(largest);
 }
 
-// Returns the distance of a point, relative to `origin`, from the edge piece near parameter x, where the piece and its derivative are
-// `foot` and `tangent`: Gauss-Newton steps for (C - A).C' = 0, while one moves the foot by more than a thousandth of the distance, which
-// then is off by less than a millionth. Where the edge, whose second derivative is at most `bend`, leaves its tangent on the way to
-// the foot by no more than that, or than rounding, the distance is that of the tangent.
+// Returns the distance of a point, relative to `origin`, from the edge piece near parameter x, where the
+// piece and its derivative are `foot` and `tangent`: Gauss-Newton steps for (C - A).C' = 0, while one moves
+// the foot by more than a thousandth of the distance, which then is off by less than a millionth. Where the
+// edge, whose second derivative is at most `bend`, leaves its tangent on the way to the foot by no more than
+// that, or than rounding, the distance is that of the tangent.
 double smGap(uint edge, int degree, double bend, double x, dvec3 origin, dvec3 point, dvec3 foot, dvec3 tangent)
 {
   dvec3 gap = foot - point;
@@ -57,8 +59,8 @@ double smGap(uint edge, int degree, double bend, double x, dvec3 origin, dvec3 p
   return best;
 }
 
-// Integrates the lines [first, end) of a ribbon: the points in l at one node in t. `gaps` receives the largest gap and the integrals of its
-// square and of itself. Returns the number of evaluations.
+// Integrates the lines [first, end) of a ribbon: the points in l at one node in t. `gaps` receives the
+// largest gap and the integrals of its square and of itself. Returns the number of evaluations.
 uint smIntegrateRibbon(smWorkRecord work, int first, int end, SM_OUT(dvec3) gaps)
 {
   smPatchRecord patchRecord = smGetPatch(work.item.x);
@@ -70,7 +72,7 @@ uint smIntegrateRibbon(smWorkRecord work, int first, int end, SM_OUT(dvec3) gaps
   dvec2 width = dvec2(patchRecord.domain.z, patchRecord.domain.w);
 
   int trimDegree = int(work.detail.x & 255u);
-  int countT = smGetLines(work);
+  int countT = smGetNodes(work);
   uint flags = work.detail.x >> 24;
   uint edge = work.detail.y;
   int edgeDegree = int(work.detail.z);
@@ -105,7 +107,8 @@ uint smIntegrateRibbon(smWorkRecord work, int first, int end, SM_OUT(dvec3) gaps
     SM_VECTORS(rowS, SM_ROW_SIZE);
     SM_VECTORS(rowR, SM_ROW_SIZE);
     smCollapse(patchRecord.shape.x, p, q, uv.y, row, rowS, rowR);
-    // Both curves are relative to the patch's centre, so that the rounding of their difference is relative to the patch.
+    // Both curves are relative to the patch's centre, so that the rounding of their difference is relative to
+    // the patch.
     dvec3 a;
     dvec3 tangentS;
     dvec3 tangentR;
@@ -124,7 +127,8 @@ uint smIntegrateRibbon(smWorkRecord work, int first, int end, SM_OUT(dvec3) gaps
     }
     dc *= edgeWidth;
 
-    // Estimates, by measured constants, of the rounding of both curves, including that of the trim curve, and of their derivatives.
+    // Estimates, by measured constants, of the rounding of both curves, including that of the trim curve, and
+    // of their derivatives.
     double gapWidth = length(c - a);
     double positionNoise = 4.0LF * (radius + length(c)) +
       smTrimRoundings *

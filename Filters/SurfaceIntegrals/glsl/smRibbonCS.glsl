@@ -25,10 +25,10 @@ void main()
     return;
   }
   uint line = smFirstLine + index;
-  uvec2 item = smFindItem(line);
+  uvec3 item = smFindItem(line);
   smClear();
   dvec3 gaps;
-  smIntegrateRibbon(smWork[item.x], int(item.y), int(item.y) + 1, gaps);
+  smIntegrateRibbon(smWork[item.x], int(item.y), int(item.z), gaps);
   smStoreLine(line);
   smStoreLineGaps(line, gaps);
 }

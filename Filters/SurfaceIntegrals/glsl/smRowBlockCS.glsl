@@ -1,5 +1,6 @@
-// Each invocation adds up one column of a block of consecutive rows, in their order; of the first column it takes the largest. The rounding
-// errors of the additions are added up, too (Ogita, Rump, Oishi 2005, algorithm 4.4).
+// Each invocation adds up one column of a block of consecutive rows, in their order; of the first column it
+// takes the largest. The rounding errors of the additions are added up, too (Ogita, Rump, Oishi 2005,
+// algorithm 4.4).
 //SM::Define
 layout(local_size_x = 64) in;
 //SM::Include smInvocation

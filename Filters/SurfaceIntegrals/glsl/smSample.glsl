@@ -1,6 +1,6 @@
-// Data of a sample of a face that a user expression can name in addition to position and normal, see smUserExpression.h.
-// Needs: SM_SAMPLE_DETAIL: 0 none, 1 parameters, 2 also first derivatives, 3 also second derivatives and curvatures; for 1 and
-// more chunk smPatchRecord, for 2 smWork, for 3 smPatchSecond.
+// Data of a sample of a face that a user expression can name in addition to position and normal, see
+// smUserExpression.h. Needs: SM_SAMPLE_DETAIL: 0 none, 1 parameters, 2 also first derivatives, 3 also second
+// derivatives and curvatures; for 1 and more chunk smPatchRecord, for 2 smWork, for 3 smPatchSecond.
 
 // The face's own u and v; derivatives with respect to u, v, uu, uv, vv; mean and Gaussian curvature.
 dvec2 smSampleParameters;
@@ -39,7 +39,8 @@ void smDescribeFirst(smPatchRecord patchRecord, uint face, dvec3 ds, dvec3 dr)
 #endif
 
 #if SM_SAMPLE_DETAIL > 2
-// Sets second derivatives and curvatures, after smDescribeFirst(). `normal` is placed, and may have any length.
+// Sets second derivatives and curvatures, after smDescribeFirst(). `normal` is placed, and may have any
+// length.
 void smDescribeSecond(smPatchRecord patchRecord, uint face, dvec3 normal, dvec3 dss, dvec3 dsr, dvec3 drr)
 {
   dvec2 width = patchRecord.domain.zw;

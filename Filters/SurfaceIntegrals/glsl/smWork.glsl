@@ -1,9 +1,10 @@
 // Functions common to all items of integration: Gauss rules and placements.
 //
-// Needs: chunks smPortable, smWorkRecord; SM_PLACEMENT (true if faces are placed); smPlacementOffset; double smParameter(uint at).
+// Needs: chunks smPortable, smWorkRecord; SM_PLACEMENT (true if faces are placed); smPlacementOffset; double
+// smParameter(uint at).
 
-// Returns the number of points along an item: of its lines.
-int smGetLines(smWorkRecord work)
+// Returns the number of points along an item.
+int smGetNodes(smWorkRecord work)
 {
   return int((work.detail.x >> 8) & 255u);
 }

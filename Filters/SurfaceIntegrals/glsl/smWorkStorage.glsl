@@ -1,5 +1,5 @@
-// Work lists, rules and tolerances of integration on the GPU, see smGPUItemRunner, and the accessors that the shader chunks use.
-// Bindings 3 and 4.
+// Work lists, rules and tolerances of integration on the GPU, see smGPUItemRunner, and the accessors that the
+// shader chunks use. Bindings 3 and 4.
 //SM::Include smWorkRecord
 
 layout(std430, binding = 3) readonly buffer smWorkBuffer

@@ -1,14 +1,16 @@
-// Macros by which a chunk of mathematics compiles as GLSL and, through GLM, as C++ (smPortableCxx.h defines the same
-// names there). In C++ a chunk is included in the body of a class whose members are what it needs.
+// Macros by which a chunk of mathematics compiles as GLSL and, through GLM, as C++ (smPortableCxx.h defines
+// the same names there). In C++ a chunk is included in the body of a class whose members are what it needs.
 #define SM_OUT(type) out type
 #define SM_INOUT(type) inout type
 #define SM_CONSTANT const
-// Both values are evaluated where several items are evaluated side by side, so they must have no side effects.
+// Both values are evaluated where several items are evaluated side by side, so they must have no side
+// effects.
 #define SM_SELECT(condition, yes, no) ((condition) ? (yes) : (no))
 #define SM_ANY(condition) (condition)
 
-// Arrays of doubles and of dvec4 of one invocation. NVIDIA's compiler keeps an array of doubles as floats where an index is not a constant
-// (Documentation/Drivers.md), so that the bits of a double are stored as two uints. ShaderSource refuses other arrays.
+// Arrays of doubles and of dvec4 of one invocation. NVIDIA's compiler keeps an array of doubles as floats
+// where an index is not a constant (Documentation/Drivers.md), so that the bits of a double are stored as two
+// uints. ShaderSource refuses other arrays.
 #define SM_DOUBLES(name, size) uvec2 name[size]
 #define SM_OUT_DOUBLES(name, size) out uvec2 name[size]
 #define SM_DOUBLE(name, at) packDouble2x32(name[at])
@@ -34,7 +36,8 @@ uvec2 smStoreDouble(double value)
 #endif
 }
 
-// A NaN by its bits: the comparison of a value with itself, and with it isnan(), is lost in the optimization of some compilers.
+// A NaN by its bits: the comparison of a value with itself, and with it isnan(), is lost in the optimization
+// of some compilers.
 bool smIsNaN(double value)
 {
   uvec2 bits = unpackDouble2x32(value);

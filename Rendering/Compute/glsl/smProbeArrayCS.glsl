@@ -1,4 +1,5 @@
-// Arrays that no shader uses, because a driver keeps them as floats: SM_FORM says which. Each adds up products of its operands; see smProbe.cxx.
+// Arrays that no shader uses, because a driver keeps them as floats: SM_FORM says which. Each adds up
+// products of its operands; see smProbe.cxx.
 //SM::Define
 layout(local_size_x = 32) in;
 

@@ -1,5 +1,5 @@
-// What the shaders rely on, one construct for each result, with operands from buffers, so that nothing is computed by the compiler. See
-// smProbe.cxx, which has the names and the right values in the same order.
+// What the shaders rely on, one construct for each result, with operands from buffers, so that nothing is
+// computed by the compiler. See smProbe.cxx, which has the names and the right values in the same order.
 layout(local_size_x = 32) in;
 //SM::Include smPortable
 //SM::Include smErrorFree

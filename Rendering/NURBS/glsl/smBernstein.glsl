@@ -47,11 +47,13 @@ void smScale(double a, double aLow, double b, SM_OUT(double) product, SM_OUT(dou
   productLow = scaledLow;
 }
 
-// Roundings of a trim piece's point in units of u and its reach: the compensated sum, the cell's width, the division by it.
+// Roundings of a trim piece's point in units of u and its reach: the compensated sum, the cell's width, the
+// division by it.
 SM_CONSTANT double smTrimRoundings = 3.0LF;
 
-// A trim piece: u, v pairs from index `first` on. The point is relative to `origin`; `reach` is the largest distance of a
-// coefficient from there. Both sums are compensated, because errors of the trim curve move the boundary of the region of integration.
+// A trim piece: u, v pairs from index `first` on. The point is relative to `origin`; `reach` is the largest
+// distance of a coefficient from there. Both sums are compensated, because errors of the trim curve move the
+// boundary of the region of integration.
 void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2) point, SM_OUT(dvec2) derivative,
   SM_OUT(dvec2) reach)
 {
@@ -91,7 +93,8 @@ void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2
   derivative += derivativeLow;
 }
 
-// An edge piece: x, y, z triples from index `first` on, relative to `origin`; the point is compensated likewise.
+// An edge piece: x, y, z triples from index `first` on, relative to `origin`; the point is compensated
+// likewise.
 void smEdgeEvaluate(
   uint first, int degree, double x, dvec3 origin, SM_OUT(dvec3) point, SM_OUT(dvec3) derivative)
 {

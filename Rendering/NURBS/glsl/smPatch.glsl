@@ -1,13 +1,13 @@
 // Evaluation of a rational Bezier patch with first derivatives.
 // Needs: chunk smBernstein, SM_ROW_SIZE (entries of a row array), dvec4 smControlPoint(uint index).
 //
-// Control points are homogeneous (w x, w y, w z, w) relative to the patch's centre, s fastest. Derivatives are sums of
-// differences of neighbouring control points, taken before anything else: so that their rounding is relative to these differences, not to
-// the patch's radius. A long narrow patch needs that.
+// Control points are homogeneous (w x, w y, w z, w) relative to the patch's centre, s fastest. Derivatives
+// are sums of differences of neighbouring control points, taken before anything else: so that their rounding
+// is relative to these differences, not to the patch's radius. A long narrow patch needs that.
 
-// The curve in s that the patch is at r = constant: its Bezier points (row), the steps from each to the next (rowS), and the points
-// of its derivative in r (rowR). Points are not computed as sums of steps: beside a control point of large weight one of small weight would
-// lose its digits.
+// The curve in s that the patch is at r = constant: its Bezier points (row), the steps from each to the next
+// (rowS), and the points of its derivative in r (rowR). Points are not computed as sums of steps: beside a
+// control point of large weight one of small weight would lose its digits.
 void smCollapse(uint first, int p, int q, double r, SM_OUT_VECTORS(row, SM_ROW_SIZE),
   SM_OUT_VECTORS(rowS, SM_ROW_SIZE), SM_OUT_VECTORS(rowR, SM_ROW_SIZE))
 {

@@ -60,8 +60,8 @@ void smEvaluateSecond(int p, double s, SM_IN_VECTORS(row, SM_ROW_SIZE), SM_IN_VE
   drr = (dvec3(hrr.x, hrr.y, hrr.z) - 2.0LF * hr.w * dr - hrr.w * position) * inverse;
 }
 
-// Mean and Gaussian curvature from the derivatives in any parameters. The mean is half the divergence of the outward unit
-// normal: positive where the body is convex, 1/R on a sphere.
+// Mean and Gaussian curvature from the derivatives in any parameters. The mean is half the divergence of the
+// outward unit normal: positive where the body is convex, 1/R on a sphere.
 dvec2 smCurvatures(dvec3 outward, dvec3 du, dvec3 dv, dvec3 duu, dvec3 duv, dvec3 dvv)
 {
   dvec3 area = cross(du, dv);

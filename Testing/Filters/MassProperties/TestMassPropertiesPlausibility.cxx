@@ -153,6 +153,48 @@ vtkSmartPointer<vtkNURBSDataSet> MakeShrunken(double share)
   return leaf;
 }
 
+/// A box some of whose faces have loops that run the wrong way: no area is below 0.
+void CheckNegativeAreas()
+{
+  for (const int turned : { 0, 1, 6 })
+  {
+    std::printf("--- a box with %d faces whose loops run the wrong way\n", turned);
+    BoxBody body;
+    body.Add({ { 0, 0, 0 }, { 10, 10, 10 } });
+    const auto leaf = body.Make();
+    for (int i = 0; i < turned; ++i)
+    {
+      auto face = std::make_shared<sm::Face>(*leaf->GetModel()->GetFaces()[i]);
+      face->Id = sm::NewId();
+      std::reverse(face->Loops[0].Coedges.begin(), face->Loops[0].Coedges.end());
+      for (sm::Coedge& coedge : face->Loops[0].Coedges)
+      {
+        coedge.Reversed = !coedge.Reversed;
+      }
+      leaf->GetModel()->SetFace(i, face);
+    }
+    vtkNew<vtkMassPropertiesGPU> mass;
+    MessageTrap trap(mass);
+    mass->SetInputData(leaf);
+    mass->Update();
+    // The edges of a single face that is turned do not cancel.
+    CheckEqual("status",
+      turned == 0     ? names::StatusOk
+        : turned == 1 ? names::StatusOpen
+                      : names::StatusSuspect,
+      mass->GetStatus());
+    CheckEqual("a negative area is said", turned > 0, Says(mass, "face #100: its area is negative, -100"));
+    if (turned == 6)
+    {
+      CheckTrue("the area is no number", std::isnan(mass->GetSurfaceArea()));
+    }
+    else
+    {
+      Check("area", 600.0 - 200.0 * turned, mass->GetSurfaceArea(), 1e-10);
+    }
+  }
+}
+
 void CheckOverhang()
 {
   std::printf("--- trim curves beyond the domain of their surface\n");
@@ -186,6 +228,7 @@ int TestMassPropertiesPlausibility(int, char*[])
   CheckCenter();
   CheckNoBound();
   CheckNoNumber();
+  CheckNegativeAreas();
   CheckOverhang();
   return Finish();
 }

@@ -1,5 +1,6 @@
-// TestShaderFault FOLDER: shaders that keep arrays of doubles as floats, as some drivers do, and what sees it: the probe when a context starts, the
-// comparison with the CPU when a program is used first, and the values.
+// TestShaderFault FOLDER: shaders that keep arrays of doubles as floats, as some drivers do, and what sees
+// it: the probe when a context starts, the comparison with the CPU when a program is used first, and the
+// values.
 #include "smMassPropertyNames.h"
 #include "smShaderFault.h"
 #include "smTestManifest.h"

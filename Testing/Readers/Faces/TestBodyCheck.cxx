@@ -62,6 +62,19 @@ void TestCaps()
   turned.Turn(0);
   CheckFound("a turned cap", turned, false, 1, Type::Turned);
   CheckFound("a cap by the letter", MakeCap(false, false), false, 1, Type::SameDirection);
+  // A surface that is closed, which the file does not say.
+  TestBody egg = MakeCap(false, false);
+  egg.Faces[0].IsClosed = false;
+  CheckFound("a cap of an unknown surface", egg, false, 0);
+  int calls = 0;
+  const std::vector<sm::BodyContradiction> found = sm::FindContradictions(egg.Faces, false,
+    [&calls](std::size_t i)
+    {
+      ++calls;
+      return i == 0;
+    });
+  smtest::CheckEqual("a cap of an egg by the letter", 1LL, static_cast<long long>(found.size()));
+  smtest::CheckEqual("  both faces are asked for once", 2LL, static_cast<long long>(calls));
   TestBody plane = MakeCap(true, true);
   plane.Turn(1);
   CheckFound("a turned plane beside a cap", plane, false, 0);
@@ -79,6 +92,39 @@ void TestCaps()
   torus.Use(0, 1, true);
   torus.Use(0, 1, false);
   CheckFound("a whole torus that is inside out", torus, true, 0);
+}
+
+void TestExtents()
+{
+  TestBody caps = MakeCap(true, false);
+  caps.Faces[0].Pieces = 2;
+  CheckFound("two caps as one face", caps, false, 1, Type::InPieces);
+  TestBody plane = MakeCap(true, false);
+  plane.Faces[1].Pieces = 2;
+  CheckFound("two pieces of a plane", plane, false, 0);
+  TestBody torus = MakeCap(true, false);
+  torus.Faces[0].IsOnBothParts = true;
+  CheckFound("both parts of a torus", torus, false, 1, Type::CrossesItself);
+  TestBody sphere = MakeCap(true, false);
+  sphere.Statements[0].WholeArea = 12.57;
+  sphere.Faces[0].Area = 12.5;
+  CheckFound("less than the whole sphere", sphere, false, 0);
+  sphere.Faces[0].Area = 20.0;
+  CheckFound("more than the whole sphere", sphere, false, 1, Type::TooLarge);
+  TestBody meshed = MakeCap(true, false);
+  meshed.Statements[1].Boundary.AddSegment({ 0, 0, 0 }, { 1, 0, 0 });
+  meshed.Statements[1].Boundary.AddSegment({ 1, 0, 0 }, { 0, 1, 0 });
+  meshed.Statements[1].Boundary.AddSegment({ 0, 1, 0 }, { 0, 0, 0 });
+  meshed.Faces[1].Area = 0.49;
+  CheckFound("a face with triangles", meshed, false, 0);
+  meshed.Faces[1].Area = 0.0;
+  CheckFound("a face without triangles", meshed, false, 1, Type::NotInMesh, 1);
+  TestBody sliver = MakeCap(true, false);
+  sliver.Statements[1].Boundary.AddSegment({ 0, 0, 0 }, { 1, 0, 0 });
+  sliver.Statements[1].Boundary.AddSegment({ 1, 0, 0 }, { 0.5, 1e-5, 0 });
+  sliver.Statements[1].Boundary.AddSegment({ 0.5, 1e-5, 0 }, { 0, 0, 0 });
+  sliver.Faces[1].Area = 0.0;
+  CheckFound("a sliver without triangles", sliver, false, 0);
 }
 
 /// A segment of a disc, and another one beside it at the same arc. The arc is a sixth of the circle, or five
@@ -115,6 +161,7 @@ void TestArcs()
 int TestBodyCheck(int, char*[])
 {
   TestCaps();
+  TestExtents();
   TestArcs();
   return smtest::Finish();
 }

@@ -1,6 +1,7 @@
 // Faces against statements about them: each kind of fault that the table of smFaceCheck.h names is found, and
 // by what it says.
 #include "smFaceCheck.h"
+#include "smFacePieces.h"
 #include "smSpaceCurve.h"
 #include "smTesting.h"
 
@@ -300,6 +301,55 @@ void TestSphere()
     Check(MakeFace(surface, { { 0, 1.5 }, { 4, 1.5 }, { 4, 2 }, { 0, 2 } }), nothing));
 }
 
+/// A torus about z: v = 0 .. 4 goes round its circle from the outermost point on.
+sm::NURBSSurface MakeTorus(double major, double minor)
+{
+  std::vector<std::array<double, 3>> profile;
+  for (int i = 0; i <= 8; ++i)
+  {
+    const double length = i % 2 == 0 ? minor : minor * std::sqrt(2.0);
+    profile.push_back({ major + length * std::cos(0.25 * Pi * i), length * std::sin(0.25 * Pi * i),
+      i % 2 == 0 ? 1.0 : std::sqrt(0.5) });
+  }
+  return Revolve(profile, { 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4 }, 2, 4);
+}
+
+void TestPieces()
+{
+  const sm::NURBSSurface sphere = MakeSphere();
+  sm::Face caps = MakeFace(sphere, { { 0, 1.5 }, { 4, 1.5 }, { 4, 2 }, { 0, 2 } });
+  smtest::CheckEqual("pieces of a cap", 1LL, static_cast<long long>(sm::CountOuterLoops(caps)));
+  const std::vector<Point> south{ { 0, 0 }, { 4, 0 }, { 4, 0.5 }, { 0, 0.5 } };
+  AddLoop(caps, south, south);
+  smtest::CheckEqual("pieces of two caps", 2LL, static_cast<long long>(sm::CountOuterLoops(caps)));
+  sm::Face holed = MakeFace(sphere, { { 0, 0.5 }, { 4, 0.5 }, { 4, 1.5 }, { 0, 1.5 } });
+  const std::vector<Point> hole{ { 1, 1 }, { 1, 1.2 }, { 2, 1.2 }, { 2, 1 } };
+  AddLoop(holed, hole, hole);
+  smtest::CheckEqual("pieces of a zone with a hole", 1LL, static_cast<long long>(sm::CountOuterLoops(holed)));
+  // A diagonal slit as wide as rounding has no direction.
+  const std::vector<Point> slit{ { 0, 0 }, { 1, 1 }, { 0.5, 0.5 + 1e-9 } };
+  sm::Face narrow = MakeFace(sphere, { { 0, 0.5 }, { 4, 0.5 }, { 4, 1.5 }, { 0, 1.5 } });
+  AddLoop(narrow, slit, slit);
+  smtest::CheckEqual(
+    "pieces of a zone with a slit", 1LL, static_cast<long long>(sm::CountOuterLoops(narrow)));
+
+  // With the radii 1 and 2 the circle meets the axis at 2 pi / 3: v = 4 / 3.
+  const sm::NURBSSurface surface = MakeTorus(1.0, 2.0);
+  sm::SpindleTorus torus;
+  torus.Axis = { 0.0, 0.0, 1.0 };
+  torus.Major = 1.0;
+  torus.Minor = 2.0;
+  const auto isOnBoth = [&](double from, double to)
+  {
+    return sm::IsOnBothParts(
+      MakeFace(surface, { { 0, from }, { 1, from }, { 1, to }, { 0, to } }), torus, sm::StatementPlace());
+  };
+  smtest::CheckTrue("the outer part of a torus", !isOnBoth(0.0, 1.0));
+  smtest::CheckTrue("the inner part of a torus", !isOnBoth(1.6, 2.4));
+  smtest::CheckTrue("both parts of a torus", isOnBoth(0.0, 4.0));
+  smtest::CheckTrue("across the axis", isOnBoth(1.0, 2.0));
+}
+
 void TestPolygons()
 {
   const sm::NURBSSurface surface = MakePlane();
@@ -330,6 +380,7 @@ int TestFaceCheck(int, char*[])
 {
   TestCylinder();
   TestSphere();
+  TestPieces();
   TestPolygons();
   return smtest::Finish();
 }

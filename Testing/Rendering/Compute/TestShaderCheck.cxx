@@ -1,5 +1,5 @@
-// The check of assembled shaders refuses every form in which NVIDIA's compiler keeps doubles as floats or does not link, with name and line,
-// and nothing else.
+// The check of assembled shaders refuses every form in which NVIDIA's compiler keeps doubles as floats or
+// does not link, with name and line, and nothing else.
 #include "smShaderCheck.h"
 #include "smShaderSource.h"
 #include "smTesting.h"
