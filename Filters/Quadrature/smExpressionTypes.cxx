@@ -399,7 +399,10 @@ private:
     }
     if (!type.IsKnown())
     {
-      return {};
+      return isLiteral ? Type{}
+                       : this->Fail(place + 1,
+                           "the index of a matrix is a number here: some drivers keep its columns in single "
+                           "precision otherwise");
     }
     if (type.IsScalar())
     {
@@ -445,7 +448,8 @@ private:
     }
     if (isConstructor && this->PeekSymbol() == "[")
     {
-      return this->ReadArray();
+      return this->Fail(
+        place, "'" + token.Text + "[ ]' makes an array, which some drivers keep in single precision");
     }
     if (token.Type.IsKnown())
     {
@@ -473,22 +477,6 @@ private:
     } while (this->IsGood() && this->PeekSymbol() == "," && this->Take(","));
     this->Take(")");
     return types;
-  }
-
-  /// The size and the elements of an array, behind its type.
-  Type ReadArray()
-  {
-    ++this->At;
-    if (this->PeekSymbol() != "]")
-    {
-      this->ReadChoice();
-    }
-    this->Take("]");
-    if (this->IsGood())
-    {
-      this->ReadArguments();
-    }
-    return {};
   }
 
   Type ReadCall(const std::string& name, std::size_t place)

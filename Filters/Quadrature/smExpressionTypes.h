@@ -11,7 +11,7 @@
 
 namespace sm
 {
-/// A GLSL type of an expression: a scalar or a vector. Arrays and matrices are Unknown, and nothing is said of them.
+/// A GLSL type of an expression: a scalar or a vector. Matrices are Unknown, and little is said of them.
 struct ExpressionType
 {
   enum BaseType
@@ -56,7 +56,8 @@ struct ExpressionMistake
 };
 
 /// Finds the first mistake of an expression whose value has to be a number. `What` is empty if there is none, or none in what is known: a driver
-/// may refuse more. What GLSL 4.3 with doubles accepts is not refused, except functions that have single precision only.
+/// may refuse more. What GLSL 4.3 with doubles accepts is not refused, except what may have single precision: some functions, arrays, and columns of a matrix by an index
+/// that is computed.
 ExpressionMistake FindMistake(const std::vector<ExpressionToken>& tokens);
 }
 

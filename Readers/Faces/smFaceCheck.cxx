@@ -10,6 +10,9 @@ namespace
 /// Differences below this, relative to the perimeter's power, are roundings and errors of the quadrature.
 constexpr double Negligible = 1e-6;
 
+/// A bilinear surface whose corners are so close to a parallelogram, relative to its sides, is a plane.
+constexpr double NoTwist = 1e-12;
+
 /// Tolerance of the integrals of faces that seem to differ, relative to the perimeter's power, for each piece
 /// of a trim curve.
 constexpr double FineTolerance = 1e-9;
@@ -32,7 +35,8 @@ constexpr double Safety = 2.0;
 
 /// Samples of a coedge for its gap, steps towards the closest point of the surface, and of a grid on which it
 /// is sought.
-constexpr int GapSamples = 32;
+constexpr int GapSamples = 16;
+constexpr int FineGapSamples = 64;
 constexpr int FootSteps = 8;
 constexpr int GridSteps = 16;
 
@@ -48,6 +52,7 @@ public:
     , Size(size)
     , Walker(face.Surface)
   {
+    this->FindAffine(face.Surface);
     for (int d = 0; d < 2 && this->IsFine; ++d)
     {
       this->Knots[d] = face.Surface.GetSpanBreaks(d);
@@ -71,12 +76,15 @@ public:
     {
       TrimCurve::Point step;
       const TrimCurve::Point uv = piece.Evaluate(t, &step);
-      Vector3 du;
-      Vector3 dv;
-      this->Walker.Evaluate(uv[0], uv[1], x.data(), du.data(), dv.data());
-      x = Subtract(x, this->Center);
+      Vector3 du = this->Affine[1];
+      Vector3 dv = this->Affine[2];
+      if (!this->IsAffine)
+      {
+        this->Walker.Evaluate(uv[0], uv[1], x.data(), du.data(), dv.data());
+      }
       for (int c = 0; c < 3; ++c)
       {
+        x[c] = (this->IsAffine ? this->Affine[0][c] + uv[0] * du[c] + uv[1] * dv[c] : x[c]) - this->Center[c];
         slope[c] = step[0] * du[c] + step[1] * dv[c];
       }
     };
@@ -99,6 +107,30 @@ public:
   const LineIntegrals& Get() const { return this->Sum; }
 
 private:
+  /// Finds the map of a surface whose position is linear in u and v, as that of a plane.
+  void FindAffine(const NURBSSurface& surface)
+  {
+    if (surface.Degree[0] != 1 || surface.Degree[1] != 1 || surface.Rational ||
+      surface.ControlPoints.size() != 4)
+    {
+      return;
+    }
+    const auto& p = surface.ControlPoints;
+    const double low[2] = { surface.GetDomainStart(0), surface.GetDomainStart(1) };
+    const double width[2] = { surface.GetDomainEnd(0) - low[0], surface.GetDomainEnd(1) - low[1] };
+    double size = 0.0;
+    double twist = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Affine[1][c] = (p[1][c] - p[0][c]) / (p[0][3] * width[0]);
+      this->Affine[2][c] = (p[2][c] - p[0][c]) / (p[0][3] * width[1]);
+      this->Affine[0][c] = p[0][c] / p[0][3] - low[0] * this->Affine[1][c] - low[1] * this->Affine[2][c];
+      size = std::max({ size, std::abs(p[1][c] - p[0][c]), std::abs(p[2][c] - p[0][c]) });
+      twist = std::max(twist, std::abs(p[3][c] - p[2][c] - p[1][c] + p[0][c]));
+    }
+    this->IsAffine = twist <= NoTwist * size;
+  }
+
   /// Adds the parameters at which the piece crosses a knot line, where the surface is not smooth.
   void AddCrossings(const BernsteinPiece<2>& piece, std::vector<double>& breaks) const
   {
@@ -126,6 +158,8 @@ private:
   }
 
   Vector3 Center;
+  bool IsAffine = false;
+  Vector3 Affine[3]{};
   bool IsFine;
   double Size;
   std::vector<double> Knots[2];
@@ -230,7 +264,7 @@ private:
 
 /// Returns the area between the boundary of a face and its edges, in the unit of the model. `slip`: the
 /// largest distance that counts beyond the distance of edge and surface.
-double GetGapArea(const Face& face, double slip, double perimeter)
+double GetGapArea(const Face& face, double slip, double perimeter, int samples)
 {
   double area = 0.0;
   FootFinder feet(face.Surface);
@@ -244,9 +278,9 @@ double GetGapArea(const Face& face, double slip, double perimeter)
       }
       const EdgeCurve& curve = coedge.Use->Curve;
       Vector3 last = curve.GetStartPoint();
-      for (int i = 0; i <= GapSamples; ++i)
+      for (int i = 0; i <= samples; ++i)
       {
-        const double t = curve.GetStart() + (curve.GetEnd() - curve.GetStart()) * i / GapSamples;
+        const double t = curve.GetStart() + (curve.GetEnd() - curve.GetStart()) * i / samples;
         const TrimCurve::Point uv = coedge.Curve.Evaluate(t);
         Vector3 direction;
         const Vector3 edge = curve.Evaluate(t, &direction);
@@ -314,8 +348,12 @@ public:
     const double perimeter = this->GetPerimeter();
     if (!this->Judge(Negligible * perimeter * perimeter, finding))
     {
-      this->Compare(perimeter / std::cbrt(std::abs(this->Volume)), finding);
-      this->Judge(this->GetLimit(), finding);
+      // Most faces that differ have gaps, which are measured faster than the integrals.
+      if (!this->Judge(this->GetLimit(GapSamples), finding))
+      {
+        this->Compare(perimeter / std::cbrt(std::abs(this->Volume)), finding);
+        this->Judge(this->GetLimit(FineGapSamples), finding);
+      }
     }
     return finding;
   }
@@ -362,14 +400,14 @@ private:
     }
   }
 
-  double GetLimit() const
+  double GetLimit(int samples) const
   {
     const double scale = std::cbrt(std::abs(this->Volume));
     const double perimeter = this->GetPerimeter();
     double gaps = 0.0;
     for (const Face* face : this->Parts)
     {
-      gaps += scale * scale * GetGapArea(*face, LargestSlip * perimeter / scale, perimeter / scale);
+      gaps += scale * scale * GetGapArea(*face, LargestSlip * perimeter / scale, perimeter / scale, samples);
     }
     return perimeter * perimeter * Negligible + std::min(Safety * gaps, LargestLimit * perimeter * perimeter);
   }

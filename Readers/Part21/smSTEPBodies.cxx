@@ -60,6 +60,8 @@ void STEPCensusTaker::AddBodies()
     }
     std::sort(items.begin(), items.end());
     const int context = items.empty() ? -1 : this->AddContext(i);
+    const bool isConstruction =
+      this->File.GetTypeNames()[this->File.GetType(i)] == "CONSTRUCTIVE_GEOMETRY_REPRESENTATION";
     bool isExact = false;
     bool isFaceted = false;
     for (std::size_t k = 0; k < items.size(); ++k)
@@ -72,6 +74,7 @@ void STEPCensusTaker::AddBodies()
       const std::uint32_t index = this->AddBody(items[k]);
       CensusBody& body = this->Census.Bodies[index];
       ++body.Representations;
+      body.Constructions += isConstruction ? 1 : 0;
       body.Context = body.Context < 0 ? context : body.Context;
       const bool hasFacets = body.Type.find("FACETED_BREP") != std::string::npos;
       isFaceted = isFaceted || (body.Kind == CensusBodyKind::Solid && hasFacets);

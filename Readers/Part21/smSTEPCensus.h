@@ -126,6 +126,8 @@ struct CensusBody
   CensusCount Instances = 0;
   /// Number of representations of which it is an item.
   std::uint32_t Representations = 0;
+  /// Number of these that are geometry of construction, which is no shape of a product.
+  std::uint32_t Constructions = 0;
   /// Index into STEPCensus::Contexts of one of these, -1 for none.
   int Context = -1;
   /// kg/m^3, of its product or else of the assemblies that it occurs in; 0: none is stated, or they differ.

@@ -231,7 +231,8 @@ void STEPCensusTaker::SetInstances()
     CensusBody& body = this->Census.Bodies[k];
     body.Density = densities[k] > 0.0 ? densities[k] : 0.0;
     body.DensitiesDiffer = std::isnan(densities[k]);
-    if (body.Instances == 0 && body.Kind == CensusBodyKind::Solid)
+    if (body.Instances == 0 && body.Kind == CensusBodyKind::Solid &&
+      body.Constructions < body.Representations)
     {
       this->Add(CensusDefect::UnreachedBody, this->BodyEntities[k]);
     }

@@ -258,6 +258,36 @@ struct DeclaredContent
     return {};
   }
 
+  /// Returns a message about a file whose bodies are all of kinds that are not supported, though valid; empty for others. OpenCASCADE has no
+  /// types for some of them and would call them damaged.
+  std::string FindUnsupported() const
+  {
+    const CensusBody* first = nullptr;
+    for (const CensusBody& body : this->Census.Bodies)
+    {
+      if (body.Kind == CensusBodyKind::Solid || body.Kind == CensusBodyKind::SurfaceModel)
+      {
+        return {};
+      }
+      const bool isBody = body.Kind == CensusBodyKind::OtherSolid ||
+        (body.Kind == CensusBodyKind::Tessellated &&
+          (body.Type.find("TESSELLATED_SOLID") != std::string::npos ||
+            body.Type.find("TESSELLATED_SHELL") != std::string::npos));
+      first = !first && isBody ? &body : first;
+    }
+    if (!first)
+    {
+      return {};
+    }
+    const auto has = [first](const char* word) { return first->Type.find(word) != std::string::npos; };
+    const std::string what = first->Kind == CensusBodyKind::Tessellated ? "triangles only"
+      : has("CSG") || has("BOOLEAN") ? "only constructive solid geometry (CSG), which is not supported"
+      : has("SWEPT") || has("EXTRUDED") || has("REVOLVED") ? "only swept solids, which are not supported"
+                                                           : "only solids of kinds that are not supported";
+    return "it has " + what + ": body #" + std::to_string(first->Id) + " is of the type " + first->Type +
+      "; export it as a boundary representation (AP203, AP214 or AP242)";
+  }
+
   /// Returns a message about an entity that bodies depend on and whose number is too long for OpenCASCADE; empty if there is none.
   std::string FindLongNumber() const
   {
@@ -367,6 +397,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
   document.Problem = declared.FindCycle();
   document.Problem = document.Problem.empty() ? declared.FindDeepNesting() : document.Problem;
   document.Problem = document.Problem.empty() ? declared.FindLongNumber() : document.Problem;
+  document.Problem = document.Problem.empty() ? declared.FindUnsupported() : document.Problem;
   if (!document.Problem.empty())
   {
     return;

@@ -76,7 +76,7 @@ void CheckPlaces()
   CheckEqual("a single-precision function", "column 8: 'float'",
     UserExpression("double(float(dA))", {}).GetError().substr(0, 17));
   CheckEqual("a sequence", "column 11: ','", UserExpression("(barrier(), dA)", {}).GetError().substr(0, 14));
-  CheckEqual("arguments", "", UserExpression("pow(max(dA, (1)), double[2](1, 2)[1])", {}).GetError());
+  CheckEqual("arguments", "", UserExpression("pow(max(dA, (1)), 2)", {}).GetError());
   CheckEqual("characters of several bytes", "column 3: '\xcf\x80' cannot",
     UserExpression("1*\xcf\x80", {}).GetError().substr(0, 21));
   CheckTrue("a number without end", !UserExpression(std::string(200000, '1'), {}).GetError().empty());
@@ -158,6 +158,11 @@ void CheckMistakes()
     { "normal.w", "column 8: a dvec3 has no component 'w'" },
     { "normal[3]", "column 8: a dvec3 has no component 3" },
     { "normal[u]", "column 8: an index is a whole number, not a double" },
+    { "dA * double[2](1, 2)[1]",
+      "column 6: 'double[ ]' makes an array, which some drivers keep in single precision" },
+    { "dA * dmat3(1)[int(u)].x",
+      "column 15: the index of a matrix is a number here: some drivers keep its columns in single precision "
+      "otherwise" },
     { "dA[0]", "column 3: a double has no components to choose by '[ ]'" },
     { "dvec3(1, 2) .x * dA", "column 1: 'dvec3' needs 3 components, not 2" },
     { "dvec2(1, 2, 3).x * dA", "column 1: 'dvec2' has more arguments than components" },
@@ -175,10 +180,10 @@ void CheckMistakes()
   }
   for (const char* text :
     { "dA * (u > v ? 1 : 2)", "-+-dA * double(!(u > v))", "normal.zyx.xy[1]", "normal.x.x", "normal[int(u)]",
-      "dot(normal, cross(du, dv).bgr)", "dA * double[2](1, 2)[1]", "dA * dmat3(1)[0].x",
-      "dA * double(3u % 2u)", "dA * double(int(u) / 2)", "dA * k", "true ? dA : 1", "dA * mix(u, v, u > v)",
-      "clamp(normal, 0, 1).x", "step(0, normal).x", "dA * double(normal.length())", "dA * dvec4(normal, 1).w",
-      "dA * dvec2(normal).x", "dA * double(all(lessThan(du, dv)))", "dA * double(ivec2(u, v).y)",
+      "dot(normal, cross(du, dv).bgr)", "dA * dmat3(1)[0].x", "dA * double(3u % 2u)",
+      "dA * double(int(u) / 2)", "dA * k", "true ? dA : 1", "dA * mix(u, v, u > v)", "clamp(normal, 0, 1).x",
+      "step(0, normal).x", "dA * double(normal.length())", "dA * dvec4(normal, 1).w", "dA * dvec2(normal).x",
+      "dA * double(all(lessThan(du, dv)))", "dA * double(ivec2(u, v).y)",
       "dA * (isnan(u) ^^ u == v ? 1 : 0.5)", "dA * abs(int(u)) * max(2u, 1u)" })
   {
     CheckEqual(std::string("no mistake in ") + text, "", UserExpression(text, { { "k", 1.0 } }).GetError());

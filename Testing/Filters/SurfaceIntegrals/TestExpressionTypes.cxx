@@ -193,9 +193,9 @@ public:
       "//SM::Include smSample\n//SM::Include smUserFunctions\n" + expression.MakeFunction("smUser0", true));
     sm::ComputeProgram program;
     const bool assembled = source.Assemble();
-    CheckTrue("the shader is complete", assembled, source.GetError());
+    // The assembler refuses arrays.
     const bool accepted = assembled && program.Build(this->Context, source.GetName(), source.GetSource());
-    log = program.GetLog();
+    log = source.GetError() + program.GetLog();
     return accepted;
   }
 

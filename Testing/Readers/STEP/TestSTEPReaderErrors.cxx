@@ -174,6 +174,39 @@ void CheckDeclared(const std::string& name, const std::string& more, bool isDefe
   CheckTrue("  said", said.empty() ? messages.empty() : messages.find(said) != std::string::npos, messages);
 }
 
+/// Files whose bodies are all of kinds that are not supported: valid, not damaged.
+void CheckUnsupported()
+{
+  const std::string empty =
+    Replace(Replace(GetBallText(), "#31=MANIFOLD_SOLID_BREP('ball',#30);\n", ""), "(#23,#31)", "(#23,#75)");
+  const std::pair<const char*, const char*> kinds[] = {
+    { "#75=CSG_SOLID('',#76);\n#76=BOOLEAN_RESULT('',.DIFFERENCE.,#77,#78);\n#77=BLOCK('',#23,1.,2.,3.);\n"
+      "#78=SPHERE('',0.5,#20);\n",
+      "it has only constructive solid geometry (CSG), which is not supported: body #75 is of the type "
+      "CSG_SOLID; export it as a" },
+    { "#75=EXTRUDED_AREA_SOLID('',#76,#21,5.);\n#76=CURVE_BOUNDED_SURFACE('',#24,(#77),.T.);\n#77=CIRCLE('',#"
+      "23,1.);\n",
+      "it has only swept solids, which are not supported: body #75 is of the type EXTRUDED_AREA_SOLID; "
+      "export" },
+    { "#75=TESSELLATED_SOLID('',(#76),$);\n#76=TRIANGULATED_FACE('',#77,3,((0.,0.,1.)),$,(),((1,2,3)));\n"
+      "#77=COORDINATES_LIST('',3,((0.,0.,0.),(1.,0.,0.),(0.,1.,0.)));\n",
+      "it has triangles only: body #75 is of the type TESSELLATED_SOLID; export" },
+  };
+  for (const auto& [entities, said] : kinds)
+  {
+    vtkNew<vtkSTEPReader> reader;
+    ErrorLog log;
+    log.Watch(reader);
+    ErrorLog executive;
+    executive.Watch(reader->GetExecutive());
+    reader->SetFileName(Make("reader_unsupported.step", MakeStepText(empty + entities)).c_str());
+    reader->Update();
+    CheckEqual("not supported: status", "unreadable", reader->GetStatusAsString());
+    CheckTrue("  said", log.Text.find(said) != std::string::npos, log.Text);
+    CheckTrue("  not called damaged", log.Text.find("damaged") == std::string::npos);
+  }
+}
+
 /// Bodies and parts that the file declares and nothing is read of.
 void CheckUnreadParts()
 {
@@ -483,6 +516,7 @@ int TestSTEPReaderErrors(int argc, char* argv[])
   CheckDamage(text);
   CheckWrongVertex(text);
   CheckLostScale(text);
+  CheckUnsupported();
   CheckUnreadParts();
   return Finish();
 }
