@@ -29,7 +29,6 @@ OPEN = {
     # Issue 21
     "06_vertex_off_closed_circle.step",
     "07_ball_without_bounds.step",
-    "08_brep_of_draw.brep",
     "11_tessellated_only.step",
     "12_csg_not_damaged.step",
     "13_mapped_part_note.step",
