@@ -12,6 +12,10 @@ constexpr double SameRegion = 1e-3;
 /// Area of a mesh relative to that of its surface, above which it covers more than this.
 constexpr double MeshMargin = 1.05;
 
+/// Radius of a closed surface relative to the length of the bounds below which the mesh says nothing about areas:
+/// its triangles are longer than the surface is wide (a torus of 1000 mm and 0.01 mm has 13 times its area).
+constexpr double ThinRadius = 1e-3;
+
 /// A face whose edges bound less than this part of the square of its perimeter may have no triangles.
 constexpr double SliverArea = 1e-4;
 
@@ -114,7 +118,10 @@ private:
     {
       this->Add(BodyContradiction::Type::CrossesItself, face, face, 0);
     }
-    if (checked.Area > MeshMargin * statement.WholeArea)
+    // Half of it for a torus, a third for a sphere.
+    const double radius = 2.0 * statement.WholeVolume / statement.WholeArea;
+    const bool isThin = radius < ThinRadius * statement.Boundary.Length;
+    if (checked.Area > MeshMargin * statement.WholeArea && !isThin)
     {
       this->Add(BodyContradiction::Type::TooLarge, face, face, 0);
     }

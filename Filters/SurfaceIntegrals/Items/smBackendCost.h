@@ -41,9 +41,9 @@ struct RunSize
 SMFILTERSSURFACEINTEGRALS_EXPORT RunSize EstimateSize(const Face& face);
 
 /**
- * Rates of the machine. The constants of the CPU were measured (Documentation/Performance.md). Those of a GPU were not, since none was at
- * hand: they are derived from published data, and are those of a modest GPU for graphics. Testing/gpu.py prints estimates beside what it
- * measures; its figures belong here.
+ * Rates of the machine, measured: those of the CPU (Documentation/Performance.md), and those of a GPU by Testing/gpu.py
+ * on an NVIDIA H200 (driver 580.159.04, EGL), a card for computing. Cards for graphics, whose doubles have 1/64 of the
+ * rate of floats, were not at hand; by the work around the shaders their rate is assumed to be the same.
  */
 struct BackendRates
 {
@@ -53,16 +53,16 @@ struct BackendRates
   /// Seconds of a run that do not depend on its size: its threads and batches. Measured: a cube.
   double CPURunSeconds = 1e-3;
 
-  /// Seconds until there is a context: the driver's libraries and the device. Assumed; 0.04 to 0.17 s were measured for Mesa's llvmpipe.
-  double ContextSeconds = 0.2;
-  /// Seconds of some ten programs that the driver has kept from an earlier run, 20 ms each. Assumed; compiling them takes seconds.
-  double ProgramSeconds = 0.2;
-  /// Seconds of a run's dispatches and its read-back: some fifty calls at 20 microseconds. Assumed.
-  double GPURunSeconds = 1e-3;
-  /// Bytes a second of the upload: 40 % of PCI Express 3.0 x16 (15.75e9), as memory of the process is not pinned.
-  double UploadBytesPerSecond = 6e9;
-  /// Evaluations a second: 300 operations each (Testing/gpu.py) at a quarter of 0.24e12 operations a second in double precision, which is
-  /// 1/64 of the single precision of a GeForce RTX 4060. A GPU for computing has 10 to 34e12.
+  /// Seconds until there is a context: the driver's libraries and the device. Measured: 0.06 to 0.09 s.
+  double ContextSeconds = 0.07;
+  /// Seconds of the programs that the driver has kept from an earlier run, their first dispatches, and the comparison
+  /// with the CPU. Measured; compiling them takes 0.6 to 3 s.
+  double ProgramSeconds = 0.04;
+  /// Seconds of a run's lists, dispatches and its read-back. Measured: parts of up to 100 faces.
+  double GPURunSeconds = 3e-3;
+  /// Bytes a second of the upload with its new buffers. Measured: a plate of 906 faces, 10 MB in 26 ms.
+  double UploadBytesPerSecond = 4e8;
+  /// Evaluations a second of all that is around them. Measured: 6.2 million evaluations of `occt_linkrods` in 31 to 35 ms.
   double GPUEvaluationsPerSecond = 2e8;
 };
 

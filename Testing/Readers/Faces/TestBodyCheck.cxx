@@ -111,6 +111,9 @@ void TestExtents()
   CheckFound("less than the whole sphere", sphere, false, 0);
   sphere.Faces[0].Area = 20.0;
   CheckFound("more than the whole sphere", sphere, false, 1, Type::TooLarge);
+  sphere.Statements[0].WholeVolume = 1e-4 * 12.57;
+  sphere.Statements[0].Boundary.AddSegment({ 0, 0, 0 }, { 1, 0, 0 });
+  CheckFound("a tube that is thinner than its triangles", sphere, false, 0);
   TestBody meshed = MakeCap(true, false);
   meshed.Statements[1].Boundary.AddSegment({ 0, 0, 0 }, { 1, 0, 0 });
   meshed.Statements[1].Boundary.AddSegment({ 1, 0, 0 }, { 0, 1, 0 });
