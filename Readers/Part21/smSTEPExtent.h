@@ -11,7 +11,8 @@
 
 namespace sm
 {
-/// A box of points and placements, in the unit and frame of the file. Curves and surfaces with radii are at most Reach outside of it.
+/// A box of points and placements, in the unit and frame of the file. Curves and surfaces with radii are at
+/// most Reach outside of it.
 struct STEPExtent
 {
   std::array<double, 3> Low{ 1e300, 1e300, 1e300 };

@@ -24,19 +24,26 @@ namespace sm
 {
 namespace
 {
-/// A curve that is trimmed to less than a period by this fraction of it is trimmed to the whole: numbers of seven digits are that good.
+/// A curve that is trimmed to less than a period by this fraction of it is trimmed to the whole: numbers of
+/// seven digits are that good.
 constexpr double WholePeriod = 1e-6;
 
 /// A trim curve may lead beyond the domain by this fraction of the period.
 constexpr double BeyondDomain = 1e-6;
 
-/// A profile meets the axis if it is closer than this, relative to its extent: the tolerance of FootPointFinder's poles.
+/// A profile meets the axis if it is closer than this, relative to its extent: the tolerance of
+/// FootPointFinder's poles.
 constexpr double AxisTolerance = 1e-9;
 
-/// Largest distance of a trim curve from its edge, relative to the length of that: OpenCASCADE may have mistaken the unit of the trim curve.
+/// Largest distance of a trim curve from its edge, relative to the length of that: OpenCASCADE may have
+/// mistaken the unit of the trim curve.
 constexpr double RoughTrim = 0.02;
 
-/// Two parts of a surface are the same if points of one are closer than this to the other, relative to the extent of the profile.
+/// Relative difference of numbers that are equal but for their digits in the file.
+constexpr double Rounded = 1e-14;
+
+/// Two parts of a surface are the same if points of one are closer than this to the other, relative to the
+/// extent of the profile.
 constexpr double SamePart = 1e-7;
 
 /// A domain that begins at 0 does not state which part of the surface is meant (KeepRevolvedConics()).
@@ -117,7 +124,8 @@ public:
 
   Point Evaluate(double t) const { return this->Locate(this->Curve->Value(t)); }
 
-  /// Returns the parameters at which the profile meets the axis, ascending. Both ends of a periodic profile are one parameter, the first.
+  /// Returns the parameters at which the profile meets the axis, ascending. Both ends of a periodic profile
+  /// are one parameter, the first.
   std::vector<double> FindPoles() const
   {
     std::vector<double> poles;
@@ -177,7 +185,8 @@ public:
   }
 
 private:
-  /// Returns the minimum of a function with one minimum in the interval, which is divided by the golden ratio.
+  /// Returns the minimum of a function with one minimum in the interval, which is divided by the golden
+  /// ratio.
   template <class Function>
   static double Minimize(const Function& f, double low, double high)
   {
@@ -291,7 +300,8 @@ std::vector<gp_Pnt> SampleEdges(const DraftFace& face)
   return points;
 }
 
-/// Returns the number of stored trim curves whose middle lies in a part, moved by whole periods or, with `isExact`, as it is.
+/// Returns the number of stored trim curves whose middle lies in a part, moved by whole periods or, with
+/// `isExact`, as it is.
 int CountTrims(const DraftFace& face, const ProfilePart& part, double period, bool isExact)
 {
   int count = 0;
@@ -325,7 +335,8 @@ struct FoundParts
   bool IsStated = false;
 };
 
-/// Finds the parts of the profile on which the edges lie. Parts with more trim curves come first, then the one that has `middle`.
+/// Finds the parts of the profile on which the edges lie. Parts with more trim curves come first, then the
+/// one that has `middle`.
 FoundParts FindParts(const DraftFace& face, const AxialProfile& profile,
   const std::vector<ProfilePart>& parts, double period, double middle)
 {
@@ -371,6 +382,31 @@ FoundParts FindParts(const DraftFace& face, const AxialProfile& profile,
   return found;
 }
 
+/// Returns a closed spline whose ends have the same control point and weight as a periodic one: its parts
+/// between poles may pass its ends. Returns null for other curves.
+Handle(Geom_BSplineCurve) MakePeriodic(const Handle(Geom_Curve) & curve)
+{
+  const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
+  if (spline.IsNull() || spline->IsPeriodic() || spline->Degree() < 1 || !spline->IsClosed())
+  {
+    return {};
+  }
+  const int last = spline->NbPoles();
+  const gp_Pnt start = spline->Pole(1);
+  const bool isSame = start.Distance(spline->Pole(last)) <=
+      Rounded * (start.XYZ().Modulus() + spline->Pole(last).XYZ().Modulus()) &&
+    std::abs(spline->Weight(1) - spline->Weight(last)) <= Rounded * spline->Weight(1);
+  const bool isClamped = spline->Multiplicity(1) == spline->Degree() + 1 &&
+    spline->Multiplicity(spline->NbKnots()) == spline->Degree() + 1;
+  if (!isSame || !isClamped)
+  {
+    return {};
+  }
+  const auto periodic = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
+  periodic->SetPeriodic();
+  return periodic;
+}
+
 /// Returns the surface along the whole curve for one that is swept along a trimmed curve.
 Handle(Geom_Surface) RemoveTrim(const Handle(Geom_SweptSurface) & surface)
 {
@@ -387,8 +423,8 @@ Handle(Geom_TrimmedCurve) GetTrimOfPeriodic(const Handle(Geom_Surface) & surface
   return isPeriodic ? trimmed : Handle(Geom_TrimmedCurve)();
 }
 
-/// Replaces a surface of revolution that reaches its axis inside its domain by one of its parts. `middle` is the middle of the domain that
-/// the file states, which begins at `start`.
+/// Replaces a surface of revolution that reaches its axis inside its domain by one of its parts. `middle` is
+/// the middle of the domain that the file states, which begins at `start`.
 void TakePart(DraftFace& face, double start, double middle)
 {
   auto surface = Handle(Geom_SurfaceOfRevolution)::DownCast(face.Surface);
@@ -402,6 +438,14 @@ void TakePart(DraftFace& face, double start, double middle)
   if (!poles.empty() && !GetTrimOfPeriodic(surface).IsNull())
   {
     surface = Handle(Geom_SurfaceOfRevolution)::DownCast(RemoveTrim(surface));
+    profile = AxialProfile(surface);
+    poles = profile.FindPoles();
+  }
+  const Handle(Geom_BSplineCurve) periodic =
+    poles.empty() ? Handle(Geom_BSplineCurve)() : MakePeriodic(surface->BasisCurve());
+  if (!periodic.IsNull())
+  {
+    surface = Handle(Geom_SurfaceOfRevolution)::DownCast(SweepAlong(surface, periodic));
     profile = AxialProfile(surface);
     poles = profile.FindPoles();
   }
@@ -429,8 +473,8 @@ void TakePart(DraftFace& face, double start, double middle)
   }
 }
 
-/// Replaces a surface that is swept along a curve that was trimmed to a whole period by the one along the curve itself, then a surface of
-/// revolution by its part.
+/// Replaces a surface that is swept along a curve that was trimmed to a whole period by the one along the
+/// curve itself, then a surface of revolution by its part.
 void ReplaceSurface(DraftFace& face)
 {
   double start = 0.0;
@@ -450,7 +494,8 @@ void ReplaceSurface(DraftFace& face)
   }
 }
 
-/// Sets the periods, and the direction in which the formula repeats although the surface is not periodic, with its domain.
+/// Sets the periods, and the direction in which the formula repeats although the surface is not periodic,
+/// with its domain.
 void SetPeriods(DraftFace& face)
 {
   face.Period[0] = face.Surface->IsUPeriodic() ? face.Surface->UPeriod() : 0.0;
@@ -485,7 +530,8 @@ void SetPeriods(DraftFace& face)
   }
 }
 
-/// Returns true if the points of a trim curve are those of its edge, as far as a rough trim curve may have them.
+/// Returns true if the points of a trim curve are those of its edge, as far as a rough trim curve may have
+/// them.
 bool IsAlongEdge(const DraftFace& face, const TopoDS_Edge& edge, const NativeTrim& trim)
 {
   TopLoc_Location location;
@@ -510,8 +556,8 @@ bool IsAlongEdge(const DraftFace& face, const TopoDS_Edge& edge, const NativeTri
   return distance <= RoughTrim * length;
 }
 
-/// Returns the trim curve mirrored at a pole, v = `pole`, and moved by half a turn, if it has the same points in space; else one without a
-/// curve.
+/// Returns the trim curve mirrored at a pole, v = `pole`, and moved by half a turn, if it has the same points
+/// in space; else one without a curve.
 NativeTrim Mirror(const DraftFace& face, const NativeTrim& trim, double pole)
 {
   NativeTrim mirrored;
@@ -540,7 +586,8 @@ NativeTrim Mirror(const DraftFace& face, const NativeTrim& trim, double pole)
   return mirrored;
 }
 
-/// Moves a trim curve by whole periods to be nearest to the middle of the domain; returns true if it lies in the domain then.
+/// Moves a trim curve by whole periods to be nearest to the middle of the domain; returns true if it lies in
+/// the domain then.
 bool MoveByPeriods(const DraftFace& face, NativeTrim& trim)
 {
   NativeBox box{ { 1e300, 1e300 }, { -1e300, -1e300 } };

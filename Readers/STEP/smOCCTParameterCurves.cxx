@@ -5,6 +5,8 @@
 #include "smOCCTContradictions.h"
 #include "smOCCTFailure.h"
 
+#include <vtkMath.h>
+
 #include <Bnd_Box.hxx>
 #include <Geom2dAPI_ProjectPointOnCurve.hxx>
 #include <Geom2d_Curve.hxx>
@@ -13,6 +15,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_ElementarySurface.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <StepGeom_Pcurve.hxx>
@@ -135,6 +138,9 @@ public:
     this->Period[1] = surface->IsVPeriodic() ? surface->VPeriod()
       : surface->IsVClosed()                 ? high[1] - low[1]
                                              : 0.0;
+    // Beyond a pole the formula continues on the other side.
+    this->IsSphere = !Handle(Geom_SphericalSurface)::DownCast(surface).IsNull();
+    this->Period[1] = this->IsSphere ? 2.0 * vtkMath::Pi() : this->Period[1];
   }
 
   gp_Pnt Evaluate(double s) const
@@ -170,6 +176,11 @@ public:
       for (int k = -turns[1]; k <= turns[1]; ++k)
       {
         this->Approach({ uv.X() + i * this->Period[0], uv.Y() + k * this->Period[1] }, foot, least);
+        if (this->IsSphere)
+        {
+          this->Approach(
+            { uv.X() + (i + 0.5) * this->Period[0], (k + 0.5) * this->Period[1] - uv.Y() }, foot, least);
+        }
       }
     }
     return least;
@@ -221,6 +232,7 @@ private:
   /// Made when it is needed.
   Handle(ShapeAnalysis_Surface) Feet;
   double Period[2];
+  bool IsSphere = false;
 };
 
 /// Returns true for surfaces whose parameters are certain: not for those that depend on a curve's, or on the length of a vector.

@@ -48,7 +48,8 @@ struct RevolvedConic
   /// True if all faces on the surface are without edges, and whether they have its normals.
   bool IsWhole = false;
   bool HasSameSense = true;
-  /// The sum of the directions of the middles of the parameter curves on the surface, which may be whole turns apart.
+  /// The sum of the directions of the middles of the parameter curves on the surface, which may be whole
+  /// turns apart.
   double Direction[2] = { 0.0, 0.0 };
 };
 
@@ -71,7 +72,8 @@ bool FindConic(const EntityGeometry& geometry, RevolvedConic& result)
   {
     return false;
   }
-  // The part from a pole on has outer normals if it lies on this side of the axis and runs along it, or on the other side against it.
+  // The part from a pole on has outer normals if it lies on this side of the axis and runs along it, or on
+  // the other side against it.
   const gp_Vec across = gp_Vec(side).Crossed(gp_Vec(axis));
   const double x = gp_Vec(center, conic->Value(0.0)).Dot(across);
   const double y = gp_Vec(center, conic->Value(0.5 * vtkMath::Pi())).Dot(across);
@@ -81,7 +83,8 @@ bool FindConic(const EntityGeometry& geometry, RevolvedConic& result)
   return true;
 }
 
-/// Finds v of a parameter curve that has one value, or one in the middle, whatever its edge. Lines along v depend on the edge's parameters.
+/// Finds v of a parameter curve that has one value, or one in the middle, whatever its edge. Lines along v
+/// depend on the edge's parameters.
 bool FindMiddle(const EntityGeometry& geometry, const Handle(StepGeom_Pcurve) & entity, double& v)
 {
   const Handle(StepRepr_DefinitionalRepresentation) representation = entity->ReferenceToCurve();

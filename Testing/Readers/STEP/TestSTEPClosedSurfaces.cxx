@@ -1,9 +1,10 @@
 /**
  * @file TestSTEPClosedSurfaces.cxx
- * @brief Balls and ellipsoids with flats, holes and knobs, written by OpenCASCADE with and without parameter curves, against closed forms
+ * @brief Balls and ellipsoids with flats, holes and knobs, written by OpenCASCADE, against closed forms
  *
- * OpenCASCADE writes the parameter curve of a cut seam a whole turn of its circle away, where v is beyond the poles of the sphere, and the
- * profile of an ellipsoid as a whole ellipse, whose revolution has every point twice.
+ * OpenCASCADE writes the parameter curve of a cut seam a whole turn of its circle away, where v is beyond the
+ * poles of the sphere, and the profile of an ellipsoid as a whole ellipse, whose revolution has every point
+ * twice.
  */
 #include "smReaderTesting.h"
 #include "smStepText.h"
@@ -23,7 +24,6 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <Geom_Ellipse.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopoDS_Face.hxx>
@@ -31,7 +31,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <initializer_list>
+#include <regex>
 #include <string>
 
 namespace
@@ -40,25 +42,63 @@ using namespace smtest;
 
 const double Pi = vtkMath::Pi();
 
-/// Writes a shape and compares what is read with the volume. OpenCASCADE's intersection curves are good to about 1e-7 of a length.
+std::string WriteShape(const TopoDS_Shape& shape, bool hasTrims)
+{
+  Interface_Static::SetIVal("write.surfacecurve.mode", hasTrims ? 1 : 0);
+  STEPControl_Writer writer;
+  writer.Transfer(shape, STEPControl_AsIs);
+  const std::string path = Folder + "/closed_surface.step";
+  writer.Write(path.c_str());
+  Interface_Static::SetIVal("write.surfacecurve.mode", 1);
+  return path;
+}
+
+/// OpenCASCADE's intersection curves are good to about 1e-7 of a length.
+void CheckFile(const std::string& title, const std::string& path, double expected)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const sm::MassPropertiesResult result = sm::ComputeMassProperties(reader->GetOutputDataObject(0));
+  CheckEqual(title, "ok", result.Total.Status);
+  Check("  volume", expected, result.Total.Volume.Value, 2e-9 * expected);
+}
+
+/// Writes a shape and compares what is read with the volume.
 void CheckShape(const std::string& name, const TopoDS_Shape& shape, double expected)
 {
   for (const bool hasTrims : { true, false })
   {
-    Interface_Static::SetIVal("write.surfacecurve.mode", hasTrims ? 1 : 0);
-    STEPControl_Writer writer;
-    writer.Transfer(shape, STEPControl_AsIs);
-    const std::string title = name + (hasTrims ? "" : ", no parameter curves");
-    const std::string path = Folder + "/closed_surface.step";
-    writer.Write(path.c_str());
-    vtkNew<vtkSTEPReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    const sm::MassPropertiesResult result = sm::ComputeMassProperties(reader->GetOutputDataObject(0));
-    CheckEqual(title, "ok", result.Total.Status);
-    Check("  volume", expected, result.Total.Volume.Value, 2e-9 * expected);
+    CheckFile(name + (hasTrims ? "" : ", no parameter curves"), WriteShape(shape, hasTrims), expected);
   }
-  Interface_Static::SetIVal("write.surfacecurve.mode", 1);
+}
+
+/// Replaces the ellipse that is revolved in a file by a closed spline which begins and ends on the equator.
+std::string ReplaceProfile(const std::string& path, double a, double c)
+{
+  std::string text = ReadAll(path);
+  std::smatch found;
+  CheckTrue("a profile", std::regex_search(text, found, std::regex("SURFACE_OF_REVOLUTION\\('',(#[0-9]+)")));
+  text.replace(
+    static_cast<std::size_t>(found.position(1)), static_cast<std::size_t>(found.length(1)), "#900100");
+  const int x[] = { 1, 1, 0, -1, -1, -1, 0, 1, 1 };
+  const int z[] = { 0, 1, 1, 1, 0, -1, -1, -1, 0 };
+  std::string entities;
+  std::string poles;
+  std::string weights;
+  for (int i = 0; i < 9; ++i)
+  {
+    const std::string id = "#" + std::to_string(900101 + i);
+    entities +=
+      id + "=CARTESIAN_POINT('',(" + std::to_string(a * x[i]) + ",0.," + std::to_string(c * z[i]) + "));\n";
+    poles += (i == 0 ? "" : ",") + id;
+    weights += std::string(i == 0 ? "" : ",") + (i % 2 == 0 ? "1." : "0.70710678118654752");
+  }
+  entities += "#900100=(BOUNDED_CURVE()B_SPLINE_CURVE(2,(" + poles +
+    "),.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((3,2,2,2,3),(0.,1.,2.,3.,4.),.UNSPECIFIED.)CURVE()"
+    "GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((" +
+    weights + "))REPRESENTATION_ITEM(''));\n";
+  return Make("closed_surface_spline.step", text.insert(text.rfind("ENDSEC;"), entities));
 }
 
 /// The half space beyond a plane at this distance from the origin, as a large box.
@@ -104,8 +144,38 @@ void CheckBalls()
   }
 }
 
-/// Half an ellipse with x >= 0 and semi-axes a along x and c along z about the height z; with `isUpper` its upper quarter. `turn` reverses the
-/// first axis of the ellipse (1) or its direction (2).
+/// Parameter curves of the rims of a bead that begin elsewhere on their circles of latitude, a turn beyond a
+/// pole or on its other side, are the curves of their edges all the same.
+void CheckFarTrims()
+{
+  const TopoDS_Shape bead = BRepAlgoAPI_Cut(
+    BRepPrimAPI_MakeSphere(10.0).Shape(), MakeRod(gp_Pnt(0, 0, -20), gp_Dir(0, 0, 1), 3.0, 40.0))
+                              .Shape();
+  const std::string text = ReadAll(WriteShape(bead, true));
+  const double latitude = std::acos(0.3);
+  char number[40];
+  std::snprintf(number, sizeof number, "%.12f", latitude);
+  const std::regex point("CARTESIAN_POINT\\('',\\(([^,]*),(-?)" + std::string(number) + "\\)\\)");
+  for (const double beyond : { 2.0 * Pi + latitude, Pi - latitude, latitude + 0.1 })
+  {
+    // A later start, as a curve that is compared at equal parameters would have it.
+    const std::string changed =
+      std::regex_replace(text, point, "CARTESIAN_POINT('',(0.7,$02" + std::to_string(beyond) + "))");
+    CheckTrue("the files differ", changed != text);
+    vtkNew<vtkSTEPReader> reader;
+    reader->SetFileName(Make("closed_surface_far.step", changed).c_str());
+    reader->Update();
+    bool isTold = false;
+    for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
+    {
+      isTold = isTold || std::string(reader->GetMessage(i)).find("beside its curve") != std::string::npos;
+    }
+    CheckEqual("a trim curve at " + std::to_string(beyond), beyond == latitude + 0.1, isTold);
+  }
+}
+
+/// Half an ellipse with x >= 0 and semi-axes a along x and c along z about the height z; with `isUpper` its
+/// upper quarter. `turn` reverses the first axis of the ellipse (1) or its direction (2).
 TopoDS_Edge MakeProfile(double a, double c, double z, bool isUpper, int turn)
 {
   gp_Dir x = a > c ? gp_Dir(1, 0, 0) : gp_Dir(0, 0, 1);
@@ -149,8 +219,14 @@ void CheckEllipsoids()
       for (const gp_Dir& d : { gp_Dir(0, 0, 1), gp_Dir(1, 0, 0), gp_Dir(-1, 0.2, 0), gp_Dir(1, -2, 1.5) })
       {
         const double width = std::sqrt(a * a * (d.X() * d.X() + d.Y() * d.Y()) + c * c * d.Z() * d.Z());
-        CheckShape("ellipsoid with a flat", BRepAlgoAPI_Cut(egg, MakeBeyond(d, 0.6 * width)).Shape(),
-          whole - a * a * c * GetCap(0.6));
+        const TopoDS_Shape flattened = BRepAlgoAPI_Cut(egg, MakeBeyond(d, 0.6 * width)).Shape();
+        const double volume = whole - a * a * c * GetCap(0.6);
+        CheckShape("ellipsoid with a flat", flattened, volume);
+        if (turn == 0 && !isLong)
+        {
+          // The part between its poles passes the ends of the spline.
+          CheckFile("  of a closed spline", ReplaceProfile(WriteShape(flattened, false), a, c), volume);
+        }
       }
       CheckShape("ellipsoid with a hole along its axis",
         BRepAlgoAPI_Cut(egg, MakeRod(gp_Pnt(0, 0, -20), gp_Dir(0, 0, 1), 3.0, 40.0)).Shape(),
@@ -168,7 +244,8 @@ void CheckEllipsoids()
   }
 }
 
-/// A circle that is revolved about a chord crosses itself: without edges nothing says whether its outer or its inner part is meant.
+/// A circle that is revolved about a chord crosses itself: without edges nothing says whether its outer or
+/// its inner part is meant.
 void CheckChord()
 {
   for (const double sign : { 1.0, -1.0 })
@@ -216,6 +293,7 @@ int TestSTEPClosedSurfaces(int argc, char* argv[])
   if (mode == "balls")
   {
     CheckBalls();
+    CheckFarTrims();
   }
   else
   {
