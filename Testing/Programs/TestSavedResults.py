@@ -257,8 +257,8 @@ def check_stage(stage, number, *arguments):
 
 def stages():
     box = manifest.solid("box")
-    # Hundreds of integrals take minutes to compile.
-    code, entry = check_stage("integrals", signal.SIGSEGV, "--moments", "16", "--max-seconds", "40")
+    # Shaders of hundreds of integrals take minutes to compile.
+    code, entry = check_stage("integrals", signal.SIGSEGV, "--moments", "16", "--backend", "opengl", "--max-seconds", "40")
     message = entry["messages"][-1]
     check_equal("integrals: exit status", 3, code)
     check_equal("integrals: status", "not-computed", entry["status"])
@@ -269,13 +269,13 @@ def stages():
     check_true("integrals: where", 'in stage "integrals"' in message and "signal 11" in message, message)
     check_true("integrals: not the file's fault", "none of the file" in message and "malformed" not in message, message)
 
-    code, entry = check_stage("integrals", signal.SIGXCPU, "--moments", "16", "--max-seconds", "40")
+    code, entry = check_stage("integrals", signal.SIGXCPU, "--moments", "16", "--backend", "opengl", "--max-seconds", "40")
     message = entry["messages"][-1]
     check_equal("processor time: status", "not-computed", entry["status"])
     check_true("processor time: why", "ulimit -t" in message and "defect" not in message, message)
 
     # The system sends SIGKILL when memory runs out: neither the file nor the program is at fault.
-    code, entry = check_stage("integrals", signal.SIGKILL, "--moments", "16", "--max-seconds", "40")
+    code, entry = check_stage("integrals", signal.SIGKILL, "--moments", "16", "--backend", "opengl", "--max-seconds", "40")
     message = entry["messages"][-1]
     check_equal("killed: status", "not-computed", entry["status"])
     check_true("killed: why", "memory" in message and "defect" not in message and "malformed" not in message, message)

@@ -42,12 +42,15 @@ using namespace smtest;
 
 const double Pi = vtkMath::Pi();
 
+/// The argument of the test, whose modes run at the same time and write files of their own.
+std::string ShapeMode;
+
 std::string WriteShape(const TopoDS_Shape& shape, bool hasTrims)
 {
   Interface_Static::SetIVal("write.surfacecurve.mode", hasTrims ? 1 : 0);
   STEPControl_Writer writer;
   writer.Transfer(shape, STEPControl_AsIs);
-  const std::string path = Folder + "/closed_surface.step";
+  const std::string path = Folder + "/closed_surface_" + ShapeMode + ".step";
   writer.Write(path.c_str());
   Interface_Static::SetIVal("write.surfacecurve.mode", 1);
   return path;
@@ -289,8 +292,8 @@ int TestSTEPClosedSurfaces(int argc, char* argv[])
     return 1;
   }
   Folder = argv[1];
-  const std::string mode = argv[2];
-  if (mode == "balls")
+  ShapeMode = argv[2];
+  if (ShapeMode == "balls")
   {
     CheckBalls();
     CheckFarTrims();
