@@ -386,7 +386,13 @@ bool SurfaceIntegrator::Internals::CheckRunner(
   const double seconds = vtkTimerLog::GetUniversalTime() - start;
   this->StartSeconds += seconds;
   this->IntegrateSeconds -= seconds;
-  return this->Distrust.empty() || this->Fail(this->Distrust);
+  if (!this->Distrust.empty())
+  {
+    // The next run must not take the programs for proved.
+    this->Runner->ForgetProofs();
+    return this->Fail(this->Distrust);
+  }
+  return true;
 }
 
 bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,

@@ -361,6 +361,11 @@ void GPUItemRunner::SetProved(const WorkItem& item)
   self.Proved.insert(self.ChooseProgram(item));
 }
 
+void GPUItemRunner::ForgetProofs()
+{
+  this->Implementation->Proved.clear();
+}
+
 bool GPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)
 {
   Internals& self = *this->Implementation;

@@ -35,6 +35,7 @@ public:
   std::size_t GetRowLimit() const override;
   bool IsProved(const WorkItem& item) const override;
   void SetProved(const WorkItem& item) override;
+  void ForgetProofs() override;
   bool BeginBatch(const std::vector<BatchFace>& faces) override;
   bool BeginRows(std::size_t rows) override;
   bool Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,

@@ -127,6 +127,7 @@ public:
   /// FindRunnerDifference(), and to say so.
   virtual bool IsProved(const WorkItem&) const { return true; }
   virtual void SetProved(const WorkItem&) {}
+  virtual void ForgetProofs() {}
   ///@}
 
   /// Sets the faces to which the slots of the following items refer.

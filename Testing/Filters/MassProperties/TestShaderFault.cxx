@@ -78,6 +78,8 @@ void CheckComparison(const Expected& expected)
   fields = Run(forced);
   CheckTrue("nothing is computed where OpenGL was asked for", std::isnan(GetField(fields, names::Volume)));
   CheckEqual("its status", "not-computed", GetFieldText(fields, names::Status));
+  forced.Mass->Modified();
+  CheckEqual("nor in the next run", "not-computed", GetFieldText(Run(forced), names::Status));
 }
 
 void CheckValues(const Expected& expected)
