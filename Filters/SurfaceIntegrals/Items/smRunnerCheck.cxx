@@ -34,7 +34,7 @@ const char* GetKindName(ItemKind kind)
   return kind == ItemKind::Panel ? "a panel" : kind == ItemKind::Ribbon ? "a ribbon" : "a cap";
 }
 
-/// True if the values of a sum of n roundings are equal within these.
+/// True if two values are equal within the roundings of both.
 bool AreEqual(double a, double b, double roundings)
 {
   return std::fabs(a - b) <= 4.0 * roundings + 64.0 * UnitRoundoff * (std::fabs(a) + std::fabs(b)) ||
@@ -59,7 +59,11 @@ std::string FindRunnerDifference(ItemRunner& runner, const ItemRunner::Setup& se
     }
   }
   std::vector<FaceTotals> own;
-  if (indices.empty() || !Evaluate(runner, items, own))
+  if (indices.empty())
+  {
+    return "";
+  }
+  if (!Evaluate(runner, items, own))
   {
     return runner.GetError();
   }
