@@ -69,14 +69,14 @@ public:
   }
 
   /// Adds an entry, or replaces the one with this key; `bytes` is the size of the value.
-  void Store(std::uint64_t face, const Key& key, Value value, std::size_t bytes)
+  void Store(std::uint64_t face, Key key, Value value, std::size_t bytes)
   {
     const Lock lock(this->Budget.GetMutex());
     this->Erase(face, key);
     // The place is reserved first: an exception for lack of memory leaves no entry without one.
     std::vector<Position>& places = this->Places[face];
     places.reserve(places.size() + 1);
-    this->Entries.push_back({ face, key, std::move(value), bytes + sizeof(Entry), 0, 0 });
+    this->Entries.push_back({ face, std::move(key), std::move(value), bytes + sizeof(Entry), 0, 0 });
     const auto entry = std::prev(this->Entries.end());
     places.push_back(entry);
     this->MarkUsed(entry);

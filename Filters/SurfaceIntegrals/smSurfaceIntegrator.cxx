@@ -413,11 +413,15 @@ bool SurfaceIntegrator::Integrate(
   Internals& self = *this->Implementation;
   self.Begin(progress);
   self.Configure();
-  results.assign(tasks.size(), self.MakeZeroResult());
   if (tasks.empty() || self.Chosen.empty())
   {
+    results.assign(tasks.size(), self.MakeZeroResult());
     this->FinishSharing("");
     return !self.Integrands.empty() || self.Fail("there is no integrand: add one, for example area = dA");
+  }
+  if (self.Sharing.IsOpen())
+  {
+    results.assign(tasks.size(), self.MakeZeroResult());
   }
   const bool ok = self.Sharing.IsOpen() ? self.IntegrateShared(tasks, results) : self.Run(tasks, results);
   if (ok)

@@ -9,8 +9,8 @@
 #include "vtkTimerLog.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace sm
@@ -19,58 +19,128 @@ namespace
 {
 // Largest number of halvings of t and xi after the last order of the ladder.
 constexpr int MaximumBisections = 6;
+// Items and faces that a thread takes at a time.
+constexpr std::size_t ItemsOfTask = 4096;
+constexpr std::size_t FacesOfTask = 32;
+
+/// Calls work(index in the batch, face) for all faces of a batch, on all threads.
+template <class F>
+void ForFaces(const std::vector<std::size_t>& batch, F&& work)
+{
+  ParallelFor(batch.size(), FacesOfTask,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        work(i, batch[i]);
+      }
+    });
+}
+
+/// Parts of consecutive rows, those of `items` in [begin, end).
+std::vector<RowPart> FindParts(const WorkItems& items, std::size_t begin, std::size_t end)
+{
+  std::vector<RowPart> parts;
+  for (std::size_t row = begin; row < end; ++row)
+  {
+    const WorkItem& item = items[row];
+    if (parts.empty() || !parts.back().Continues(item.GetSlot(), item.Kind, item.Coedge))
+    {
+      const auto first = static_cast<std::uint32_t>(row);
+      parts.push_back({ item.GetSlot(), item.Kind, item.Coedge, first, first });
+    }
+    parts.back().End = static_cast<std::uint32_t>(row + 1);
+  }
+  return parts;
+}
+
+/// Parts of consecutive rows of all items.
+std::vector<RowPart> FindParts(const WorkItems& items)
+{
+  std::vector<std::vector<RowPart>> found((items.size() + ItemsOfTask - 1) / ItemsOfTask);
+  ParallelFor(items.size(), ItemsOfTask,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t from = begin; from < end; from += ItemsOfTask)
+      {
+        found[from / ItemsOfTask] = FindParts(items, from, std::min(from + ItemsOfTask, end));
+      }
+    });
+  std::vector<RowPart> parts;
+  for (const std::vector<RowPart>& more : found)
+  {
+    auto next = more.begin();
+    if (!parts.empty() && parts.back().Continues(next->Slot, next->Kind, next->Coedge))
+    {
+      parts.back().End = next->End;
+      ++next;
+    }
+    parts.insert(parts.end(), next, more.end());
+  }
+  return parts;
+}
 }
 
 void SurfaceIntegrator::Internals::Store(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& batch, const std::vector<FaceIntegrals>& results)
 {
   // After the budget is spent, results depend on earlier evaluations and are not kept.
-  for (std::size_t i = 0; i < batch.size() && this->CacheFaceResults && this->Evaluations < this->Allowance;
-       ++i)
+  if (!this->CacheFaceResults || this->Evaluations >= this->Allowance)
   {
-    const FaceTask& task = tasks[batch[i]];
-    auto result = std::make_shared<const FaceIntegrals>(results[batch[i]]);
-    const std::size_t bytes = CountBytes(*result);
-    this->Results.Store(task.Source->Id, this->GetResultKey(task, batch[i]), std::move(result), bytes);
+    return;
+  }
+  struct Entry
+  {
+    FaceResultKey Key;
+    std::shared_ptr<const FaceIntegrals> Result;
+  };
+  std::vector<Entry> entries(batch.size());
+  ForFaces(batch,
+    [&](std::size_t i, std::size_t face)
+    {
+      entries[i] = { this->GetResultKey(tasks[face], face),
+        std::make_shared<const FaceIntegrals>(results[face]) };
+    });
+  for (std::size_t i = 0; i < batch.size(); ++i)
+  {
+    const std::size_t bytes = CountBytes(*entries[i].Result);
+    this->Results.Store(
+      tasks[batch[i]].Source->Id, std::move(entries[i].Key), std::move(entries[i].Result), bytes);
   }
 }
 
-void SurfaceIntegrator::Internals::AddBounds(const std::vector<FaceTask>& tasks,
-  const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results) const
+void SurfaceIntegrator::Internals::AddBounds(
+  const FaceTask& task, std::size_t face, FaceIntegrals& result) const
 {
-  for (const std::size_t face : batch)
+  if (!this->Planned)
   {
-    FaceIntegrals& result = results[face];
-    if (!this->Planned)
+    result.Estimated = true;
+    return;
+  }
+  const FacePlan& plan = this->Plans.Get(face);
+  result.Estimated = plan.Estimated;
+  double area = plan.Area;
+  for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+  {
+    // In a planned run the rows have errors only for the area of compared items, and for values that are
+    // not finite.
+    double& error = result.QuadratureError[this->Chosen[k]];
+    const bool compared = this->Plans.GetBoundClass(k).Kind == BoundClass::AreaMoment;
+    error = compared || !std::isfinite(error) ? error : 0.0;
+    error += plan.QuadratureBound[this->Plans.GetClass(k)];
+    result.Conversion[this->Chosen[k]] += plan.ConversionBound[this->Plans.GetClass(k)];
+    result.Residual[this->Chosen[k]] += plan.ResidualBound[this->Plans.GetClass(k)];
+    if (this->Plans.GetBoundClass(k) == PlainArea)
     {
-      result.Estimated = true;
-      continue;
+      area = std::fmin(area, result.Face[this->Chosen[k]] + result.GetBound(this->Chosen[k]));
     }
-    const FacePlan& plan = this->Plans.Get(face);
-    result.Estimated = plan.Estimated;
-    double area = plan.Area;
-    for (std::size_t k = 0; k < this->Chosen.size(); ++k)
-    {
-      // In a planned run the rows have errors only for the area of compared items, and for values that are
-      // not finite.
-      double& error = result.QuadratureError[this->Chosen[k]];
-      const bool compared = this->Plans.GetBoundClass(k).Kind == BoundClass::AreaMoment;
-      error = compared || !std::isfinite(error) ? error : 0.0;
-      error += plan.QuadratureBound[this->Plans.GetClass(k)];
-      result.Conversion[this->Chosen[k]] += plan.ConversionBound[this->Plans.GetClass(k)];
-      result.Residual[this->Chosen[k]] += plan.ResidualBound[this->Plans.GetClass(k)];
-      if (this->Plans.GetBoundClass(k) == PlainArea)
-      {
-        area = std::fmin(area, result.Face[this->Chosen[k]] + result.GetBound(this->Chosen[k]));
-      }
-    }
-    LimitByMagnitude(tasks[face], plan, result);
-    for (std::size_t k = 0; k < this->Chosen.size(); ++k)
-    {
-      const BoundClass& integrand = this->Plans.GetBoundClass(k);
-      result.Conversion[this->Chosen[k]] += plan.Reading.GetBound(integrand, area, result.GapArea) +
-        tasks[face].PlacementBound.GetBound(integrand, area, result.GapArea, plan.Reading.Reach);
-    }
+  }
+  this->LimitByMagnitude(task, plan, result);
+  for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+  {
+    const BoundClass& integrand = this->Plans.GetBoundClass(k);
+    result.Conversion[this->Chosen[k]] += plan.Reading.GetBound(integrand, area, result.GapArea) +
+      task.PlacementBound.GetBound(integrand, area, result.GapArea, plan.Reading.Reach);
   }
 }
 
@@ -91,29 +161,22 @@ void SurfaceIntegrator::Internals::LimitByMagnitude(
   }
 }
 
-bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items,
-  const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
+bool SurfaceIntegrator::Internals::Accumulate(
+  const WorkItems& items, const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
 {
-  std::vector<RowPart> parts;
-  for (std::uint32_t row = 0; row < items.size(); ++row)
-  {
-    const WorkItem& item = items[row];
-    if (parts.empty() || parts.back().Slot != item.GetSlot() || parts.back().Kind != item.Kind ||
-      parts.back().Coedge != item.Coedge)
-    {
-      parts.push_back({ item.GetSlot(), item.Kind, item.Coedge, row, row });
-    }
-    parts.back().End = row + 1;
-  }
+  const std::vector<RowPart> parts = FindParts(items);
   std::vector<std::size_t> faces;
-  std::vector<FaceTotals> totals;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     if (i == 0 || parts[i].Slot != parts[i - 1].Slot)
     {
       faces.push_back(batch[parts[i].Slot]);
-      totals.push_back(this->GetTotals(results[faces.back()]));
     }
+  }
+  FaceTotals totals(faces.size(), this->Chosen.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    this->SetTotals(results[faces[i]], totals, i);
   }
   std::vector<RowGaps> gaps;
   if (!this->Runner->AddUp(parts, totals, gaps))
@@ -125,7 +188,7 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     FaceIntegrals& result = results[faces[i]];
-    this->SetTotals(totals[i], result);
+    this->TakeTotals(totals, i, result);
     CoedgeGaps coedges(*this->Faces[faces[i]]->Source, result.Gaps);
     for (const std::uint32_t slot = parts[part].Slot; part < parts.size() && parts[part].Slot == slot; ++part)
     {
@@ -139,36 +202,34 @@ bool SurfaceIntegrator::Internals::Accumulate(const std::vector<WorkItem>& items
   return true;
 }
 
-FaceTotals SurfaceIntegrator::Internals::GetTotals(const FaceIntegrals& result) const
-{
-  FaceTotals totals(this->Chosen.size());
-  for (std::size_t k = 0; k < this->Chosen.size(); ++k)
-  {
-    totals.Face[k] = result.Face[this->Chosen[k]];
-    totals.Chain[k] = result.Closing[this->Chosen[k]];
-    totals.Error[k] = result.QuadratureError[this->Chosen[k]];
-    totals.Rounding[k] = result.Rounding[this->Chosen[k]];
-  }
-  totals.Gaps = { result.MaxGap, result.GapSquared, result.GapArea };
-  return totals;
-}
-
-void SurfaceIntegrator::Internals::SetTotals(const FaceTotals& totals, FaceIntegrals& result) const
+void SurfaceIntegrator::Internals::SetTotals(
+  const FaceIntegrals& result, FaceTotals& totals, std::size_t face) const
 {
   for (std::size_t k = 0; k < this->Chosen.size(); ++k)
   {
-    result.Face[this->Chosen[k]] = totals.Face[k];
-    result.Closing[this->Chosen[k]] = totals.Chain[k];
-    result.QuadratureError[this->Chosen[k]] = totals.Error[k];
-    result.Rounding[this->Chosen[k]] = totals.Rounding[k];
+    totals.At(face, k) = { result.Face[this->Chosen[k]], result.Closing[this->Chosen[k]],
+      result.QuadratureError[this->Chosen[k]], result.Rounding[this->Chosen[k]] };
   }
-  result.MaxGap = totals.Gaps.Largest;
-  result.GapSquared = totals.Gaps.Squared;
-  result.GapArea = totals.Gaps.Area;
+  totals.Gaps[face] = { result.MaxGap, result.GapSquared, result.GapArea };
 }
 
-bool SurfaceIntegrator::Internals::RunLevels(
-  std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected)
+void SurfaceIntegrator::Internals::TakeTotals(
+  const FaceTotals& totals, std::size_t face, FaceIntegrals& result) const
+{
+  for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+  {
+    const RowTotal& total = totals.At(face, k);
+    result.Face[this->Chosen[k]] = total.Face;
+    result.Closing[this->Chosen[k]] = total.Chain;
+    result.QuadratureError[this->Chosen[k]] = total.Error;
+    result.Rounding[this->Chosen[k]] = total.Rounding;
+  }
+  result.MaxGap = totals.Gaps[face].Largest;
+  result.GapSquared = totals.Gaps[face].Squared;
+  result.GapArea = totals.Gaps[face].Area;
+}
+
+bool SurfaceIntegrator::Internals::RunLevels(WorkItems& items, int depth, std::vector<std::size_t>& bisected)
 {
   const OrderLadder ladder(this->ChosenIntegrands);
   const auto shouldContinue = [this]() { return this->ReportItemProgress(); };
@@ -221,28 +282,39 @@ bool SurfaceIntegrator::Internals::RunLevels(
 }
 
 bool SurfaceIntegrator::Internals::RunPlanned(
-  std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& candidates)
+  WorkItems& items, int depth, std::vector<std::size_t>& candidates)
 {
-  std::vector<std::size_t> compared;
   std::vector<std::size_t> all(items.size());
-  for (std::size_t i = 0; i < items.size(); ++i)
-  {
-    all[i] = i;
-    items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
-    if (items[i].Compared)
+  std::atomic<bool> hasCompared{ false };
+  ParallelFor(items.size(), ItemsOfTask,
+    [&](std::size_t begin, std::size_t end)
     {
-      compared.push_back(i);
-    }
-  }
+      bool isCompared = false;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        all[i] = i;
+        items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
+        isCompared = isCompared || items[i].Compared;
+      }
+      hasCompared = hasCompared || isCompared;
+    });
   const auto shouldContinue = [this]() { return this->ReportItemProgress(); };
   if (!this->Runner->Run(items, all, this->Evaluations, shouldContinue))
   {
     return this->FailByRunner();
   }
   this->ItemsDone += depth == 0 ? items.size() : 0;
-  if (compared.empty())
+  if (!hasCompared)
   {
     return true;
+  }
+  std::vector<std::size_t> compared;
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    if (items[i].Compared)
+    {
+      compared.push_back(i);
+    }
   }
   // The plan's bounds of everything but the area also hold for the parts, since their ellipses lie in that of
   // the whole item.
@@ -262,8 +334,8 @@ bool SurfaceIntegrator::Internals::RunPlanned(
   return true;
 }
 
-bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
-  const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
+bool SurfaceIntegrator::Internals::RunItems(
+  WorkItems& items, const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
 {
   if (!this->Runner->BeginRows(items.size()))
   {
@@ -289,7 +361,7 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
       bisected.push_back(candidates[i]);
     }
   }
-  std::vector<WorkItem> children;
+  WorkItems children;
   for (const std::size_t index : bisected)
   {
     // The parts share their parent's tolerance. Along a line with vanishing normals, half of the quarters
@@ -304,8 +376,8 @@ bool SurfaceIntegrator::Internals::RunItems(std::vector<WorkItem>& items,
   return this->RunPortions(children, batch, depth + 1, results);
 }
 
-bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
-  const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
+bool SurfaceIntegrator::Internals::RunPortions(
+  WorkItems& items, const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results)
 {
   // Items are evaluated in portions that have room for their rows; the results of a face are added up in
   // order. The end of a portion within a face must not depend on other faces: it is before the face, or where
@@ -326,7 +398,7 @@ bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
         --end;
       }
     }
-    std::vector<WorkItem> part(
+    WorkItems part(
       items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end));
     if (!this->RunItems(part, batch, depth, results))
     {
@@ -336,8 +408,7 @@ bool SurfaceIntegrator::Internals::RunPortions(std::vector<WorkItem>& items,
   return true;
 }
 
-void SurfaceIntegrator::Internals::MakeItems(
-  const std::vector<std::size_t>& batch, std::vector<WorkItem>& items) const
+void SurfaceIntegrator::Internals::MakeItems(const std::vector<std::size_t>& batch, WorkItems& items) const
 {
   std::vector<std::size_t> firsts;
   std::size_t count = 0;
@@ -347,19 +418,16 @@ void SurfaceIntegrator::Internals::MakeItems(
     count += this->GetNumberOfItems(face);
   }
   items.resize(count);
-  ParallelFor(batch.size(), 0,
-    [&](std::size_t begin, std::size_t end)
+  ForFaces(batch,
+    [&](std::size_t slot, std::size_t face)
     {
-      for (std::size_t slot = begin; slot < end; ++slot)
-      {
-        MakePlannedItems(*this->Faces[batch[slot]], this->Plans.Get(batch[slot]),
-          static_cast<std::uint32_t>(slot), items.data() + firsts[slot]);
-      }
+      MakePlannedItems(*this->Faces[face], this->Plans.Get(face), static_cast<std::uint32_t>(slot),
+        items.data() + firsts[slot]);
     });
 }
 
 bool SurfaceIntegrator::Internals::CheckRunner(
-  const std::vector<ItemRunner::BatchFace>& faces, const std::vector<WorkItem>& items)
+  const std::vector<ItemRunner::BatchFace>& faces, const WorkItems& items)
 {
   // Nothing is proved by expressions alone, which the CPU cannot evaluate.
   const bool isComparable = std::any_of(this->ChosenIntegrands.begin(), this->ChosenIntegrands.end(),
@@ -368,7 +436,7 @@ bool SurfaceIntegrator::Internals::CheckRunner(
   {
     return true;
   }
-  std::vector<WorkItem> examples;
+  WorkItems examples;
   for (const WorkItem& item : items)
   {
     if (!this->Runner->IsProved(item))
@@ -405,7 +473,7 @@ bool SurfaceIntegrator::Internals::CheckRunner(
 bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
 {
-  std::vector<WorkItem> items;
+  WorkItems items;
   std::vector<ItemRunner::BatchFace> faces;
   faces.reserve(batch.size());
   for (std::size_t slot = 0; slot < batch.size(); ++slot)
@@ -436,7 +504,7 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   {
     return false;
   }
-  this->AddBounds(tasks, batch, results);
+  ForFaces(batch, [&](std::size_t, std::size_t face) { this->AddBounds(tasks[face], face, results[face]); });
   this->Store(tasks, batch, results);
   return true;
 }

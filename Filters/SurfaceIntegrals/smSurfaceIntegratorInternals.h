@@ -109,27 +109,27 @@ struct SurfaceIntegrator::Internals
   bool RunBatch(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
     std::vector<FaceIntegrals>& results);
   /// Compares the first item of each program that has not been used before with what the CPU makes of it.
-  bool CheckRunner(const std::vector<ItemRunner::BatchFace>& faces, const std::vector<WorkItem>& items);
+  bool CheckRunner(const std::vector<ItemRunner::BatchFace>& faces, const WorkItems& items);
   /// Makes the items of the plans of a batch, face by face.
-  void MakeItems(const std::vector<std::size_t>& batch, std::vector<WorkItem>& items) const;
-  bool RunPortions(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
-    std::vector<FaceIntegrals>& results);
-  bool RunItems(std::vector<WorkItem>& items, const std::vector<std::size_t>& batch, int depth,
-    std::vector<FaceIntegrals>& results);
+  void MakeItems(const std::vector<std::size_t>& batch, WorkItems& items) const;
+  bool RunPortions(
+    WorkItems& items, const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results);
+  bool RunItems(
+    WorkItems& items, const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results);
   /// Evaluates all items once, and those that are compared again at twice their orders; `candidates` gets
   /// those of them that are to be bisected if they do not converge.
-  bool RunPlanned(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& candidates);
-  bool RunLevels(std::vector<WorkItem>& items, int depth, std::vector<std::size_t>& bisected);
+  bool RunPlanned(WorkItems& items, int depth, std::vector<std::size_t>& candidates);
+  bool RunLevels(WorkItems& items, int depth, std::vector<std::size_t>& bisected);
   /// Adds the rows of the items to the results. Those of a face are contiguous: its panels, the ribbons of
   /// each coedge, its caps.
-  bool Accumulate(const std::vector<WorkItem>& items, const std::vector<std::size_t>& batch,
-    std::vector<FaceIntegrals>& results);
-  FaceTotals GetTotals(const FaceIntegrals& result) const;
-  void SetTotals(const FaceTotals& totals, FaceIntegrals& result) const;
+  bool Accumulate(
+    const WorkItems& items, const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results);
+  /// Copies the sums of a result to or from the totals of a face.
+  void SetTotals(const FaceIntegrals& result, FaceTotals& totals, std::size_t face) const;
+  void TakeTotals(const FaceTotals& totals, std::size_t face, FaceIntegrals& result) const;
   /// Sets integrals to 0 whose largest possible magnitude is less than their bounds.
   void LimitByMagnitude(const FaceTask& task, const FacePlan& plan, FaceIntegrals& result) const;
-  void AddBounds(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
-    std::vector<FaceIntegrals>& results) const;
+  void AddBounds(const FaceTask& task, std::size_t face, FaceIntegrals& result) const;
   void Store(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& batch,
     const std::vector<FaceIntegrals>& results);
 

@@ -146,7 +146,7 @@ double MeasureArithmetic(int lanes)
   sm::CutFace cut;
   cut.Panels = MakeBicubicFace();
   cut.Degree[0] = cut.Degree[1] = 3;
-  std::vector<sm::WorkItem> items;
+  sm::WorkItems items;
   sm::AddItems(cut, 0, items);
   sm::SetItemOrders(items[0], { 20, 20, true, true }, false);
   const std::vector<sm::KernelItem> together(lanes, { &cut.Panels, &items[0] });

@@ -109,12 +109,11 @@ struct CPUItemRunner::Internals
   std::vector<std::uint8_t> Unconverged;
 
   /// Evaluates items[active[i]] for i in [begin, end) and returns the number of evaluations.
-  std::int64_t RunPart(const KernelData& data, const std::vector<WorkItem>& items,
-    const std::vector<std::size_t>& active, std::size_t begin, std::size_t end, int lanes,
-    std::vector<std::uint8_t>& unconverged) const;
+  std::int64_t RunPart(const KernelData& data, const WorkItems& items, const std::vector<std::size_t>& active,
+    std::size_t begin, std::size_t end, int lanes, std::vector<std::uint8_t>& unconverged) const;
 };
 
-std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const std::vector<WorkItem>& items,
+std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const WorkItems& items,
   const std::vector<std::size_t>& active, std::size_t begin, std::size_t end, int lanes,
   std::vector<std::uint8_t>& unconverged) const
 {
@@ -233,7 +232,7 @@ bool CPUItemRunner::BeginRows(std::size_t rows)
   return true;
 }
 
-bool CPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
+bool CPUItemRunner::Run(const WorkItems& items, const std::vector<std::size_t>& active,
   std::int64_t& evaluations, const ContinueCallback& shouldContinue)
 {
   Internals& self = *this->Implementation;
@@ -302,8 +301,7 @@ bool CPUItemRunner::Sum(
   return true;
 }
 
-bool CPUItemRunner::AddUp(
-  const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps)
+bool CPUItemRunner::AddUp(const std::vector<RowPart>& parts, FaceTotals& totals, std::vector<RowGaps>& gaps)
 {
   std::vector<Segment> segments;
   segments.reserve(parts.size());
@@ -322,21 +320,19 @@ bool CPUItemRunner::AddUp(
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     face += i > 0 && parts[i].Slot != parts[i - 1].Slot ? 1 : 0;
-    FaceTotals& total = totals[face];
     const double* sum = sums.data() + i * this->Layout.GetStride();
-    std::vector<double>& values = parts[i].Kind == ItemKind::Panel ? total.Face : total.Chain;
     for (int k = 0; k < this->Layout.GetNumberOfIntegrands(); ++k)
     {
-      const double before = values[k];
-      values[k] += sum[this->Layout.GetValue(k)];
-      total.Rounding[k] += before != 0.0 ? UnitRoundoff * std::abs(values[k]) : 0.0;
-      total.Error[k] += sum[this->Layout.GetError(k)];
-      total.Rounding[k] += sum[this->Layout.GetRounding(k)];
+      RowTotal& total = totals.At(face, static_cast<std::size_t>(k));
+      double& value = parts[i].Kind == ItemKind::Panel ? total.Face : total.Chain;
+      const double before = value;
+      value += sum[this->Layout.GetValue(k)];
+      total.Rounding += before != 0.0 ? UnitRoundoff * std::abs(value) : 0.0;
+      total.Error += sum[this->Layout.GetError(k)];
+      total.Rounding += sum[this->Layout.GetRounding(k)];
     }
     const RowGaps own = { largest[i], sum[RowLayout::SquaredGap], sum[RowLayout::GapArea] };
-    total.Gaps.Squared += own.Squared;
-    total.Gaps.Area += own.Area;
-    total.Gaps.Largest = GetLargerGap(total.Gaps.Largest, own.Largest);
+    totals.Gaps[face].Add(own);
     if (parts[i].Coedge >= 0)
     {
       gaps.push_back(own);

@@ -450,7 +450,7 @@ bool GPUItemRunner::Internals::RunPortion(
   return true;
 }
 
-bool GPUItemRunner::Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
+bool GPUItemRunner::Run(const WorkItems& items, const std::vector<std::size_t>& active,
   std::int64_t& evaluations, const ContinueCallback& shouldContinue)
 {
   Internals& self = *this->Implementation;
@@ -589,8 +589,7 @@ bool GPUItemRunner::Internals::DispatchSums(
   return done;
 }
 
-bool GPUItemRunner::AddUp(
-  const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps)
+bool GPUItemRunner::AddUp(const std::vector<RowPart>& parts, FaceTotals& totals, std::vector<RowGaps>& gaps)
 {
   Internals& self = *this->Implementation;
   gaps.clear();
@@ -603,12 +602,13 @@ bool GPUItemRunner::AddUp(
   std::uint32_t coedges = 0;
   std::string error;
   if (!scope || !self.UploadParts(this->Layout, parts, blocks, coedges) ||
-    !self.DispatchSums(this->Layout, blocks, static_cast<std::uint32_t>(totals.size()), error))
+    !self.DispatchSums(this->Layout, blocks, static_cast<std::uint32_t>(totals.GetNumberOfFaces()), error))
   {
     return this->Fail("the sums of faces failed: " + error + self.GetBufferErrors());
   }
   const auto integrands = static_cast<std::size_t>(this->Layout.GetNumberOfIntegrands());
-  std::vector<double> sums(totals.size() * (4 * integrands + 3) + 3 * coedges);
+  const std::size_t faces = totals.GetNumberOfFaces();
+  std::vector<double> sums(faces * (4 * integrands + 3) + 3 * coedges);
   if (!self.Totals.Read(sums.data(), sums.size() * sizeof(double)))
   {
     return this->Fail("the sums of faces failed: " + self.Totals.GetError());
@@ -620,24 +620,23 @@ bool GPUItemRunner::AddUp(
     from += 3;
     return own;
   };
-  for (FaceTotals& total : totals)
+  for (std::size_t face = 0; face < faces; ++face)
   {
     for (std::size_t k = 0; k < integrands; ++k, from += 4)
     {
+      RowTotal& total = totals.At(face, k);
       const auto add = [&](double& sum, double value)
       {
         const double before = sum;
         sum += value;
-        total.Rounding[k] += before != 0.0 ? UnitRoundoff * std::abs(sum) : 0.0;
+        total.Rounding += before != 0.0 ? UnitRoundoff * std::abs(sum) : 0.0;
       };
-      add(total.Face[k], from[0]);
-      add(total.Chain[k], from[1]);
-      total.Error[k] += from[2];
-      total.Rounding[k] += from[3];
+      add(total.Face, from[0]);
+      add(total.Chain, from[1]);
+      total.Error += from[2];
+      total.Rounding += from[3];
     }
-    const RowGaps own = takeGaps();
-    total.Gaps = { GetLargerGap(total.Gaps.Largest, own.Largest), total.Gaps.Squared + own.Squared,
-      total.Gaps.Area + own.Area };
+    totals.Gaps[face].Add(takeGaps());
   }
   for (std::uint32_t i = 0; i < coedges; ++i)
   {

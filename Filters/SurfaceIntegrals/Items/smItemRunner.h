@@ -6,6 +6,7 @@
 #ifndef smItemRunner_h
 #define smItemRunner_h
 
+#include "smFaceIntegrals.h"
 #include "smFacePanelsCache.h"
 #include "smIntegrand.h"
 #include "smProgressCallback.h"
@@ -29,29 +30,62 @@ struct RowPart
   /// Index of the coedge of ribbons within the face; -1: none.
   int Coedge = -1;
   std::uint32_t Begin = 0, End = 0;
+
+  /// True if rows of this slot, kind and coedge belong to the part.
+  bool Continues(std::uint32_t slot, ItemKind kind, int coedge) const
+  {
+    return this->Slot == slot && this->Kind == kind && this->Coedge == coedge;
+  }
 };
 
 /// The largest gap along a part of the boundary, and the integrals of the squared gap and of the gap.
 struct RowGaps
 {
   double Largest = 0.0, Squared = 0.0, Area = 0.0;
+
+  void Add(const RowGaps& other)
+  {
+    this->Largest = GetLargerGap(this->Largest, other.Largest);
+    this->Squared += other.Squared;
+    this->Area += other.Area;
+  }
 };
 
-/// What the rows of a face add up to, by integrand.
-struct FaceTotals
+/// What the rows of a face add up to, for one integrand: sums of panels, of ribbons and caps, of errors and
+/// of roundings.
+struct RowTotal
 {
-  /// Sums of panels, and of ribbons and caps.
-  std::vector<double> Face, Chain;
-  std::vector<double> Error, Rounding;
-  RowGaps Gaps;
+  double Face = 0.0, Chain = 0.0, Error = 0.0, Rounding = 0.0;
+};
 
-  explicit FaceTotals(std::size_t integrands)
-    : Face(integrands, 0.0)
-    , Chain(integrands, 0.0)
-    , Error(integrands, 0.0)
-    , Rounding(integrands, 0.0)
+/// What the rows of some faces add up to.
+class FaceTotals
+{
+public:
+  /// All sums are 0.
+  FaceTotals(std::size_t faces, std::size_t integrands)
+    : Gaps(faces)
+    , Integrands(integrands)
+    , Values(faces * integrands)
   {
   }
+
+  RowTotal& At(std::size_t face, std::size_t integrand)
+  {
+    return this->Values[face * this->Integrands + integrand];
+  }
+  const RowTotal& At(std::size_t face, std::size_t integrand) const
+  {
+    return this->Values[face * this->Integrands + integrand];
+  }
+  std::size_t GetNumberOfFaces() const { return this->Gaps.size(); }
+
+  /// By face.
+  std::vector<RowGaps> Gaps;
+
+private:
+  std::size_t Integrands;
+  std::vector<RowTotal> Values;
 };
 
 /**
@@ -135,8 +169,8 @@ public:
   virtual bool BeginRows(std::size_t rows) = 0;
 
   /// Evaluates items[active[i]]. `evaluations` is increased by the number of points of panels and ribbons.
-  virtual bool Run(const std::vector<WorkItem>& items, const std::vector<std::size_t>& active,
-    std::int64_t& evaluations, const ContinueCallback& shouldContinue) = 0;
+  virtual bool Run(const WorkItems& items, const std::vector<std::size_t>& active, std::int64_t& evaluations,
+    const ContinueCallback& shouldContinue) = 0;
 
   /// Sets unconverged[i] to 1 if the differences of items[active[i]] of the last Run() are above the
   /// tolerances, else to 0.
@@ -146,8 +180,7 @@ public:
   /// face, where each addition adds its rounding; its gaps to those of the face and, for a coedge, to `gaps`.
   /// `totals` has an entry for each face of the parts, in their order; `gaps` gets one for each part of a
   /// coedge. Sums within a part are compensated; a NaN is preserved.
-  virtual bool AddUp(
-    const std::vector<RowPart>& parts, std::vector<FaceTotals>& totals, std::vector<RowGaps>& gaps) = 0;
+  virtual bool AddUp(const std::vector<RowPart>& parts, FaceTotals& totals, std::vector<RowGaps>& gaps) = 0;
 
   /// Ends a run and releases the faces of Acquire(). Resident faces are kept within their own memory budget.
   virtual void Release() = 0;

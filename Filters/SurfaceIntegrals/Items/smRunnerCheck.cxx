@@ -11,7 +11,7 @@ namespace sm
 namespace
 {
 /// Evaluates all items; those of each are a face of their own in `totals`.
-bool Evaluate(ItemRunner& runner, std::vector<WorkItem>& items, std::vector<FaceTotals>& totals)
+bool Evaluate(ItemRunner& runner, WorkItems& items, FaceTotals& totals)
 {
   std::vector<std::size_t> all;
   std::vector<RowPart> parts;
@@ -21,8 +21,7 @@ bool Evaluate(ItemRunner& runner, std::vector<WorkItem>& items, std::vector<Face
     all.push_back(i);
     parts.push_back({ i, ItemKind::Panel, -1, i, i + 1 });
   }
-  totals.assign(
-    items.size(), FaceTotals(static_cast<std::size_t>(runner.GetLayout().GetNumberOfIntegrands())));
+  totals = FaceTotals(items.size(), static_cast<std::size_t>(runner.GetLayout().GetNumberOfIntegrands()));
   std::int64_t evaluations = 0;
   std::vector<RowGaps> gaps;
   return runner.BeginRows(items.size()) && runner.Run(items, all, evaluations, nullptr) &&
@@ -43,8 +42,7 @@ bool AreEqual(double a, double b, double roundings)
 }
 
 std::string FindRunnerDifference(ItemRunner& runner, const ItemRunner::Setup& setup,
-  const std::vector<CutFacePointer>& faces, const std::vector<ItemRunner::BatchFace>& batch,
-  std::vector<WorkItem> items)
+  const std::vector<CutFacePointer>& faces, const std::vector<ItemRunner::BatchFace>& batch, WorkItems items)
 {
   CPUItemRunner cpu;
   ItemRunner::Setup known = setup;
@@ -58,7 +56,7 @@ std::string FindRunnerDifference(ItemRunner& runner, const ItemRunner::Setup& se
       indices.push_back(k);
     }
   }
-  std::vector<FaceTotals> own;
+  FaceTotals own(0, 0);
   if (indices.empty())
   {
     return "";
@@ -77,7 +75,7 @@ std::string FindRunnerDifference(ItemRunner& runner, const ItemRunner::Setup& se
     items[i].Work.Item[3] = static_cast<std::uint32_t>(i);
   }
   cpu.Configure(known);
-  std::vector<FaceTotals> expected;
+  FaceTotals expected(0, 0);
   if (!cpu.Acquire(cut, nullptr) || !cpu.BeginBatch(slots) || !Evaluate(cpu, items, expected))
   {
     return cpu.GetError();
@@ -86,13 +84,13 @@ std::string FindRunnerDifference(ItemRunner& runner, const ItemRunner::Setup& se
   {
     for (std::size_t k = 0; k < indices.size(); ++k)
     {
-      const double value = own[i].Face[indices[k]];
-      const double roundings = own[i].Rounding[indices[k]] + expected[i].Rounding[k];
-      if (!AreEqual(value, expected[i].Face[k], roundings))
+      const RowTotal& value = own.At(i, indices[k]);
+      const RowTotal& right = expected.At(i, k);
+      if (!AreEqual(value.Face, right.Face, value.Rounding + right.Rounding))
       {
         return std::string("computes ") + GetKindName(items[i].Kind) +
-          " wrong: " + setup.Integrands[indices[k]].Name + " is " + FormatDigits(value, 17) + " for " +
-          FormatDigits(expected[i].Face[k], 17);
+          " wrong: " + setup.Integrands[indices[k]].Name + " is " + FormatDigits(value.Face, 17) + " for " +
+          FormatDigits(right.Face, 17);
       }
     }
   }

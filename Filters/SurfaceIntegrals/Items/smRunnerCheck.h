@@ -22,8 +22,7 @@ namespace sm
  * lost.
  */
 std::string FindRunnerDifference(ItemRunner& runner, const ItemRunner::Setup& setup,
-  const std::vector<CutFacePointer>& faces, const std::vector<ItemRunner::BatchFace>& batch,
-  std::vector<WorkItem> items);
+  const std::vector<CutFacePointer>& faces, const std::vector<ItemRunner::BatchFace>& batch, WorkItems items);
 }
 
 #endif

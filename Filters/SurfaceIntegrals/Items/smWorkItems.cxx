@@ -66,7 +66,7 @@ private:
 };
 }
 
-void AddItems(const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& items)
+void AddItems(const CutFace& face, std::uint32_t slot, WorkItems& items)
 {
   const ItemMaker maker(face, slot);
   items.reserve(items.size() + face.GetNumberOfItems());
@@ -158,7 +158,7 @@ void SetItemOrders(WorkItem& item, const Orders& orders, bool mayBisect)
     static_cast<std::uint32_t>(orders.Across) << 16 | flags << 24;
 }
 
-void BisectItem(const WorkItem& parent, int shareHalvings, std::vector<WorkItem>& children)
+void BisectItem(const WorkItem& parent, int shareHalvings, WorkItems& children)
 {
   const double* range = parent.Work.Range;
   const double middle[2] = { 0.5 * (range[0] + range[1]), 0.5 * (range[2] + range[3]) };

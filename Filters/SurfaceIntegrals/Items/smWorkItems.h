@@ -9,8 +9,10 @@
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "smIntegrationOrders.h"
 #include "smQuadraturePlan.h"
+#include "smUninitializedVector.h"
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace sm
@@ -35,20 +37,20 @@ constexpr std::uint32_t FlagDiscard = 8;
 /// A panel, ribbon or cap to evaluate.
 struct WorkItem
 {
-  ItemKind Kind = ItemKind::Panel;
+  ItemKind Kind;
   WorkRecord Work;
   /// Degrees of the patch, in s and r.
-  int Degree[2] = { 1, 1 };
+  int Degree[2];
   /// The panel of the cut face, whose orders depend on it; null for other items.
-  const Panel* Source = nullptr;
+  const Panel* Source;
   /// Level in the ladder of orders.
-  int Level = 0;
+  int Level;
   /// Index of the coedge of a ribbon within the face; -1: none.
-  int Coedge = -1;
+  int Coedge;
   /// True if the plan evaluates the item at two orders.
-  bool Compared = false;
+  bool Compared;
   /// Cost of an evaluation relative to a bilinear patch.
-  int Cost = 1;
+  int Cost;
 
   /// Index of the item's face in its batch, and index of the row of its results.
   std::uint32_t GetSlot() const { return this->Work.Item[3]; }
@@ -61,9 +63,12 @@ struct WorkItem
   }
 };
 
+/// Trivial, so that a list of items is written once.
+using WorkItems = UninitializedVector<WorkItem>;
+static_assert(std::is_trivially_default_constructible_v<WorkItem>);
+
 /// Appends the items of a face, panels first. `slot` is the index of the face in the batch.
-SMFILTERSSURFACEINTEGRALS_EXPORT void AddItems(
-  const CutFace& face, std::uint32_t slot, std::vector<WorkItem>& items);
+SMFILTERSSURFACEINTEGRALS_EXPORT void AddItems(const CutFace& face, std::uint32_t slot, WorkItems& items);
 
 /// Writes the items of a face's plan, as many as it has, panels, then ribbons, then caps, with their orders.
 /// Each is evaluated once, without a comparison.
@@ -86,7 +91,7 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void SetItemOrders(WorkItem& item, const Orders
 /// Appends the quarters of a panel, or the halves of a ribbon, at the first level. The tolerance of each is
 /// that of its parent, halved `shareHalvings` times.
 SMFILTERSSURFACEINTEGRALS_EXPORT void BisectItem(
-  const WorkItem& parent, int shareHalvings, std::vector<WorkItem>& children);
+  const WorkItem& parent, int shareHalvings, WorkItems& children);
 }
 
 #endif

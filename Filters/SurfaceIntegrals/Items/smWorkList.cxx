@@ -1,15 +1,19 @@
 #include "smWorkList.h"
 
+#include "smParallelFor.h"
+
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace sm
 {
 namespace
 {
+/// Items that a thread sorts at a time.
+constexpr std::size_t ItemsOfChunk = 2048;
 /// Bit of WorkShape::LinesOfItem for items that measure gaps, as in glsl/smLineStorage.glsl.
 constexpr std::uint32_t MeasuresGaps = 0x80000000u;
 
@@ -34,61 +38,126 @@ ProgramKey GetProgram(const WorkItem& item, const PortionLimits& limits)
   return IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1], limits.IsSoftware);
 }
 
-/// Items of one key: one of them, how many they are, and where the first of them lies in the list.
-struct KeyedItems
+/// Numbers the keys that it gets, from 0.
+class KeyIndex
 {
-  std::uint64_t Key;
-  const WorkItem* Example;
-  ProgramKey Program;
-  std::uint32_t Count;
-  std::uint32_t First;
+public:
+  /// Returns the items of a key, which are new without an example.
+  std::uint32_t Find(std::uint64_t key)
+  {
+    std::uint32_t& guess = this->Recent[(key ^ key >> 16 ^ key >> 32) % this->Recent.size()];
+    if (guess >= this->Shapes.size() || this->Shapes[guess].Key != key)
+    {
+      const auto [found, isNew] =
+        this->Known.try_emplace(key, static_cast<std::uint32_t>(this->Shapes.size()));
+      if (isNew)
+      {
+        this->Shapes.push_back({ key, nullptr, 0, 0 });
+      }
+      guess = found->second;
+    }
+    return guess;
+  }
+
+  std::vector<KeyedItems> Shapes;
+
+private:
+  std::unordered_map<std::uint64_t, std::uint32_t> Known;
+  /// Neighbours often alternate between a few keys: the last one of each hash is found without the map.
+  std::array<std::uint32_t, 256> Recent{};
+};
+
+/// Consecutive items of the list, which one thread sorts by their keys.
+struct ItemChunk
+{
+  KeyIndex Keys;
+  bool HasComparisons = false;
+
+  /// Writes the number of each item's key.
+  void Count(const WorkItems& items, const std::vector<std::size_t>& active, std::size_t begin,
+    std::size_t end, std::uint32_t* shapeOf)
+  {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const WorkItem& item = items[active[i]];
+      const std::uint32_t shape = this->Keys.Find(GetShapeKey(item));
+      KeyedItems& keyed = this->Keys.Shapes[shape];
+      keyed.Example = keyed.Example ? keyed.Example : &item;
+      ++keyed.Count;
+      shapeOf[i] = shape;
+      this->HasComparisons = this->HasComparisons || (item.Work.Detail[0] >> 24 & FlagFirst) == 0;
+    }
+  }
 };
 }
 
 WorkList::WorkList(
-  const std::vector<WorkItem>& items, const std::vector<std::size_t>& active, const PortionLimits& limits)
+  const WorkItems& items, const std::vector<std::size_t>& active, const PortionLimits& limits)
   : Order(active.size())
 {
-  std::vector<KeyedItems> shapes;
-  std::unordered_map<std::uint64_t, std::uint32_t> known;
+  std::vector<ItemChunk> chunks((active.size() + ItemsOfChunk - 1) / ItemsOfChunk);
   std::vector<std::uint32_t> shapeOf(active.size());
-  // Neighbours often alternate between a few shapes: the last one of each of some keys is found without the
-  // map.
-  constexpr std::size_t Recent = 1024;
-  std::array<std::uint32_t, Recent> recent{};
-  for (std::size_t i = 0; i < active.size(); ++i)
+  const auto forChunks = [&](const auto& work)
   {
-    const WorkItem& item = items[active[i]];
-    const std::uint64_t key = GetShapeKey(item);
-    std::uint32_t& guess = recent[(key ^ key >> 16 ^ key >> 32) % Recent];
-    if (guess >= shapes.size() || shapes[guess].Key != key)
-    {
-      const auto [found, isNew] = known.try_emplace(key, static_cast<std::uint32_t>(shapes.size()));
-      if (isNew)
+    ParallelFor(chunks.size(), 1,
+      [&](std::size_t from, std::size_t to)
       {
-        shapes.push_back({ key, &item, GetProgram(item, limits), 0, 0 });
-      }
-      guess = found->second;
+        for (std::size_t chunk = from; chunk < to; ++chunk)
+        {
+          work(chunks[chunk], chunk * ItemsOfChunk, std::min((chunk + 1) * ItemsOfChunk, active.size()));
+        }
+      });
+  };
+  forChunks([&](ItemChunk& chunk, std::size_t begin, std::size_t end)
+    { chunk.Count(items, active, begin, end, shapeOf.data()); });
+  KeyIndex all;
+  for (const ItemChunk& chunk : chunks)
+  {
+    this->Comparisons = this->Comparisons || chunk.HasComparisons;
+    for (const KeyedItems& shape : chunk.Keys.Shapes)
+    {
+      KeyedItems& total = all.Shapes[all.Find(shape.Key)];
+      total.Example = total.Example ? total.Example : shape.Example;
+      total.Count += shape.Count;
     }
-    shapeOf[i] = guess;
-    ++shapes[guess].Count;
-    this->Comparisons = this->Comparisons || (item.Work.Detail[0] >> 24 & FlagFirst) == 0;
   }
-  std::vector<std::uint32_t> sorted(shapes.size());
-  std::iota(sorted.begin(), sorted.end(), 0u);
+  this->AddShapes(all.Shapes, limits);
+  // Within a shape the items of a chunk follow those of the chunks before it.
+  for (ItemChunk& chunk : chunks)
+  {
+    for (KeyedItems& shape : chunk.Keys.Shapes)
+    {
+      std::uint32_t& first = all.Shapes[all.Find(shape.Key)].First;
+      shape.First = first;
+      first += shape.Count;
+    }
+  }
+  forChunks(
+    [&](ItemChunk& chunk, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->Order[chunk.Keys.Shapes[shapeOf[i]].First++] = static_cast<std::uint32_t>(i);
+      }
+    });
+}
+
+void WorkList::AddShapes(std::vector<KeyedItems>& shapes, const PortionLimits& limits)
+{
+  std::vector<std::pair<ProgramKey, KeyedItems*>> sorted;
+  for (KeyedItems& shape : shapes)
+  {
+    sorted.emplace_back(GetProgram(*shape.Example, limits), &shape);
+  }
   std::sort(sorted.begin(), sorted.end(),
-    [&shapes](std::uint32_t a, std::uint32_t b)
-    { return std::tie(shapes[a].Program, shapes[a].Key) < std::tie(shapes[b].Program, shapes[b].Key); });
+    [](const auto& a, const auto& b)
+    { return std::tie(a.first, a.second->Key) < std::tie(b.first, b.second->Key); });
   std::uint32_t first = 0;
-  for (const std::uint32_t shape : sorted)
+  for (const auto& [program, shape] : sorted)
   {
-    shapes[shape].First = first;
-    this->AddShape(*shapes[shape].Example, first, shapes[shape].Count, limits);
-    first += shapes[shape].Count;
-  }
-  for (std::size_t i = 0; i < active.size(); ++i)
-  {
-    this->Order[shapes[shapeOf[i]].First++] = static_cast<std::uint32_t>(i);
+    shape->First = first;
+    this->AddShape(*shape->Example, first, shape->Count, limits);
+    first += shape->Count;
   }
 }
 

@@ -51,13 +51,21 @@ struct PortionLimits
   bool IsSoftware = false;
 };
 
+/// Items of one key: one of them, how many they are, and the place of the first of them in the list.
+struct KeyedItems
+{
+  std::uint64_t Key;
+  const WorkItem* Example;
+  std::uint32_t Count;
+  std::uint32_t First;
+};
+
 /// The order of the items depends on nothing but the items. Shapes are in the order of their programs, so
 /// that each program is dispatched once for a portion.
 class SMFILTERSSURFACEINTEGRALS_EXPORT WorkList
 {
 public:
-  WorkList(
-    const std::vector<WorkItem>& items, const std::vector<std::size_t>& active, const PortionLimits& limits);
+  WorkList(const WorkItems& items, const std::vector<std::size_t>& active, const PortionLimits& limits);
 
   /// Indices into `active`, in the order of evaluation.
   const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
@@ -71,6 +79,8 @@ public:
   bool HasComparisons() const { return this->Comparisons; }
 
 private:
+  /// Sorts the keys by their programs, sets the first place of each, and adds their shapes.
+  void AddShapes(std::vector<KeyedItems>& shapes, const PortionLimits& limits);
   /// Adds items that lie one after another and are like this one.
   void AddShape(
     const WorkItem& item, std::uint32_t firstItem, std::uint32_t count, const PortionLimits& limits);

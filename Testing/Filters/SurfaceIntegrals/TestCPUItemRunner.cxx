@@ -60,7 +60,7 @@ ItemRunner::Setup MakeSetup()
 struct Job
 {
   sm::CPUItemRunner Runner;
-  std::vector<sm::WorkItem> Items;
+  sm::WorkItems Items;
   std::vector<std::size_t> All;
 
   explicit Job(const std::vector<sm::CutFacePointer>& faces)

@@ -32,8 +32,9 @@ void CheckSum(const std::string& what, const Sum& expected, const Evaluation& ac
   for (std::size_t k = 0; k < expected.Values.size(); ++k)
   {
     const double rounding = actual.GetRounding(static_cast<int>(k));
-    largest = std::max(
-      largest, expected.Sizes[k] > 0.0L ? rounding / (sm::UnitRoundoff * static_cast<double>(expected.Sizes[k])) : 0.0);
+    largest = std::max(largest,
+      expected.Sizes[k] > 0.0L ? rounding / (sm::UnitRoundoff * static_cast<double>(expected.Sizes[k]))
+                               : 0.0);
   }
   CheckRange(what + ": error over stated rounding", 0.0, GetErrorOverRounding(expected, actual), 1.0);
   // Positions of size up to 2, degrees up to 25 and the factors of Bounds.md: 8 (stretch / |Ss| + stretch / |Sr|).
@@ -49,7 +50,7 @@ void CheckRandomItems()
   {
     const std::string name = std::to_string(degree[0]) + "," + std::to_string(degree[1]);
     const sm::FacePanels face = MakeRandomFace(degree[0], degree[1], random);
-    std::vector<sm::WorkItem> items = MakeItems(face);
+    sm::WorkItems items = MakeItems(face);
     const Evaluation panel(face, items[0], 7, 4);
     CheckSum("panel of degrees " + name, SumPanel(face, 7, 4), panel);
     CheckEqual("its evaluations", 28, panel.Result.Evaluations);
@@ -74,7 +75,7 @@ void CheckLanes()
       for (int count = std::max(lanes - 1, 1); count <= lanes; ++count)
       {
         std::vector<sm::FacePanels> faces;
-        std::vector<sm::WorkItem> items[3];
+        sm::WorkItems items[3];
         std::vector<Placement> placements(count);
         for (int i = 0; i < count; ++i)
         {
@@ -85,7 +86,7 @@ void CheckLanes()
             std::generate(point->begin(), point->end(), [&]() { return uniform(random); });
           }
           faces.back().Caps.push_back(cap);
-          const std::vector<sm::WorkItem> all = MakeItems(faces.back());
+          const sm::WorkItems all = MakeItems(faces.back());
           for (int kind = 0; kind < 3; ++kind)
           {
             items[kind].push_back(all[kind]);
@@ -124,7 +125,7 @@ void CheckHeavyWeights()
     {
       const auto& degree = degrees[trial % 5];
       const sm::FacePanels face = MakeRandomFace(degree[0], degree[1], random, 1 + trial % 4, heavy);
-      const std::vector<sm::WorkItem> items = MakeItems(face);
+      const sm::WorkItems items = MakeItems(face);
       worst[0] =
         std::max(worst[0], GetErrorOverRounding(SumPanel(face, 20, 20), Evaluation(face, items[0], 20, 20)));
       worst[1] =
@@ -157,7 +158,7 @@ void CheckCylinder()
   // The right edge s = 1: the whole patch.
   face.Coefficients = { 1.0, 0.0, 1.0, 1.0 };
   face.Panels.push_back({ 0, 0, 1, sm::PanelShape::General, false, false, 0.0, 1.0 });
-  std::vector<sm::WorkItem> items = MakeItems(face);
+  sm::WorkItems items = MakeItems(face);
   const Evaluation whole(face, items[0], 16, 4);
   const double area = 0.5 * vtkMath::Pi() * radius * height;
   const double limit = 1e-14 * area * 5.0;
@@ -181,7 +182,7 @@ void CheckCylinder()
       changed.GetValue(0) == -whole.GetValue(0) &&
         changed.GetValue(8) == (negative ? -1 : 1) * whole.GetValue(8));
   }
-  std::vector<sm::WorkItem> quarters;
+  sm::WorkItems quarters;
   sm::BisectItem(items[0], 2, quarters);
   CheckEqual("quarters", 4, static_cast<long long>(quarters.size()));
   double sum[2] = { 0.0, 0.0 };
@@ -235,7 +236,7 @@ void CheckRibbonFormulas()
   CheckTrue("no gap of a closing strip",
     flipped.Row[sm::RowLayout::LargestGap] == 0.0 && flipped.Row[sm::RowLayout::SquaredGap] == 0.0 &&
       flipped.Row[sm::RowLayout::GapArea] == 0.0);
-  std::vector<sm::WorkItem> halves;
+  sm::WorkItems halves;
   sm::BisectItem(MakeItems(face)[0], 1, halves);
   CheckEqual("halves", 2, static_cast<long long>(halves.size()));
   Check("flux of the halves", flipped.GetValue(0),

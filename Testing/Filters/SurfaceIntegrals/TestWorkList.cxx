@@ -14,7 +14,7 @@ using namespace smtest;
 sm::WorkItem MakeItem(std::mt19937& random)
 {
   const sm::ItemKind kinds[] = { sm::ItemKind::Panel, sm::ItemKind::Ribbon, sm::ItemKind::Cap };
-  sm::WorkItem item;
+  sm::WorkItem item{};
   item.Kind = kinds[random() % 3];
   item.Work = {};
   item.Degree[0] = 1 + static_cast<int>(random() % 8);
@@ -30,7 +30,7 @@ std::uint32_t GetNodes(const sm::WorkItem& item)
   return (item.Work.Detail[0] >> 8) & 255u;
 }
 
-void CheckList(const std::vector<sm::WorkItem>& items, const sm::PortionLimits& limits)
+void CheckList(const sm::WorkItems& items, const sm::PortionLimits& limits)
 {
   std::vector<std::size_t> active(items.size());
   std::iota(active.begin(), active.end(), 0u);
@@ -102,9 +102,9 @@ void CheckList(const std::vector<sm::WorkItem>& items, const sm::PortionLimits& 
 int TestWorkList(int, char*[])
 {
   std::mt19937 random(11);
-  for (const std::size_t count : { 0, 1, 7, 3000 })
+  for (const std::size_t count : { 0, 1, 7, 2048, 10000 })
   {
-    std::vector<sm::WorkItem> items(count);
+    sm::WorkItems items(count);
     std::generate(items.begin(), items.end(), [&random] { return MakeItem(random); });
     CheckList(items, { 1000000000, 1000000, false });
     CheckList(items, { 1000000000, 1000000, true });

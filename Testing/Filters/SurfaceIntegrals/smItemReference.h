@@ -146,8 +146,8 @@ struct Batch
   std::vector<double> Rows;
   std::vector<sm::KernelResult> Results;
 
-  Batch(const std::vector<sm::FacePanels>& faces, std::vector<sm::WorkItem> items, int along, int across,
-    int lanes, const std::vector<Placement>& placements = {})
+  Batch(const std::vector<sm::FacePanels>& faces, sm::WorkItems items, int along, int across, int lanes,
+    const std::vector<Placement>& placements = {})
     : Results(items.size())
   {
     this->Setup.Integrands = MakeIntegrands();
@@ -195,7 +195,7 @@ struct Evaluation
   double GetRounding(int k) const { return this->Row[this->Layout.GetRounding(k)]; }
 };
 
-inline std::vector<sm::WorkItem> MakeItems(const sm::FacePanels& panels)
+inline sm::WorkItems MakeItems(const sm::FacePanels& panels)
 {
   sm::CutFace face;
   face.Panels = panels;
@@ -204,7 +204,7 @@ inline std::vector<sm::WorkItem> MakeItems(const sm::FacePanels& panels)
     face.Degree[0] = panels.Patches[0].Degree[0];
     face.Degree[1] = panels.Patches[0].Degree[1];
   }
-  std::vector<sm::WorkItem> items;
+  sm::WorkItems items;
   sm::AddItems(face, 0, items);
   return items;
 }
