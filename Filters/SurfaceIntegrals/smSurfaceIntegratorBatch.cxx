@@ -437,9 +437,11 @@ bool SurfaceIntegrator::Internals::CheckRunner(
     return true;
   }
   WorkItems examples;
-  for (const WorkItem& item : items)
+  for (std::size_t i = 0; i < items.size(); ++i)
   {
-    if (!this->Runner->IsProved(item))
+    const WorkItem& item = items[i];
+    const bool isKnown = i > 0 && item.HasProgramOf(items[i - 1]);
+    if (!isKnown && !this->Runner->IsProved(item))
     {
       this->Runner->SetProved(item);
       examples.push_back(item);

@@ -74,9 +74,10 @@ public:
       fill(static_cast<T*>(memory));
       return this->EndStaging();
     }
-    std::vector<T> values(count);
-    fill(values.data());
-    return this->Upload(values.data(), count * sizeof(T));
+    // Uninitialized, so that the threads of `fill` share the cost of new pages.
+    const std::unique_ptr<T[]> values(new T[count]);
+    fill(values.get());
+    return this->Upload(values.get(), count * sizeof(T));
   }
 
   /** Copies to the host; waits for the dispatches that write it. The range must be inside. */

@@ -55,6 +55,12 @@ struct WorkItem
   /// Index of the item's face in its batch, and index of the row of its results.
   std::uint32_t GetSlot() const { return this->Work.Item[3]; }
   std::uint32_t GetRow() const { return this->Work.Item[2]; }
+  /// True if the item is evaluated by the same code as another one.
+  bool HasProgramOf(const WorkItem& other) const
+  {
+    return this->Kind == other.Kind && this->Degree[0] == other.Degree[0] &&
+      this->Degree[1] == other.Degree[1];
+  }
   /// Returns the approximate cost of an evaluation of the item at its orders.
   std::int64_t GetCost() const
   {
