@@ -16,7 +16,8 @@ import tempfile
 
 # Room -> folder, rooms it includes; what these include is allowed, too.
 ROOMS = {
-    "FiltersNURBS": ("Filters/NURBS", []),
+    "FiltersCommon": ("Filters/Common", []),
+    "FiltersNURBS": ("Filters/NURBS", ["FiltersCommon"]),
     "FiltersQuadrature": ("Filters/Quadrature", ["FiltersNURBS"]),
     "FiltersSurfaceIntegrals": ("Filters/SurfaceIntegrals", ["FiltersQuadrature", "RenderingCompute", "RenderingNURBS"]),
     "FiltersMassProperties": ("Filters/MassProperties", ["FiltersSurfaceIntegrals"]),
@@ -26,10 +27,10 @@ ROOMS = {
     "FiltersMomentSchemes": ("Filters/MomentSchemes", ["FiltersMassProperties", "RenderingCompute", "RenderingNURBS"]),
     "FiltersNURBSEdit": ("Filters/NURBSEdit", ["FiltersNURBS"]),
     "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),
-    "RenderingCompute": ("Rendering/Compute", []),
+    "RenderingCompute": ("Rendering/Compute", ["FiltersCommon"]),
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),
     "ReadersFaces": ("Readers/Faces", ["FiltersNURBS"]),
-    "ReadersPart21": ("Readers/Part21", []),
+    "ReadersPart21": ("Readers/Part21", ["FiltersCommon"]),
     "ReadersSTEP": ("Readers/STEP", ["ReadersFaces", "ReadersPart21", "FiltersTessellation", "FiltersNURBS"]),
     "ReadersBREP": ("Readers/BREP", ["ReadersSTEP"]),
 }

@@ -8,7 +8,7 @@
 #ifndef smWorkerThreads_h
 #define smWorkerThreads_h
 
-#include "smFiltersNURBSModule.h"
+#include "smFiltersCommonModule.h"
 
 #include <cstddef>
 #include <functional>
@@ -25,7 +25,7 @@ using LoopPart = std::function<void(std::size_t begin, std::size_t end)>;
  * loop themselves. The threads belong to the process that started them: after fork() the child starts its
  * own.
  */
-SMFILTERSNURBS_EXPORT void RunLoop(std::size_t count, std::size_t grain, const LoopPart& part);
+SMFILTERSCOMMON_EXPORT void RunLoop(std::size_t count, std::size_t grain, const LoopPart& part);
 }
 
 #endif

@@ -25,7 +25,7 @@ std::string BeforeSync;
 std::string Synced;
 int Syncs = 0;
 
-std::string Read(const std::string& path)
+std::string ReadText(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
@@ -38,7 +38,7 @@ void CheckSync()
   CheckEqual("second", "", sm::SaveFile(Target, "second"));
   CheckEqual("the first is there", "first", BeforeSync);
   CheckEqual("until the second is on the disk", "second", Synced);
-  CheckEqual("and then the second", "second", Read(Target));
+  CheckEqual("and then the second", "second", ReadText(Target));
 }
 
 /// A process that writes, and is killed if `killed`; returns its number.
@@ -74,7 +74,7 @@ void CheckLeft()
   const pid_t child = StartWriter();
   Age(left);
   CheckEqual("beside a writer", "", sm::SaveFile(Target, "third"));
-  CheckEqual("its file stays", "half", Read(left));
+  CheckEqual("its file stays", "half", ReadText(left));
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   fs::last_write_time(left, fs::file_time_type::clock::now());
@@ -83,7 +83,7 @@ void CheckLeft()
   Age(left);
   CheckEqual("later", "", sm::SaveFile(Target, "fifth"));
   CheckTrue("and is removed", !fs::exists(left) && !fs::exists(Target + ".saving1"));
-  CheckEqual("the file", "fifth", Read(Target));
+  CheckEqual("the file", "fifth", ReadText(Target));
   // Files that are not ours to remove.
   fs::create_directory(left);
   CheckEqual("a folder of that name", "", sm::SaveFile(Target, "sixth"));
@@ -95,8 +95,8 @@ void CheckLeft()
 extern "C" __attribute__((visibility("default"))) int fsync(int file)
 {
   ++Syncs;
-  BeforeSync = Read(Target);
-  Synced = Read("/proc/self/fd/" + std::to_string(file));
+  BeforeSync = ReadText(Target);
+  Synced = ReadText("/proc/self/fd/" + std::to_string(file));
   return static_cast<int>(syscall(SYS_fsync, file));
 }
 

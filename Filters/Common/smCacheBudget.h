@@ -5,7 +5,7 @@
 #ifndef smCacheBudget_h
 #define smCacheBudget_h
 
-#include "smFiltersNURBSModule.h"
+#include "smFiltersCommonModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace sm
  * until the bytes are within the limit; entries that a running computation uses stay. Thread safe: all work on the caches of a budget
  * happens under its mutex.
  */
-class SMFILTERSNURBS_EXPORT CacheBudget
+class SMFILTERSCOMMON_EXPORT CacheBudget
 {
 public:
   /// Callback by which a cache serves its budget; it is called with the mutex locked.

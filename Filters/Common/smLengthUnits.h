@@ -5,21 +5,21 @@
 #ifndef smLengthUnits_h
 #define smLengthUnits_h
 
-#include "smFiltersNURBSModule.h"
+#include "smFiltersCommonModule.h"
 
 #include <string>
 
 namespace sm
 {
 /// Length of a unit in mm; 0 for a name that is not known. Accepts STEP's spellings ("millimetre") and short ones ("mm"), in either case.
-SMFILTERSNURBS_EXPORT double GetUnitInMillimetres(const std::string& unit);
+SMFILTERSCOMMON_EXPORT double GetUnitInMillimetres(const std::string& unit);
 
 /// The same in m.
-SMFILTERSNURBS_EXPORT double GetMetres(const std::string& unit);
+SMFILTERSCOMMON_EXPORT double GetMetres(const std::string& unit);
 
 /// The short name of the unit of that length, among those that models are read and written in: mm, cm, m, um, inch, ft. Empty
 /// for any other length.
-SMFILTERSNURBS_EXPORT std::string GetShortUnit(double millimetres);
+SMFILTERSCOMMON_EXPORT std::string GetShortUnit(double millimetres);
 }
 
 #endif

@@ -5,7 +5,7 @@
 #ifndef smSafeFile_h
 #define smSafeFile_h
 
-#include "smFiltersNURBSModule.h"
+#include "smFiltersCommonModule.h"
 
 #include <fstream>
 #include <string>
@@ -18,7 +18,7 @@ namespace sm
  * file that is replaced are kept. The bytes are on the disk before the file is replaced. A temporary file of a process that was killed is
  * removed when the same file is saved again, a minute later or more. A path of a folder, a device or a pipe is refused, see GetProblem().
  */
-class SMFILTERSNURBS_EXPORT SafeFile
+class SMFILTERSCOMMON_EXPORT SafeFile
 {
 public:
   explicit SafeFile(const std::string& path);
@@ -53,13 +53,13 @@ private:
  * Writes a file of these bytes: a regular file as SafeFile does, a device, a pipe or a name of an open file (/dev/stdout) directly.
  * Returns why it could not be written, and what to do about it; an empty text when all is there.
  */
-SMFILTERSNURBS_EXPORT std::string SaveFile(const std::string& path, const std::string& bytes);
+SMFILTERSCOMMON_EXPORT std::string SaveFile(const std::string& path, const std::string& bytes);
 
 /// Returns the reason for which SaveFile() would fail, or an empty text; makes a temporary file and removes it.
-SMFILTERSNURBS_EXPORT std::string FindSaveProblem(const std::string& path);
+SMFILTERSCOMMON_EXPORT std::string FindSaveProblem(const std::string& path);
 
 /// True for paths that SaveFile() writes directly. A document written there cannot be replaced by a later version.
-SMFILTERSNURBS_EXPORT bool IsStream(const std::string& path);
+SMFILTERSCOMMON_EXPORT bool IsStream(const std::string& path);
 }
 
 #endif
