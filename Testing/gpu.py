@@ -257,7 +257,7 @@ def copy_named(catalogue, folder):
 
 def copy_beside(catalogue, folder):
     """What tests and edit_part look for beside the programs."""
-    for path, target in ((os.path.join(catalogue.build, "Examples/CommandLine/solidmoments.1"), "Examples/CommandLine/solidmoments.1"),
+    for path, target in ((os.path.join(catalogue.build, "Examples/solidmoments/solidmoments.1"), "Examples/solidmoments/solidmoments.1"),
                          (os.path.join(catalogue.source, "Examples/Models/free_form_part.step"), "share/solidmoments/free_form_part.step")):
         os.makedirs(os.path.dirname(os.path.join(folder, target)))
         shutil.copy2(path, os.path.join(folder, target))

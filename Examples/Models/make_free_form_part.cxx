@@ -1,4 +1,4 @@
-// Models the part that Examples/Interactive edits, and writes it as STEP:
+// Models the part that Examples/edit_part edits, and writes it as STEP:
 //   make_free_form_part free_form_part.step
 // A closed pull handle in mm: a periodic bicubic B-spline surface over a lattice of 16 x 10 control points, smooth to the
 // second derivative, cut at every second knot line into 8 x 5 faces. Neighbours share their boundary rows bit for bit,

@@ -2,7 +2,7 @@
 foreach (component IN ITEMS ChartsCore IOExport RenderingContext2D RenderingContextOpenGL2 ViewsContext2D)
   if (NOT TARGET VTK::${component})
     message(FATAL_ERROR "The figures need VTK's module ${component}. Build VTK with it, or configure with "
-      "-DSOLIDMOMENTS_BUILD_EXAMPLES=OFF -DSOLIDMOMENTS_BUILD_TESTING=OFF.")
+      "-DSOLIDMOMENTS_BUILD_PAPER=OFF -DSOLIDMOMENTS_BUILD_TESTING=OFF.")
   endif ()
 endforeach ()
 

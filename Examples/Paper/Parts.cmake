@@ -2,7 +2,7 @@
 include(SolidMomentsFindOCCT)
 if (NOT TARGET TKFillet OR NOT TARGET TKOffset)
   message(FATAL_ERROR "OpenCASCADE with fillets was not found. Install libocct-data-exchange-dev and "
-    "libocct-modeling-algorithms-dev, set OpenCASCADE_DIR, or configure with -DSOLIDMOMENTS_BUILD_EXAMPLES=OFF "
+    "libocct-modeling-algorithms-dev, set OpenCASCADE_DIR, or configure with -DSOLIDMOMENTS_BUILD_PAPER=OFF "
     "-DSOLIDMOMENTS_BUILD_TESTING=OFF.")
 endif ()
 

@@ -49,8 +49,10 @@ if [ -z "$output" ]; then
   usage
 fi
 
-if [ ! -f "$build/CMakeCache.txt" ]; then
-  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSOLIDMOMENTS_BUILD_TESTING=OFF
+if [ -f "$build/CMakeCache.txt" ]; then
+  cmake -DSOLIDMOMENTS_BUILD_PAPER=ON "$build"
+else
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSOLIDMOMENTS_BUILD_TESTING=OFF -DSOLIDMOMENTS_BUILD_PAPER=ON
 fi
 jobs=${SOLIDMOMENTS_JOBS:-$(nproc 2>/dev/null || echo 2)}
 cmake --build "$build" --parallel "$jobs" --target solidmoments make_paper_parts occt_mass_properties paper_figures

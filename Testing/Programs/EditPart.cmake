@@ -1,5 +1,5 @@
 # The interactive example: a stream of events in, values and pictures out.
-set(edit_part "${PROJECT_SOURCE_DIR}/Examples/Interactive")
+set(edit_part "${PROJECT_SOURCE_DIR}/Examples/edit_part")
 set(free_form_part "${PROJECT_SOURCE_DIR}/Examples/Models/free_form_part.step")
 solidmoments_add_test_program(TestEditPart
   SOURCES smDragChecks.cxx smPlacedChecks.cxx

@@ -82,11 +82,11 @@ def help_pages():
     check_true("-V", version.returncode == 0 and version.stdout == run("--version").stdout and version.stdout.startswith("solidmoments "))
     names = sorted(set(re.findall(r"(?<![\w-])--[a-z-]+", run("--help").stdout)))
     check_true("options", len(names) > 40, str(names))
-    with open(os.path.join(os.path.dirname(options.program), "..", "Examples", "CommandLine", "solidmoments.1"), encoding="utf-8") as file:
+    with open(os.path.join(os.path.dirname(options.program), "..", "Examples", "solidmoments", "solidmoments.1"), encoding="utf-8") as file:
         manual = file.read()
     check_equal("options that the manual page lacks", [], [name for name in names if name.replace("-", "\\-") not in manual])
     check_true("no line is taken for a request", all(line.startswith((".TH ", ".SH ", ".nf", ".fi")) for line in manual.splitlines() if line[:1] in (".", "'")))
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "CommandLine", "solidmoments.bash")
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "solidmoments", "solidmoments.bash")
 
     def complete(*words):
         code = (f'. "{script}"; COMP_WORDS=({options.program} {" ".join(words)}); COMP_CWORD={len(words)}; _solidmoments; '

@@ -1,6 +1,6 @@
 /**
  * @file smEditSession.h
- * @brief Examples/Interactive without its program: a part, its scene, and events played from text
+ * @brief Examples/edit_part without its program: a part, its scene, and events played from text
  */
 #ifndef smEditSession_h
 #define smEditSession_h
