@@ -131,7 +131,7 @@ public:
   ///@{
   /**
    * Builds the body from arrays: edges first, then faces, then the coedges of each face's loops. C++ can make sm::Face objects and
-   * hand them to SetFaces() instead. Coordinates are relative to Origin, in LengthUnit. Documentation/DeveloperGuide.md, "Build a
+   * hand them to SetFaces() instead. Coordinates are relative to Origin, in LengthUnit. Documentation/Libraries.md, "Build a
    * dataset by hand", has a complete example.
    *
    * Curves are piecewise polynomials in Bernstein form, all pieces of one degree d (at most 25): `breaks` holds the n + 1

@@ -10,7 +10,7 @@
  * and sub-assemblies cannot be read.
  *
  * OpenCASCADE 7.6 crashes on some damaged files, and the process with it: on 15 of about 1,500 mutants of sound files
- * (DeveloperGuide.md, Mutants), and on no sound file of our sweeps; eight more took longer than 12 seconds, one of them minutes. Damage
+ * (Documentation/notes/2026-11-27-mutants.md), and on no sound file of our sweeps; eight more took longer than 12 seconds, one of them minutes. Damage
  * that the entities show is refused before OpenCASCADE processes it: unresolved references, geometry that is part of itself, trim curves of
  * a wrong type, placements with too few parameters. With IsolatedOn() other crashes do not end this process.
  */
