@@ -1,6 +1,6 @@
 #include "smHeightNet.h"
 
-#include "smPatchParts.h"
+#include "smBernstein.h"
 #include "smUnitRoundoff.h"
 
 #include <algorithm>
@@ -132,25 +132,11 @@ NetRange HeightNet::GetRange(const ParameterRange& box) const
 
 namespace
 {
-/// Evaluates a polynomial in Bernstein form, and its slope, by de Casteljau's algorithm. It overwrites the coefficients.
-double Collapse(double* b, int degree, double x, double* slope = nullptr)
+using Line = std::array<double, 1>[MaximumDegree + 1];
+
+double EvaluateLine(const Line& b, int degree, double x, std::array<double, 1>* slope = nullptr)
 {
-  if (slope)
-  {
-    *slope = 0.0;
-  }
-  for (int level = degree; level > 0; --level)
-  {
-    if (level == 1 && slope)
-    {
-      *slope = degree * (b[1] - b[0]);
-    }
-    for (int i = 0; i < level; ++i)
-    {
-      b[i] = (1.0 - x) * b[i] + x * b[i + 1];
-    }
-  }
-  return b[0];
+  return BernsteinPiece<1>{ b, degree }.Evaluate(x, slope)[0];
 }
 }
 
@@ -158,38 +144,34 @@ double HeightNet::Evaluate(double u, double v) const
 {
   const double s = this->ToLocal(0, u);
   const double r = this->ToLocal(1, v);
-  double line[MaximumDegree + 1] = {};
-  double across[MaximumDegree + 1] = {};
+  Line line = {};
+  Line across = {};
   for (int j = 0; j <= this->Degree[1]; ++j)
   {
     for (int i = 0; i <= this->Degree[0]; ++i)
     {
-      line[i] = this->Coefficients[i + (this->Degree[0] + 1) * j][0];
+      line[i] = { this->Coefficients[i + (this->Degree[0] + 1) * j][0] };
     }
-    across[j] = Collapse(line, this->Degree[0], s);
+    across[j] = { EvaluateLine(line, this->Degree[0], s) };
   }
-  return Collapse(across, this->Degree[1], r);
+  return EvaluateLine(across, this->Degree[1], r);
 }
 
 double HeightNet::Solve(double v, double low, double high) const
 {
   const double r = this->ToLocal(1, v);
-  double line[MaximumDegree + 1] = {};
-  double across[MaximumDegree + 1] = {};
+  Line line = {};
+  Line across = {};
   for (int i = 0; i <= this->Degree[0]; ++i)
   {
     for (int j = 0; j <= this->Degree[1]; ++j)
     {
-      across[j] = this->Coefficients[i + (this->Degree[0] + 1) * j][0];
+      across[j] = { this->Coefficients[i + (this->Degree[0] + 1) * j][0] };
     }
-    line[i] = Collapse(across, this->Degree[1], r);
+    line[i] = { EvaluateLine(across, this->Degree[1], r) };
   }
-  const auto evaluate = [&](double u, double* slope)
-  {
-    double b[MaximumDegree + 1] = {};
-    std::copy(line, line + this->Degree[0] + 1, b);
-    return Collapse(b, this->Degree[0], this->ToLocal(0, u), slope);
-  };
+  const auto evaluate = [&](double u, std::array<double, 1>* slope)
+  { return EvaluateLine(line, this->Degree[0], this->ToLocal(0, u), slope); };
   const double atLow = evaluate(low, nullptr);
   const double atHigh = evaluate(high, nullptr);
   if ((atLow < 0.0) == (atHigh < 0.0))
@@ -201,10 +183,10 @@ double HeightNet::Solve(double v, double low, double high) const
   double x = a + (b - a) * atLow / (atLow - atHigh);
   for (int step = 0; step < 80; ++step)
   {
-    double slope;
+    std::array<double, 1> slope;
     const double value = evaluate(x, &slope);
     ((value < 0.0) == (atLow < 0.0) ? a : b) = x;
-    double next = x - this->Width[0] * value / slope;
+    double next = x - this->Width[0] * value / slope[0];
     if (!(next > a && next < b))
     {
       next = 0.5 * (a + b);

@@ -1,5 +1,6 @@
 #include "smSubmergedPanels.h"
 
+#include "smBernstein.h"
 #include "smChebyshev.h"
 #include "smPatchParts.h"
 #include "smSignChanges.h"
@@ -37,11 +38,9 @@ Matrix InvertBernstein(int n)
   for (int i = 0; i < n; ++i)
   {
     const long double x = 0.5L * (1.0L + rule.GetNode(i));
-    long double binomial = 1.0L;
     for (int j = 0; j < n; ++j)
     {
-      rows[i][j] = binomial * std::pow(x, j) * std::pow(1.0L - x, n - 1 - j);
-      binomial = binomial * (n - 1 - j) / (j + 1);
+      rows[i][j] = Binomials[n - 1][j] * std::pow(x, j) * std::pow(1.0L - x, n - 1 - j);
     }
     rows[i][n + i] = 1.0L;
   }

@@ -1,6 +1,6 @@
 #include "smTrimRegion.h"
 
-#include "smPatchParts.h"
+#include "smBernstein.h"
 #include "smPolynomialCurve.h"
 #include "smTrimCutting.h"
 

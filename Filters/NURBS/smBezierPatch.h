@@ -46,9 +46,6 @@ SMFILTERSNURBS_EXPORT std::array<double, 3> GetReach(const std::array<double, 4>
 /// relative to its centre. Weights are positive.
 SMFILTERSNURBS_EXPORT void MeasurePatch(const std::array<double, 4>* points, Patch& patch);
 
-/// B_i^degree(x) for i = 0 .. degree, by the triangular recurrence.
-SMFILTERSNURBS_EXPORT void FillBernsteinBasis(int degree, double x, double* basis);
-
 /// The patch on [u0,u1] x [v0,v1], which lies in one span of each direction, Exchanged aside; appends its control points.
 SMFILTERSNURBS_EXPORT Patch MakePatch(const NURBSSurface& surface, double u0, double u1, double v0, double v1,
   std::vector<std::array<double, 4>>& points);

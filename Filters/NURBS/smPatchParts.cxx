@@ -1,4 +1,6 @@
 #include "smPatchParts.h"
+
+#include "smBernstein.h"
 #include "smUnitRoundoff.h"
 
 #include "smPolynomialCurve.h"

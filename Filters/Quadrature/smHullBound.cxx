@@ -1,7 +1,7 @@
 #include "smHullBound.h"
 
+#include "smBernstein.h"
 #include "smIntegerPower.h"
-#include "smPatchParts.h"
 #include "smVector.h"
 
 #include <algorithm>

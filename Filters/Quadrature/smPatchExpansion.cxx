@@ -4,6 +4,7 @@
 #include "smPatchMajorants.h"
 #include "smVector.h"
 
+#include "smBernstein.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "smWideEvaluation.h"
 
+#include "smBernstein.h"
 #include "smChebyshev.h"
 
 #include <algorithm>
@@ -10,21 +11,6 @@ namespace sm
 {
 namespace
 {
-/// Pascal's triangle: integers below 2^53.
-const std::array<std::array<double, MaximumDegree + 1>, MaximumDegree + 1> Binomials = []()
-{
-  std::array<std::array<double, MaximumDegree + 1>, MaximumDegree + 1> rows{};
-  for (int n = 0; n <= MaximumDegree; ++n)
-  {
-    rows[n][0] = 1.0;
-    for (int i = 1; i <= n; ++i)
-    {
-      rows[n][i] = rows[n - 1][i - 1] + rows[n - 1][i];
-    }
-  }
-  return rows;
-}();
-
 /// i / n.
 Wide GetRatio(int i, int n)
 {

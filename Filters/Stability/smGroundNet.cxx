@@ -1,5 +1,7 @@
 #include "smGroundNet.h"
 
+#include "smBernstein.h"
+
 #include "smVector.h"
 
 #include <algorithm>
@@ -13,22 +15,6 @@ namespace
 {
 using Points = std::vector<GroundPoint>;
 
-/// Halves `count` coefficients that lie `stride` apart, in place into left and right.
-void Halve(GroundPoint* left, GroundPoint* right, int count, int stride)
-{
-  for (int i = 0; i < count; ++i)
-  {
-    left[i * stride] = right[0];
-    for (int j = 0; j + 1 < count - i; ++j)
-    {
-      for (int c = 0; c < 4; ++c)
-      {
-        right[j * stride][c] = 0.5 * (right[j * stride][c] + right[(j + 1) * stride][c]);
-      }
-    }
-  }
-}
-
 std::pair<Points, Points> HalveNet(const Points& net, const int counts[2], int direction)
 {
   std::pair<Points, Points> halves{ net, net };
@@ -37,7 +23,8 @@ std::pair<Points, Points> HalveNet(const Points& net, const int counts[2], int d
   const int next = direction == 0 ? counts[0] : 1;
   for (int line = 0; line < lines; ++line)
   {
-    Halve(halves.first.data() + line * next, halves.second.data() + line * next, counts[direction], stride);
+    HalveBernstein(
+      halves.first.data() + line * next, halves.second.data() + line * next, counts[direction] - 1, stride);
   }
   return halves;
 }
@@ -164,7 +151,10 @@ std::pair<GroundCurve, GroundCurve> GroundCurve::Split() const
     [](const std::vector<GroundPoint>& net, std::vector<GroundPoint>& left, std::vector<GroundPoint>& right)
   {
     left = right = net;
-    Halve(left.data(), right.data(), static_cast<int>(net.size()), 1);
+    if (!net.empty())
+    {
+      HalveBernstein(left.data(), right.data(), static_cast<int>(net.size()) - 1, 1);
+    }
   };
   halve(this->Points, halves.first.Points, halves.second.Points);
   halve(this->Steps, halves.first.Steps, halves.second.Steps);

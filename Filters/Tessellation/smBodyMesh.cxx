@@ -1,6 +1,6 @@
 #include "smBodyMesh.h"
 
-#include "smBernsteinBasis.h"
+#include "smBernstein.h"
 #include "smParallelFor.h"
 #include "smVector.h"
 

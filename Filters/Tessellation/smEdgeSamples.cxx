@@ -1,7 +1,6 @@
 #include "smEdgeSamples.h"
 
-#include "smBernsteinBasis.h"
-#include "smPatchParts.h"
+#include "smBernstein.h"
 #include "smVector.h"
 
 #include <algorithm>

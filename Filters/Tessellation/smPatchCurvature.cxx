@@ -1,6 +1,6 @@
 #include "smPatchCurvature.h"
 
-#include "smPatchParts.h"
+#include "smBernstein.h"
 #include "smRationalBound.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double LargestSlope = 0.5;
 /// Parts of a rational curve on which its second derivative is bounded.
 constexpr int CurveParts = 4;
 
-double GetLargestWeight(const PatchNet& net)
+double GetLargestWeight(const BernsteinNet& net)
 {
   double largest = 0.0;
   for (const Homogeneous& h : net.B)
@@ -40,7 +40,7 @@ double GetSecond(const Points& net, int k, int i, int j, int c)
 /// Number of second differences in u and v of kind k: uu, uv, vv; and the factor that makes them derivatives.
 struct SecondKind
 {
-  SecondKind(const PatchNet& net, int k)
+  SecondKind(const BernsteinNet& net, int k)
     : Columns(std::max(net.P + 1 -
           (k == 0      ? 2
               : k == 1 ? 1
@@ -61,7 +61,7 @@ struct SecondKind
   double Factor;
 };
 
-CurvatureBounds BoundPolynomial(const PatchNet& net, const Vector3& normal)
+CurvatureBounds BoundPolynomial(const BernsteinNet& net, const Vector3& normal)
 {
   CurvatureBounds bound;
   for (int k = 0; k < 3; ++k)
@@ -85,12 +85,12 @@ CurvatureBounds BoundPolynomial(const PatchNet& net, const Vector3& normal)
 }
 
 /// Second derivatives of a rational patch of any weights, coarse: |S_u| <= p (w_max / w_min)^2 max |S_i - S_j|.
-CurvatureBounds BoundCoarsely(const PatchNet& net)
+CurvatureBounds BoundCoarsely(const BernsteinNet& net)
 {
   const Vector3 center = Project(net.B[0]);
   double size = 0.0;
   double lightest = HUGE_VAL;
-  PatchNet moved = net;
+  BernsteinNet moved = net;
   for (Homogeneous& h : moved.B)
   {
     size = std::max(size, Norm(Subtract(Project(h), center)));
@@ -131,7 +131,7 @@ CurvatureBounds BoundCoarsely(const PatchNet& net)
 }
 
 /// True where the weights are products of a weight of the column and one of the row.
-bool IsSeparable(const PatchNet& net)
+bool IsSeparable(const BernsteinNet& net)
 {
   const double corner = net.At(0, 0)[3];
   for (int j = 1; j <= net.Q; ++j)
@@ -206,7 +206,7 @@ constexpr double PartRatio = 1.5;
 constexpr int MostMixedParts = 16;
 
 /// Largest ratio of the weights of a separable net in each direction.
-std::array<double, 2> GetWeightRatios(const PatchNet& net)
+std::array<double, 2> GetWeightRatios(const BernsteinNet& net)
 {
   std::array<double, 2> ratios{};
   for (int d = 0; d < 2; ++d)
@@ -225,7 +225,7 @@ std::array<double, 2> GetWeightRatios(const PatchNet& net)
 }
 
 /// |S_uv| <= p q (ratios of weights)^2 max |second difference of S_ij in both directions|, for separable weights; and so its component.
-std::array<double, 2> BoundMixed(const PatchNet& net, const Vector3& normal)
+std::array<double, 2> BoundMixed(const BernsteinNet& net, const Vector3& normal)
 {
   const std::array<double, 2> ratios = GetWeightRatios(net);
   const double ratio = ratios[0] * ratios[1];
@@ -254,7 +254,7 @@ bool IsStraight(const Homogeneous* line, int degree)
  * |S_uu| is at most that of the curves whose points are S_ij of one j; and BoundMixed() holds, because |C'| <= p (w_max / w_min)^2
  * max |S_i+1 - S_i| for a rational curve. Curves are bounded in `curveParts` parts. False where the weights differ too much.
  */
-bool BoundSeparable(const PatchNet& net, const Vector3& normal, int curveParts, CurvatureBounds& bound)
+bool BoundSeparable(const BernsteinNet& net, const Vector3& normal, int curveParts, CurvatureBounds& bound)
 {
   bound = {};
   const auto raise = [&bound](int k, double factor, const std::array<double, 2>& by)
@@ -296,7 +296,7 @@ bool BoundSeparable(const PatchNet& net, const Vector3& normal, int curveParts, 
   for (int part = 0; part < parts[0] * parts[1]; ++part)
   {
     const int at[2] = { part % parts[0], part / parts[0] };
-    const PatchNet piece = Restrict(net, static_cast<double>(at[0]) / parts[0], (at[0] + 1.0) / parts[0],
+    const BernsteinNet piece = Restrict(net, static_cast<double>(at[0]) / parts[0], (at[0] + 1.0) / parts[0],
       static_cast<double>(at[1]) / parts[1], (at[1] + 1.0) / parts[1]);
     raise(1, parts[0] * parts[1], BoundMixed(piece, normal));
   }
@@ -314,7 +314,7 @@ public:
   }
 
   /// `density`: the length of the whole in units of the part.
-  CurvatureBounds Run(const PatchNet& net, const std::array<double, 2>& density, int halvings)
+  CurvatureBounds Run(const BernsteinNet& net, const std::array<double, 2>& density, int halvings)
   {
     CurvatureBounds bound;
     const bool isSeparable = IsSeparable(net);
@@ -347,9 +347,9 @@ public:
     std::array<double, 2> finer = density;
     finer[direction] *= 2.0;
     CurvatureBounds largest;
-    PatchNet parts[2] = { net, PatchNet() };
+    BernsteinNet parts[2] = { net, BernsteinNet() };
     SplitInMiddle(parts[0], direction, parts[1]);
-    for (const PatchNet& part : parts)
+    for (const BernsteinNet& part : parts)
     {
       largest.Raise(this->Run(part, finer, halvings + 1));
     }
@@ -367,7 +367,8 @@ private:
     bound.Refine(1, density[1]);
   }
 
-  bool BoundProduct(const PatchNet& net, const std::array<double, 2>& density, CurvatureBounds& bound) const
+  bool BoundProduct(
+    const BernsteinNet& net, const std::array<double, 2>& density, CurvatureBounds& bound) const
   {
     for (const int parts : { 1, CurveParts })
     {
@@ -389,7 +390,7 @@ private:
 }
 
 CurvatureBounds BoundSecondDerivatives(
-  const PatchNet& net, bool rational, const Vector3& normal, const EnoughBound& enough)
+  const BernsteinNet& net, bool rational, const Vector3& normal, const EnoughBound& enough)
 {
   return rational ? RationalParts(normal, enough).Run(net, { 1.0, 1.0 }, 0) : BoundPolynomial(net, normal);
 }

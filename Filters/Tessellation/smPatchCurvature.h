@@ -5,14 +5,14 @@
 #ifndef smPatchCurvature_h
 #define smPatchCurvature_h
 
+#include "smBernsteinNet.h"
 #include "smCurvatureBounds.h"
-#include "smPatchNet.h"
 
 namespace sm
 {
 /// Bounds on the net, by its own parameters. `rational`: the weights differ. `normal`: a unit vector or 0. `enough`: bounds that are good enough.
 CurvatureBounds BoundSecondDerivatives(
-  const PatchNet& net, bool rational, const Vector3& normal, const EnoughBound& enough);
+  const BernsteinNet& net, bool rational, const Vector3& normal, const EnoughBound& enough);
 }
 
 #endif

@@ -48,12 +48,12 @@ double BoundQuotientDerivative(const Homogeneous* side, const Homogeneous* slope
 }
 }
 
-double BoundJump(
-  const PatchNet& before, const PatchNet& after, int direction, const double (&width)[2], double& scale)
+double BoundJump(const BernsteinNet& before, const BernsteinNet& after, int direction,
+  const double (&width)[2], double& scale)
 {
   const int degree = direction == 0 ? before.P : before.Q;
   const int rows = direction == 0 ? before.Q : before.P;
-  const auto get = [&](const PatchNet& net, int i, int row) -> const Homogeneous&
+  const auto get = [&](const BernsteinNet& net, int i, int row) -> const Homogeneous&
   { return direction == 0 ? net.At(i, row) : net.At(row, i); };
   // Position along the side, and the derivatives across it, as polynomials.
   Homogeneous side[MaximumDegree + 1];

@@ -5,7 +5,7 @@
 
 namespace sm
 {
-RationalBound::RationalBound(const PatchNet& net, const Vector3& normal)
+RationalBound::RationalBound(const BernsteinNet& net, const Vector3& normal)
   : Net(net)
   , Normal(normal)
   , Centered(net)

@@ -12,8 +12,8 @@
 #ifndef smRationalBound_h
 #define smRationalBound_h
 
+#include "smBernsteinNet.h"
 #include "smCurvatureBounds.h"
-#include "smPatchNet.h"
 
 #include <array>
 
@@ -26,7 +26,7 @@ class RationalBound
 {
 public:
   /// The arguments must outlive it.
-  RationalBound(const PatchNet& net, const Vector3& normal);
+  RationalBound(const BernsteinNet& net, const Vector3& normal);
 
   /// False where there is no bound. Raises `reached` to what derivatives reach at the corners, about.
   bool Run(CurvatureBounds& bound, CurvatureBounds& reached);
@@ -53,10 +53,10 @@ private:
   bool Solve(const std::array<double, 3>& g, const std::array<double, 3>& twice,
     const std::array<double, 2>& middle, std::array<double, 3>& bound) const;
 
-  const PatchNet& Net;
+  const BernsteinNet& Net;
   const Vector3& Normal;
   /// (P - w c, w).
-  PatchNet Centered;
+  BernsteinNet Centered;
   NetMiddle Middle;
   double Lightest;
   /// Largest |w_u| and |w_v| over the least weight.

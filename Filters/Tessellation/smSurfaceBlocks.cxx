@@ -1,8 +1,8 @@
 #include "smSurfaceBlocks.h"
 
+#include "smBernsteinNet.h"
 #include "smPatchCurvature.h"
 #include "smPatchJump.h"
-#include "smPatchNet.h"
 #include "smUnitRoundoff.h"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ struct CornerDerivatives
   double Normal[3];
 };
 
-CornerDerivatives EvaluateCorner(const PatchNet& net, int si, int sj)
+CornerDerivatives EvaluateCorner(const BernsteinNet& net, int si, int sj)
 {
   const int i = si > 0 ? 0 : net.P;
   const int j = sj > 0 ? 0 : net.Q;
@@ -101,7 +101,7 @@ CornerDerivatives EvaluateCorner(const PatchNet& net, int si, int sj)
 }
 
 /// Turn of the normal and speed at the four corners, per unit of the net's own parameters.
-void MeasureCorners(const PatchNet& net, SurfaceBlocks::Block& block)
+void MeasureCorners(const BernsteinNet& net, SurfaceBlocks::Block& block)
 {
   CornerDerivatives corners[4];
   double fastest[2] = { 0.0, 0.0 };
@@ -133,7 +133,8 @@ void MeasureCorners(const PatchNet& net, SurfaceBlocks::Block& block)
 namespace
 {
 /// Sets the bounds of a block, for parameters of the net's own.
-void BoundBlock(const PatchNet& net, bool rational, const EnoughBound& enough, SurfaceBlocks::Block& block)
+void BoundBlock(
+  const BernsteinNet& net, bool rational, const EnoughBound& enough, SurfaceBlocks::Block& block)
 {
   // Circular arcs are even enough to do without a normal.
   const bool isArc = rational && net.P <= 2 && net.Q <= 2;
@@ -158,7 +159,7 @@ void BoundBlock(const PatchNet& net, bool rational, const EnoughBound& enough, S
 }
 
 /// Rounding of the derivative in direction d: some operations for each degree, on coordinates and weights.
-double BoundRounding(const PatchNet& net, int d)
+double BoundRounding(const BernsteinNet& net, int d)
 {
   double farthest = 0.0;
   double heaviest = 0.0;
@@ -237,7 +238,7 @@ int SurfaceBlocks::ListBreaks(const NURBSSurface& surface, int d, std::vector<do
   return static_cast<int>(shares.size());
 }
 
-void SurfaceBlocks::MeasureBlock(const PatchNet& net, const std::array<double, 2>& low,
+void SurfaceBlocks::MeasureBlock(const BernsteinNet& net, const std::array<double, 2>& low,
   const std::array<double, 2>& width, const std::array<std::size_t, 2>& at, bool rational,
   const MeshLimits& limits)
 {
@@ -251,7 +252,7 @@ void SurfaceBlocks::MeasureBlock(const PatchNet& net, const std::array<double, 2
     to[d] = (breaks[at[d] + 1] - low[d]) / width[d];
     size[d] = breaks[at[d] + 1] - breaks[at[d]];
   }
-  const PatchNet piece = Restrict(net, from[0], to[0], from[1], to[1]);
+  const BernsteinNet piece = Restrict(net, from[0], to[0], from[1], to[1]);
   Block& block = this->Blocks[at[0] + at[1] * (this->Breaks[0].size() - 1)];
   MeasureCorners(piece, block);
   // Rows are nowhere farther from each other than the angle and the face allow.
@@ -289,10 +290,10 @@ SurfaceBlocks::SurfaceBlocks(
   }
   this->Blocks.resize((this->Breaks[0].size() - 1) * (this->Breaks[1].size() - 1));
   // The net before the current one in u, and those of the row before.
-  PatchNet net;
+  BernsteinNet net;
   net.Resize(surface.Degree[0], surface.Degree[1]);
-  PatchNet left;
-  std::vector<PatchNet> below(spans[0].size() - 1);
+  BernsteinNet left;
+  std::vector<BernsteinNet> below(spans[0].size() - 1);
   for (std::size_t b = 0; b + 1 < spans[1].size(); ++b)
   {
     for (std::size_t a = 0; a + 1 < spans[0].size(); ++a)
@@ -300,7 +301,7 @@ SurfaceBlocks::SurfaceBlocks(
       const std::array<double, 2> low = { spans[0][a], spans[1][b] };
       const std::array<double, 2> width = { spans[0][a + 1] - low[0], spans[1][b + 1] - low[1] };
       surface.ExtractBezier(low[0], spans[0][a + 1], low[1], spans[1][b + 1], net.B.data());
-      const PatchNet* const neighbors[2] = { a > 0 ? &left : nullptr, b > 0 ? &below[a] : nullptr };
+      const BernsteinNet* const neighbors[2] = { a > 0 ? &left : nullptr, b > 0 ? &below[a] : nullptr };
       for (int d = 0; d < 2; ++d)
       {
         const std::vector<double>& knots = surface.Knots[d];

@@ -41,7 +41,7 @@
 
 namespace sm
 {
-struct PatchNet;
+struct BernsteinNet;
 
 struct ParameterBox
 {
@@ -125,8 +125,9 @@ private:
   /// Spans of the surface in direction d and, in Breaks, the borders of the blocks; returns how many there are in a span.
   int ListBreaks(const NURBSSurface& surface, int d, std::vector<double>& spans);
   /// Bounds on the block `at`, a part of the patch that begins at `low`.
-  void MeasureBlock(const PatchNet& net, const std::array<double, 2>& low, const std::array<double, 2>& width,
-    const std::array<std::size_t, 2>& at, bool rational, const MeshLimits& limits);
+  void MeasureBlock(const BernsteinNet& net, const std::array<double, 2>& low,
+    const std::array<double, 2>& width, const std::array<std::size_t, 2>& at, bool rational,
+    const MeshLimits& limits);
   static void AddCrease(double at, double jump, std::vector<Crease>& creases);
   void CountThinStrips(int direction);
   void GetRange(const ParameterBox& box, int d, std::size_t& first, std::size_t& last) const;

@@ -17,7 +17,8 @@ import tempfile
 # Room -> folder, rooms it includes; what these include is allowed, too.
 ROOMS = {
     "FiltersCommon": ("Filters/Common", []),
-    "FiltersNURBS": ("Filters/NURBS", ["FiltersCommon"]),
+    "FiltersBezier": ("Filters/Bezier", ["FiltersCommon"]),
+    "FiltersNURBS": ("Filters/NURBS", ["FiltersBezier"]),
     "FiltersQuadrature": ("Filters/Quadrature", ["FiltersNURBS"]),
     "FiltersSurfaceIntegrals": ("Filters/SurfaceIntegrals", ["FiltersQuadrature", "RenderingCompute", "RenderingNURBS"]),
     "FiltersMassProperties": ("Filters/MassProperties", ["FiltersSurfaceIntegrals"]),

@@ -1,10 +1,11 @@
 /**
- * @file smPatchNet.h
- * @brief A homogeneous Bernstein net: derivatives, parts, points
+ * @file smBernsteinNet.h
+ * @brief A homogeneous Bernstein net: derivatives, parts, points; not installed
  */
-#ifndef smPatchNet_h
-#define smPatchNet_h
+#ifndef smBernsteinNet_h
+#define smBernsteinNet_h
 
+#include "smFiltersBezierModule.h"
 #include "smPolynomialCurve.h"
 #include "smVector.h"
 
@@ -57,7 +58,7 @@ private:
 };
 
 /// Coefficients of a polynomial on [0,1]^2, u index fastest.
-struct PatchNet
+struct BernsteinNet
 {
   int P = 0;
   int Q = 0;
@@ -77,13 +78,14 @@ struct PatchNet
 };
 
 /// The derivative in one direction; a constant 0 for degree 0.
-PatchNet Derive(const PatchNet& from, int direction);
+SMFILTERSBEZIER_EXPORT BernsteinNet Derive(const BernsteinNet& from, int direction);
 
 /// `net` becomes its first half in a direction, `rest` the second.
-void SplitInMiddle(PatchNet& net, int direction, PatchNet& rest);
+SMFILTERSBEZIER_EXPORT void SplitInMiddle(BernsteinNet& net, int direction, BernsteinNet& rest);
 
 /// The part on [s0,s1] x [r0,r1] as a net of its own.
-PatchNet Restrict(const PatchNet& net, double s0, double s1, double r0, double r1);
+SMFILTERSBEZIER_EXPORT BernsteinNet Restrict(
+  const BernsteinNet& net, double s0, double s1, double r0, double r1);
 
 inline Vector3 Project(const Homogeneous& h)
 {
@@ -96,7 +98,7 @@ struct NetMiddle
   Vector3 Position;
   Vector3 First[2];
 };
-NetMiddle EvaluateMiddle(const PatchNet& net);
+SMFILTERSBEZIER_EXPORT NetMiddle EvaluateMiddle(const BernsteinNet& net);
 
 /// (H' - S w') / w: the derivative of the quotient.
 inline Vector3 ProjectDerivative(const Homogeneous& h, const Vector3& s, double w)

@@ -1,12 +1,12 @@
-#include "smPatchNet.h"
+#include "smBernsteinNet.h"
 
-#include "smPatchParts.h"
+#include "smBernstein.h"
 
 namespace sm
 {
-PatchNet Derive(const PatchNet& from, int direction)
+BernsteinNet Derive(const BernsteinNet& from, int direction)
 {
-  PatchNet to;
+  BernsteinNet to;
   const int degree = direction == 0 ? from.P : from.Q;
   to.Resize(
     direction == 0 ? std::max(from.P - 1, 0) : from.P, direction == 1 ? std::max(from.Q - 1, 0) : from.Q);
@@ -25,7 +25,7 @@ PatchNet Derive(const PatchNet& from, int direction)
   return to;
 }
 
-NetMiddle EvaluateMiddle(const PatchNet& net)
+NetMiddle EvaluateMiddle(const BernsteinNet& net)
 {
   Homogeneous column[MaximumDegree + 1];
   Homogeneous slopes[MaximumDegree + 1];
@@ -45,7 +45,7 @@ NetMiddle EvaluateMiddle(const PatchNet& net)
   return middle;
 }
 
-void SplitInMiddle(PatchNet& net, int direction, PatchNet& rest)
+void SplitInMiddle(BernsteinNet& net, int direction, BernsteinNet& rest)
 {
   rest = net;
   const int degree = direction == 0 ? net.P : net.Q;
@@ -55,23 +55,13 @@ void SplitInMiddle(PatchNet& net, int direction, PatchNet& rest)
   {
     Homogeneous* const low = net.B.data() + line * (direction == 0 ? net.P + 1 : 1);
     Homogeneous* const high = rest.B.data() + (low - net.B.data());
-    for (int level = 1; level <= degree; ++level)
-    {
-      for (int i = 0; i <= degree - level; ++i)
-      {
-        for (int c = 0; c < 4; ++c)
-        {
-          high[i * stride][c] = 0.5 * (high[i * stride][c] + high[(i + 1) * stride][c]);
-        }
-      }
-      low[level * stride] = high[0];
-    }
+    HalveBernstein(low, high, degree, stride);
   }
 }
 
-PatchNet Restrict(const PatchNet& net, double s0, double s1, double r0, double r1)
+BernsteinNet Restrict(const BernsteinNet& net, double s0, double s1, double r0, double r1)
 {
-  PatchNet part = net;
+  BernsteinNet part = net;
   for (int j = 0; (s0 != 0.0 || s1 != 1.0) && j <= net.Q; ++j)
   {
     RestrictBernstein(&part.At(0, j), net.P, 1, s0, s1);
