@@ -9,7 +9,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace sm
 {
@@ -46,6 +48,25 @@ inline CLI::Option* AddNumberOption(
     .add_option_function<std::string>(
       option, [&number](const std::string& text) { number = ParseNumber(text); }, help)
     ->type_name("NUMBER");
+}
+
+/// Adds an option that may be given several times; `use` gets each value.
+inline CLI::Option* AddRepeatedOption(CLI::App& app, const std::string& option, const std::string& help,
+  const std::function<void(const std::string&)>& use)
+{
+  return app
+    .add_option_function<std::vector<std::string>>(
+      option,
+      [use](const std::vector<std::string>& texts)
+      {
+        for (const std::string& text : texts)
+        {
+          use(text);
+        }
+      },
+      help)
+    ->take_all()
+    ->allow_extra_args(false);
 }
 }
 

@@ -8,64 +8,47 @@
 #include "vtkFieldData.h"
 #include "vtkVariant.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sm
 {
-namespace
+void ReadNumbers(vtkFieldData* data, vtkIdType row, const std::string& name, double* values, int components)
 {
-/// Returns the components of a row as JSON numbers; null if the array is missing or a component is not finite.
-Json GetVector(vtkFieldData* data, vtkIdType row, const std::string& name, int components)
-{
+  std::fill_n(values, components, Unknown);
   vtkDataArray* array = data->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != components || row >= array->GetNumberOfTuples())
   {
-    return nullptr;
+    return;
   }
-  Json values = Json::array();
   for (int c = 0; c < components; ++c)
   {
-    const double value = array->GetComponent(row, c);
-    if (!std::isfinite(value))
-    {
-      return nullptr;
-    }
-    values.push_back(value);
+    values[c] = array->GetComponent(row, c);
   }
-  return values;
-}
-
-Json GetMatrix(vtkFieldData* data, vtkIdType row, const std::string& name)
-{
-  const Json values = GetVector(data, row, name, 9);
-  if (values.is_null())
+  if (!std::all_of(values, values + components, [](double value) { return std::isfinite(value); }))
   {
-    return values;
+    std::fill_n(values, components, Unknown);
   }
-  Json rows = Json::array();
-  for (int i = 0; i < 3; ++i)
-  {
-    rows.push_back({ values[3 * i], values[3 * i + 1], values[3 * i + 2] });
-  }
-  return rows;
-}
 }
 
-Json GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name)
+double GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name)
 {
-  const Json values = GetVector(data, row, name, 1);
-  return values.is_null() ? values : values[0];
+  double value;
+  ReadNumbers(data, row, name, &value, 1);
+  return value;
 }
 
-Json GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name)
+std::array<double, 3> GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name)
 {
-  return GetVector(data, row, name, 3);
+  std::array<double, 3> point;
+  ReadNumbers(data, row, name, point.data(), 3);
+  return point;
 }
 
-Json GetCount(vtkFieldData* data, vtkIdType row, const std::string& name)
+long long GetCount(vtkFieldData* data, vtkIdType row, const std::string& name)
 {
-  const Json value = GetNumber(data, row, name);
-  return value.is_null() ? value : Json(static_cast<long long>(value.get<double>()));
+  const double value = GetNumber(data, row, name);
+  return std::isnan(value) ? -1 : static_cast<long long>(value);
 }
 
 std::string GetText(vtkFieldData* data, vtkIdType row, const char* name)
@@ -76,102 +59,153 @@ std::string GetText(vtkFieldData* data, vtkIdType row, const char* name)
 
 namespace
 {
-/// Returns the centre of mass and the inertia in the frame of reference; null without one.
-Json GetInFrame(vtkFieldData* data, vtkIdType row)
+std::optional<bool> GetFlag(vtkFieldData* data, vtkIdType row, const char* name)
 {
-  if (!data->HasArray(names::VolumeInertiaInFrame))
-  {
-    return nullptr;
-  }
-  const std::string bound = names::BoundSuffix;
-  Json about;
-  about["center_of_mass"] = GetVector(data, row, names::CenterOfMassInFrame, 3);
-  about["inertia"] = GetMatrix(data, row, names::VolumeInertiaInFrame);
-  about["mass_center"] = GetVector(data, row, names::MassCenterInFrame, 3);
-  about["mass_inertia"] = GetMatrix(data, row, names::MassInertiaInFrame);
-  about["central_inertia"] = GetMatrix(data, row, names::CentralInertiaInFrame);
-  about["mass_central_inertia"] = GetMatrix(data, row, names::MassCentralInertiaInFrame);
-  about["bounds"]["central_inertia"] = GetNumber(data, row, names::CentralInertiaInFrame + bound);
-  about["bounds"]["mass_central_inertia"] = GetNumber(data, row, names::MassCentralInertiaInFrame + bound);
-  about["bounds"]["center_of_mass"] = GetNumber(data, row, names::CenterOfMassInFrame + bound);
-  about["bounds"]["inertia"] = GetNumber(data, row, names::VolumeInertiaInFrame + bound);
-  about["bounds"]["mass_center"] = GetNumber(data, row, names::MassCenterInFrame + bound);
-  about["bounds"]["mass_inertia"] = GetNumber(data, row, names::MassInertiaInFrame + bound);
+  const long long value = GetCount(data, row, name);
+  return value < 0 ? std::nullopt : std::optional(value != 0);
+}
+
+FrameQuantities ReadFrame(vtkFieldData* data, vtkIdType row)
+{
+  FrameQuantities about;
+  about.Center = GetQuantity<3>(data, row, names::CenterOfMassInFrame);
+  about.Inertia = GetQuantity<9>(data, row, names::VolumeInertiaInFrame);
+  about.MassCenter = GetQuantity<3>(data, row, names::MassCenterInFrame);
+  about.MassInertia = GetQuantity<9>(data, row, names::MassInertiaInFrame);
+  about.CentralInertia = GetQuantity<9>(data, row, names::CentralInertiaInFrame);
+  about.MassCentralInertia = GetQuantity<9>(data, row, names::MassCentralInertiaInFrame);
   return about;
 }
 
-/// Adds the quantities that depend on the density, radii of gyration, and the inertia about the origin and in the frame of reference.
-void AddMassQuantities(vtkFieldData* data, vtkIdType row, Json& q)
+void Visit(Fields& fields, FrameQuantities& about)
 {
-  const std::string bound = names::BoundSuffix;
-  const std::string material = GetText(data, row, names::Material);
-  q["density"] = GetNumber(data, row, names::Density);
-  q["material"] = material.empty() ? Json() : Json(material);
-  const Json shares = GetVector(data, row, names::MassUncertainty, 4);
-  q["mass_uncertainty"] = nullptr;
-  if (shares.is_array())
+  fields.Point("center_of_mass", about.Center.Value);
+  fields.Matrix("inertia", about.Inertia.Value);
+  fields.Point("mass_center", about.MassCenter.Value);
+  fields.Matrix("mass_inertia", about.MassInertia.Value);
+  fields.Matrix("central_inertia", about.CentralInertia.Value);
+  fields.Matrix("mass_central_inertia", about.MassCentralInertia.Value);
+  fields.Begin("bounds");
+  fields.Number("central_inertia", about.CentralInertia.Bound);
+  fields.Number("mass_central_inertia", about.MassCentralInertia.Bound);
+  fields.Number("center_of_mass", about.Center.Bound);
+  fields.Number("inertia", about.Inertia.Bound);
+  fields.Number("mass_center", about.MassCenter.Bound);
+  fields.Number("mass_inertia", about.MassInertia.Bound);
+  fields.End();
+}
+
+/// Visits four numbers as an object that does not exist if they are not known.
+void VisitFour(Fields& fields, const char* key, std::array<double, 4>& values, const char* const (&keys)[4])
+{
+  if (fields.Begin(key, !std::isnan(values[0])))
   {
-    q["mass_uncertainty"] = { { "total", shares[0] }, { "density", shares[1] }, { "gaps", shares[2] },
-      { "numerical", shares[3] } };
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      fields.Number(keys[i], values[i]);
+    }
+    fields.End();
   }
-  q["mass_center"] = GetVector(data, row, names::MassCenter, 3);
-  q["mass_inertia"] = GetMatrix(data, row, names::MassInertia);
-  q["mass_principal_moments"] = GetVector(data, row, names::MassPrincipalMoments, 3);
-  q["mass_principal_axes"] = GetMatrix(data, row, names::MassPrincipalAxes);
-  q["mass_radii_of_gyration"] = GetVector(data, row, names::MassRadiiOfGyration, 3);
-  q["radii_of_gyration"] = GetVector(data, row, names::RadiiOfGyration, 3);
-  q["inertia_at_origin"] = GetMatrix(data, row, names::VolumeInertiaAtOrigin);
-  q["bounds"]["mass_center"] = GetNumber(data, row, names::MassCenter + bound);
-  q["bounds"]["mass_inertia"] = GetNumber(data, row, names::MassInertia + bound);
-  q["bounds"]["mass_radii_of_gyration"] = GetNumber(data, row, names::MassRadiiOfGyration + bound);
-  q["bounds"]["radii_of_gyration"] = GetNumber(data, row, names::RadiiOfGyration + bound);
-  q["bounds"]["inertia_at_origin"] = GetNumber(data, row, names::VolumeInertiaAtOrigin + bound);
-  q["about"] = GetInFrame(data, row);
 }
 }
 
-Json GetQuantities(vtkFieldData* data, vtkIdType row)
+Quantities ReadQuantities(vtkFieldData* data, vtkIdType row)
 {
-  const std::string bound = names::BoundSuffix;
-  Json q;
-  q["volume"] = GetNumber(data, row, names::Volume);
-  q["area"] = GetNumber(data, row, names::SurfaceArea);
-  q["center_of_mass"] = GetVector(data, row, names::CenterOfMass, 3);
-  q["inertia"] = GetMatrix(data, row, names::VolumeInertia);
-  q["principal_moments"] = GetVector(data, row, names::PrincipalMoments, 3);
-  q["principal_axes"] = GetMatrix(data, row, names::PrincipalAxes);
-  const Json degenerate = GetCount(data, row, names::PrincipalAxesDegenerate);
-  q["principal_axes_degenerate"] = degenerate.is_null() ? degenerate : Json(degenerate != 0);
-  q["mass"] = GetNumber(data, row, names::Mass);
-  q["bounds"]["volume"] = GetNumber(data, row, names::Volume + bound);
-  q["bounds"]["area"] = GetNumber(data, row, names::SurfaceArea + bound);
-  q["bounds"]["center_of_mass"] = GetNumber(data, row, names::CenterOfMass + bound);
-  q["bounds"]["inertia"] = GetNumber(data, row, names::VolumeInertia + bound);
-  q["bounds"]["mass"] = GetNumber(data, row, names::Mass + bound);
-  q["closure_correction"] = GetNumber(data, row, names::ClosureCorrection);
-  q["gap_squared"] = GetNumber(data, row, names::GapSquared);
-  q["max_gap"] = GetNumber(data, row, names::MaxGap);
-  q["gap_area"] = GetNumber(data, row, names::GapArea);
-  q["open_edges"] = GetCount(data, row, names::OpenEdges);
-  q["closure_residual"] = GetNumber(data, row, names::ClosureResidual);
-  q["flipped_shells"] = GetCount(data, row, names::FlippedShells);
-  q["stability"] = nullptr;
-  const Json estimated = GetCount(data, row, names::BoundsEstimated);
-  const Json measured = GetVector(data, row, names::BoundsMeasured, 4);
-  q["bounds_measured"] = nullptr;
-  if (measured.is_array())
+  Quantities q;
+  q.Volume = GetQuantity<1>(data, row, names::Volume);
+  q.Area = GetQuantity<1>(data, row, names::SurfaceArea);
+  q.Mass = GetQuantity<1>(data, row, names::Mass);
+  q.Center = GetQuantity<3>(data, row, names::CenterOfMass);
+  q.MassCenter = GetQuantity<3>(data, row, names::MassCenter);
+  q.PrincipalMoments = GetQuantity<3>(data, row, names::PrincipalMoments);
+  q.MassPrincipalMoments = GetQuantity<3>(data, row, names::MassPrincipalMoments);
+  q.RadiiOfGyration = GetQuantity<3>(data, row, names::RadiiOfGyration);
+  q.MassRadiiOfGyration = GetQuantity<3>(data, row, names::MassRadiiOfGyration);
+  q.Inertia = GetQuantity<9>(data, row, names::VolumeInertia);
+  q.InertiaAtOrigin = GetQuantity<9>(data, row, names::VolumeInertiaAtOrigin);
+  q.MassInertia = GetQuantity<9>(data, row, names::MassInertia);
+  q.PrincipalAxes = GetQuantity<9>(data, row, names::PrincipalAxes);
+  q.MassPrincipalAxes = GetQuantity<9>(data, row, names::MassPrincipalAxes);
+  q.PrincipalAxesDegenerate = GetFlag(data, row, names::PrincipalAxesDegenerate);
+  q.BoundsEstimated = GetFlag(data, row, names::BoundsEstimated);
+  ReadNumbers(data, row, names::BoundsMeasured, q.BoundsMeasured.data(), 4);
+  ReadNumbers(data, row, names::MassUncertainty, q.MassUncertainty.data(), 4);
+  q.Density = GetNumber(data, row, names::Density);
+  q.Material = GetText(data, row, names::Material);
+  q.ClosureCorrection = GetNumber(data, row, names::ClosureCorrection);
+  q.ClosureResidual = GetNumber(data, row, names::ClosureResidual);
+  q.GapSquared = GetNumber(data, row, names::GapSquared);
+  q.MaxGap = GetNumber(data, row, names::MaxGap);
+  q.GapArea = GetNumber(data, row, names::GapArea);
+  q.OpenEdges = GetCount(data, row, names::OpenEdges);
+  q.FlippedShells = GetCount(data, row, names::FlippedShells);
+  if (data->HasArray(names::VolumeInertiaInFrame))
   {
-    q["bounds_measured"] = { { "volume", measured[0] }, { "area", measured[1] },
-      { "center_of_mass", measured[2] }, { "inertia", measured[3] } };
+    q.About = ReadFrame(data, row);
   }
-  q["bounds_estimated"] = estimated.is_null() ? estimated : Json(estimated != 0);
-  AddMassQuantities(data, row, q);
   return q;
 }
 
-void SetFileName(Json& entry, const std::string& name)
+void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
 {
-  entry["file"] = name;
-  entry["file_bytes"] = MakeUtf8(name) == name ? Json() : Json(PercentEncode(name));
+  fields.Number("volume", this->Volume);
+  fields.Number("area", this->Area);
+  fields.Point("center_of_mass", this->Center.Value);
+  fields.Matrix("inertia", this->Inertia.Value);
+  fields.Point("principal_moments", this->PrincipalMoments.Value);
+  fields.Matrix("principal_axes", this->PrincipalAxes.Value);
+  fields.Flag("principal_axes_degenerate", this->PrincipalAxesDegenerate);
+  fields.Number("mass", this->Mass);
+  fields.Begin("bounds");
+  fields.Number("volume", this->Volume.Bound);
+  fields.Number("area", this->Area.Bound);
+  fields.Number("center_of_mass", this->Center.Bound);
+  fields.Number("inertia", this->Inertia.Bound);
+  fields.Number("mass", this->Mass.Bound);
+  fields.Number("mass_center", this->MassCenter.Bound);
+  fields.Number("mass_inertia", this->MassInertia.Bound);
+  fields.Number("mass_radii_of_gyration", this->MassRadiiOfGyration.Bound);
+  fields.Number("radii_of_gyration", this->RadiiOfGyration.Bound);
+  fields.Number("inertia_at_origin", this->InertiaAtOrigin.Bound);
+  if (inBounds)
+  {
+    inBounds();
+  }
+  fields.End();
+  fields.Number("closure_correction", this->ClosureCorrection);
+  fields.Number("gap_squared", this->GapSquared);
+  fields.Number("max_gap", this->MaxGap);
+  fields.Number("gap_area", this->GapArea);
+  fields.Count("open_edges", this->OpenEdges);
+  fields.Number("closure_residual", this->ClosureResidual);
+  fields.Count("flipped_shells", this->FlippedShells);
+  fields.Begin("stability", false); // that of a solid is set by its analysis
+  VisitFour(
+    fields, "bounds_measured", this->BoundsMeasured, { "volume", "area", "center_of_mass", "inertia" });
+  fields.Flag("bounds_estimated", this->BoundsEstimated);
+  fields.Number("density", this->Density);
+  fields.Name("material", this->Material);
+  VisitFour(fields, "mass_uncertainty", this->MassUncertainty, { "total", "density", "gaps", "numerical" });
+  fields.Point("mass_center", this->MassCenter.Value);
+  fields.Matrix("mass_inertia", this->MassInertia.Value);
+  fields.Point("mass_principal_moments", this->MassPrincipalMoments.Value);
+  fields.Matrix("mass_principal_axes", this->MassPrincipalAxes.Value);
+  fields.Point("mass_radii_of_gyration", this->MassRadiiOfGyration.Value);
+  fields.Point("radii_of_gyration", this->RadiiOfGyration.Value);
+  fields.Matrix("inertia_at_origin", this->InertiaAtOrigin.Value);
+  if (fields.Begin("about", this->About.has_value()))
+  {
+    this->About = this->About.value_or(FrameQuantities());
+    sm::Visit(fields, *this->About);
+    fields.End();
+  }
+}
+
+void VisitFileName(Fields& fields, std::string& name)
+{
+  fields.Text("file", name);
+  std::optional<std::string> bytes =
+    MakeUtf8(name) == name ? std::nullopt : std::optional(PercentEncode(name));
+  fields.Text("file_bytes", bytes);
 }
 }

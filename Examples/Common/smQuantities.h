@@ -1,40 +1,76 @@
 /**
  * @file smQuantities.h
- * @brief The outputs of vtkMassPropertiesGPU as JSON
+ * @brief The outputs of vtkMassPropertiesGPU as typed results
  *
- * `data` is the field data of port 0 (row 0) or the columns of a table. A value that is missing or not finite is null.
+ * `data` is the field data of port 0 (row 0) or the columns of a table. A value that is missing or not finite is not known.
  */
 #ifndef smQuantities_h
 #define smQuantities_h
 
-#include "smJson.h"
+#include "smFields.h"
 
 #include "vtkType.h"
 
+#include <functional>
 #include <string>
 
 class vtkFieldData;
 
 namespace sm
 {
-Json GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name);
-/// Returns three numbers; null unless all are finite.
-Json GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name);
-/// Returns a whole number.
-Json GetCount(vtkFieldData* data, vtkIdType row, const std::string& name);
+/// Copies the components of a row; NaN in all of them if the array is missing, has another number of components, or one is not finite.
+void ReadNumbers(vtkFieldData* data, vtkIdType row, const std::string& name, double* values, int components);
+double GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name);
+std::array<double, 3> GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name);
+/// Returns a whole number; -1 if it is not known.
+long long GetCount(vtkFieldData* data, vtkIdType row, const std::string& name);
 /// Returns a text; empty if the array is missing.
 std::string GetText(vtkFieldData* data, vtkIdType row, const char* name);
+/// Returns the value of that name, and its bound.
+template <std::size_t N>
+Quantity<N> GetQuantity(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  Quantity<N> quantity;
+  ReadNumbers(data, row, name, quantity.Value.data(), static_cast<int>(N));
+  quantity.Bound = GetNumber(data, row, name + "Bound");
+  return quantity;
+}
 
-/// Returns the quantities of all solids together (field data of port 0) or of one solid (a row of port 1): volume, area, center_of_mass,
-/// inertia, principal_moments, principal_axes, principal_axes_degenerate, mass; bounds of volume, area, center_of_mass, inertia and
-/// mass; closure_correction, gap_squared, max_gap, gap_area, open_edges, closure_residual and flipped_shells; the error estimates of the
-/// paper's schemes; stability, null here; bounds_estimated; density, material, mass_center, mass_inertia, mass_principal_moments,
-/// mass_principal_axes, mass_radii_of_gyration, radii_of_gyration, inertia_at_origin and about, with bounds.
-Json GetQuantities(vtkFieldData* data, vtkIdType row);
+/// Centre of mass and inertia in a frame of reference.
+struct FrameQuantities
+{
+  VectorQuantity Center, MassCenter;
+  TensorQuantity Inertia, MassInertia, CentralInertia, MassCentralInertia;
+};
 
-/// Sets the keys "file" and "file_bytes" of `entry`. "file" is the name; Dump() replaces its bytes that are not UTF-8. When there are such
+/// The quantities of all solids together, or of one. The user guide has their meaning.
+struct Quantities
+{
+  ScalarQuantity Volume, Area, Mass;
+  VectorQuantity Center, MassCenter, PrincipalMoments, MassPrincipalMoments;
+  VectorQuantity RadiiOfGyration, MassRadiiOfGyration;
+  TensorQuantity Inertia, InertiaAtOrigin, MassInertia, PrincipalAxes, MassPrincipalAxes;
+  std::optional<bool> PrincipalAxesDegenerate, BoundsEstimated;
+  std::array<double, 4> BoundsMeasured{ Unknown, Unknown, Unknown,
+    Unknown }; ///< volume, area, centre, inertia
+  std::array<double, 4> MassUncertainty{ Unknown, Unknown, Unknown,
+    Unknown }; ///< sum, density, gaps, numerical
+  double Density = Unknown;
+  std::string Material;
+  double ClosureCorrection = Unknown, ClosureResidual = Unknown;
+  double GapSquared = Unknown, MaxGap = Unknown, GapArea = Unknown;
+  long long OpenEdges = -1, FlippedShells = -1;
+  std::optional<FrameQuantities> About;
+
+  /// Visits all members; `inBounds` visits further bounds, the last of "bounds".
+  void Visit(Fields& fields, const std::function<void()>& inBounds = {});
+};
+
+Quantities ReadQuantities(vtkFieldData* data, vtkIdType row);
+
+/// Sets the keys "file" and "file_bytes". "file" is the name; Dump() replaces its bytes that are not UTF-8. When there are such
 /// bytes, "file_bytes" is the percent-encoded name, which gives them back; otherwise it is null.
-void SetFileName(Json& entry, const std::string& name);
+void VisitFileName(Fields& fields, std::string& name);
 }
 
 #endif

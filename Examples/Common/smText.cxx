@@ -37,6 +37,11 @@ std::vector<double> ParseNumbers(const std::string& text)
   return numbers;
 }
 
+std::string FormatExact(double number)
+{
+  return Dump(Json(number));
+}
+
 std::string LowerCase(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),

@@ -15,6 +15,9 @@ double ParseNumber(const std::string& text);
 /// Returns the numbers of a list such as "1,2.5,-3"; empty if one of them is not a number.
 std::vector<double> ParseNumbers(const std::string& text);
 
+/// Returns the number in the shortest form that reads back to the same bits, with a decimal point: "22160.0", "1e-09".
+std::string FormatExact(double number);
+
 /// Returns the text in lower case; letters beyond ASCII are not changed.
 std::string LowerCase(std::string text);
 /// Returns the text without blanks and line ends at its end.

@@ -3,6 +3,7 @@
 #include "smEditScene.h"
 #include "smEditStyle.h"
 #include "smEventPlayer.h"
+#include "smJsonFields.h"
 #include "smOptions.h"
 #include "smQuantities.h"
 #include "smText.h"
@@ -137,16 +138,23 @@ Json Summarize(const std::vector<sm::UpdateTimes>& times, double (*get)(const sm
   return { { "best", values.front() }, { "median", values[values.size() / 2] }, { "worst", values.back() } };
 }
 
+Json GetQuantities(vtkFieldData* fields)
+{
+  sm::Quantities quantities = sm::ReadQuantities(fields, 0);
+  return sm::WriteJsonFields([&quantities](sm::Fields& members) { quantities.Visit(members); });
+}
+
 Json Describe(const Arguments& arguments, const Json& first, sm::EditScene& scene)
 {
   vtkMassPropertiesGPU* mass = scene.GetMass();
   vtkFieldData* fields = mass->GetOutput()->GetFieldData();
   const std::vector<sm::UpdateTimes>& times = scene.GetTimes();
   Json result{ { "version", 2 } };
-  sm::SetFileName(result, arguments.File);
+  std::string name = arguments.File;
+  result.update(sm::WriteJsonFields([&name](sm::Fields& members) { sm::VisitFileName(members, name); }));
   result.update({ { "length_unit", sm::GetText(fields, 0, sm::names::LengthUnit) },
     { "status", mass->GetStatus() }, { "backend", mass->GetBackendName() },
-    { "renderer", mass->GetRenderer() }, { "first", first }, { "last", sm::GetQuantities(fields, 0) },
+    { "renderer", mass->GetRenderer() }, { "first", first }, { "last", GetQuantities(fields) },
     { "opened", Json::array() }, { "faces", mass->GetNumberOfFaces() }, { "updates", times.size() - 1 } });
   for (int body = 0; body < scene.GetPart().GetNumberOfBodies(); ++body)
   {
@@ -257,7 +265,7 @@ int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* wind
   interactor->SetInteractorStyle(style);
   interactor->Initialize();
   scene.Draw();
-  const Json first = sm::GetQuantities(scene.GetMass()->GetOutput()->GetFieldData(), 0);
+  const Json first = GetQuantities(scene.GetMass()->GetOutput()->GetFieldData());
   const vtkSmartPointer<vtkImageData> before = sm::GrabImage(window);
   LastPicture last(window, interactor);
   if (!arguments.Play.empty())

@@ -1,14 +1,12 @@
 // solidmoments: mass properties of STEP and BREP files, integrated on the GPU.
 
 #include "smArguments.h"
-#include "smComparison.h"
 #include "smComparisonTable.h"
 #include "smInputFile.h"
 #include "smJobQueue.h"
 #include "smOutputFiles.h"
-#include "smProductShapes.h"
-#include "smReport.h"
 #include "smReportFiles.h"
+#include "smStabilityAnalysis.h"
 #include "smUrdf.h"
 
 #include <algorithm>
@@ -78,12 +76,12 @@ int Combine(int a, int b)
 }
 
 /// Returns the message with the reason why nothing was computed, otherwise the last message.
-std::string FindReason(const sm::Json& file)
+std::string FindReason(const sm::FileResult& file)
 {
   std::string reason;
-  for (const sm::Json& message : file["messages"])
+  for (const std::string& message : file.Messages)
   {
-    reason = message.get<std::string>();
+    reason = message;
     if (reason.rfind("nothing was computed: ", 0) == 0)
     {
       break;
@@ -93,53 +91,50 @@ std::string FindReason(const sm::Json& file)
 }
 
 /// Describes a status that is not ok by the first message, or by the one about bounds if these are what is wrong.
-std::string DescribeStatus(const sm::Json& file)
+std::string DescribeStatus(const sm::FileResult& file)
 {
-  const std::string status = file["status"].get<std::string>();
-  const sm::Json& messages = file["messages"];
-  std::string said = messages.empty() ? std::string() : messages.front().get<std::string>();
-  for (const sm::Json& message : messages)
+  std::string said = file.Messages.empty() ? std::string() : file.Messages.front();
+  for (const std::string& message : file.Messages)
   {
-    const std::string text = message.get<std::string>();
-    said =
-      status == "tolerance-not-met" && text.find("above the tolerance") != std::string::npos ? text : said;
+    said = file.Status == "tolerance-not-met" && message.find("above the tolerance") != std::string::npos
+      ? message
+      : said;
   }
-  return "is " + status + (said.empty() ? "" : ": " + said) +
-    (messages.size() < 2 ? "" : " (one of " + std::to_string(messages.size()) + " messages)");
+  return "is " + file.Status + (said.empty() ? "" : ": " + said) +
+    (file.Messages.size() < 2 ? "" : " (one of " + std::to_string(file.Messages.size()) + " messages)");
 }
 
 /// Describes what fails of a file that can be read, by the statuses and the requirements of the user; empty if nothing does.
-std::string FindFailures(const sm::Json& file, const sm::Arguments& arguments)
+std::string FindFailures(const sm::FileResult& file, const sm::Arguments& arguments)
 {
-  const sm::Json& total = file["total"];
   const auto has = [](const std::vector<std::string>& list, const std::string& word)
   { return std::find(list.begin(), list.end(), word) != list.end(); };
   std::string failures;
   const auto add = [&failures](bool fails, const std::string& text) {
     failures += !fails ? "" : failures.empty() ? text : ", and " + text;
   };
-  const bool isStable = total["stability"].is_object() && total["stability"]["verdict"] == "stable";
+  const auto* stability = file.Total.Analyses.Find<sm::StabilityResult>();
+  const bool isStable = stability && stability->Verdict == "stable";
   add(has(arguments.Require, "stable") && !isStable, "is not stable");
-  add(has(arguments.Require, "mass") && total["mass"].is_null(), "has no mass");
+  add(has(arguments.Require, "mass") && !file.Total.Mass.IsKnown(), "has no mass");
   add(has(arguments.Require, "validation") && sm::CountValidation(file, "fail") > 0,
     "has other values than it states");
-  add(sm::GetExitStatus(file) == sm::Flagged && has(arguments.FailOn, file["status"].get<std::string>()),
-    DescribeStatus(file));
+  add(sm::GetExitStatus(file) == sm::Flagged && has(arguments.FailOn, file.Status), DescribeStatus(file));
   return failures;
 }
 
 /// Returns the exit status of a finished file.
-int Judge(const sm::Json& file, const std::string& failures)
+int Judge(const sm::FileResult& file, const std::string& failures)
 {
   const int byStatus = sm::GetExitStatus(file);
   return byStatus == sm::Unreadable ? byStatus : failures.empty() ? sm::AllOk : sm::Flagged;
 }
 
 /// Colours the status in a table green, or red if it is not ok, for a terminal unless NO_COLOR is set.
-std::string ColorStatus(std::string table, const sm::Json& file)
+std::string ColorStatus(std::string table, const sm::FileResult& file)
 {
   const char* const off = std::getenv("NO_COLOR");
-  const std::string status = file["status"].get<std::string>();
+  const std::string& status = file.Status;
   const size_t at = table.find('\n');
   if (!isatty(STDOUT_FILENO) || (off && *off) || at == std::string::npos || at < status.size())
   {
@@ -150,47 +145,46 @@ std::string ColorStatus(std::string table, const sm::Json& file)
 }
 
 /// Prints the table of a finished file or, without tables, the reason why the file has no results, or what fails.
-void Print(const sm::Json& file, const std::string& failures, bool showTable, bool isFirst)
+void Print(const sm::FileResult& file, const std::string& failures, bool showTable, bool isFirst)
 {
   if (showTable)
   {
     std::cout << (isFirst ? "" : "\n") << ColorStatus(sm::FormatTable(file), file) << std::flush;
   }
-  else if (file["total"]["area"].is_null())
+  else if (!file.Total.Area.IsKnown())
   {
     const std::string reason = FindReason(file);
-    sm::Complain(file["file"].get<std::string>() + " is " + file["status"].get<std::string>() +
-      (reason.empty() ? "" : ": " + reason));
+    sm::Complain(file.File + " is " + file.Status + (reason.empty() ? "" : ": " + reason));
   }
   else if (!failures.empty())
   {
-    sm::Complain(file["file"].get<std::string>() + " " + failures);
+    sm::Complain(file.File + " " + failures);
   }
 }
 
 /// Adds a failed output of a job to the messages of its file and to the exit status.
-void ReportFailure(const std::string& message, sm::Json& file, int& exitStatus)
+void ReportFailure(const std::string& message, sm::FileResult& file, int& exitStatus)
 {
-  file["messages"].push_back(message);
+  file.Messages.push_back(message);
   exitStatus = Combine(exitStatus, sm::Complain(message));
 }
 
 /// Returns the entry of a finished file, with messages about missing outputs.
-sm::Json TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& exitStatus)
+sm::FileResult TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& exitStatus)
 {
   if (!outcome.TextureError.empty())
   {
-    ReportFailure("trim textures are missing: " + outcome.TextureError, outcome.File, exitStatus);
+    ReportFailure("trim textures are missing: " + outcome.TextureError, *outcome.File, exitStatus);
   }
   if (!outcome.MeshError.empty())
   {
-    ReportFailure("no mesh " + job.MeshName + ": " + outcome.MeshError, outcome.File, exitStatus);
+    ReportFailure("no mesh " + job.MeshName + ": " + outcome.MeshError, *outcome.File, exitStatus);
   }
   if (!outcome.PictureError.empty())
   {
-    ReportFailure("no picture " + job.PictureName + ": " + outcome.PictureError, outcome.File, exitStatus);
+    ReportFailure("no picture " + job.PictureName + ": " + outcome.PictureError, *outcome.File, exitStatus);
   }
-  return std::move(outcome.File);
+  return std::move(*outcome.File);
 }
 
 /// The job of each file.
@@ -224,14 +218,15 @@ void IgnoreWriteSignals(const sm::Arguments& arguments)
   }
 }
 
-/// Compares two finished files, whose entries still have their shapes, and prints the table. Returns the comparison; null where there
-/// is nothing to compare.
-sm::Json Compare(const std::vector<sm::Json>& files, double limit, bool showTable, int& exitStatus)
+/// Compares two finished files, which still have their shapes, and prints the table. Returns the comparison; none where there is nothing
+/// to compare.
+std::optional<sm::ProductDifference> Compare(
+  const std::vector<sm::FileResult>& files, double limit, bool showTable, int& exitStatus)
 {
   const bool areRead = files.size() == 2 &&
     std::all_of(
-      files.begin(), files.end(), [](const sm::Json& file) { return file.contains(sm::ShapesKey); });
-  sm::Json comparison;
+      files.begin(), files.end(), [](const sm::FileResult& file) { return file.Shapes.has_value(); });
+  std::optional<sm::ProductDifference> comparison;
   if (areRead)
   {
     comparison = sm::CompareProducts(files[0], files[1], limit, []() { return !sm::IsInterrupted(); });
@@ -240,7 +235,7 @@ sm::Json Compare(const std::vector<sm::Json>& files, double limit, bool showTabl
   {
     return comparison;
   }
-  if (!areRead || comparison["equal"] != true)
+  if (!comparison || !comparison->IsEqual)
   {
     exitStatus = Combine(exitStatus, areRead ? sm::Different : sm::Flagged);
   }
@@ -252,7 +247,8 @@ sm::Json Compare(const std::vector<sm::Json>& files, double limit, bool showTabl
 }
 
 /// Draws the comparison in another process, which reads both files again. Returns an exit status.
-int DrawCompared(const sm::Arguments& arguments, const sm::Json& comparison, ProgressLine& progress)
+int DrawCompared(
+  const sm::Arguments& arguments, const sm::ProductDifference& comparison, ProgressLine& progress)
 {
   const sm::InputFile before(arguments.Files[0]);
   sm::JobOptions job = arguments.Job;
@@ -265,11 +261,11 @@ int DrawCompared(const sm::Arguments& arguments, const sm::Json& comparison, Pro
     { progress.Show("picture", stage, fraction); });
   const sm::JobOutcome outcome = queue.Next();
   progress.Clear();
-  const std::string problem = outcome.File.is_null() ? "interrupted"
-    : !before.GetError().empty()                     ? before.GetError()
-    : !outcome.PictureError.empty()                  ? outcome.PictureError
-    : outcome.File["status"] == "ok"                 ? std::string()
-                                                     : FindReason(outcome.File);
+  const std::string problem = !outcome.File ? "interrupted"
+    : !before.GetError().empty()            ? before.GetError()
+    : !outcome.PictureError.empty()         ? outcome.PictureError
+    : outcome.File->Status == "ok"          ? std::string()
+                                            : FindReason(*outcome.File);
   return problem.empty() ? sm::AllOk : sm::Complain("no picture " + job.PictureName + ": " + problem);
 }
 
@@ -281,7 +277,7 @@ int Run(const sm::Arguments& arguments, double processStart)
   const std::string count = std::to_string(jobs.size());
   ProgressLine progress(!arguments.Quiet);
   sm::ReportFiles reports(arguments, processStart);
-  std::vector<sm::Json> compared;
+  std::vector<sm::FileResult> compared;
   int exitStatus = sm::AllOk;
   IgnoreWriteSignals(arguments);
   sm::CatchInterrupt();
@@ -295,17 +291,17 @@ int Run(const sm::Arguments& arguments, double processStart)
   {
     sm::JobOutcome outcome = queue.Next();
     progress.Clear();
-    if (outcome.File.is_null())
+    if (!outcome.File)
     {
       // This job was interrupted; later ones may be finished.
       continue;
     }
-    sm::Json file = TakeFile(std::move(outcome), jobs[i], exitStatus);
+    sm::FileResult file = TakeFile(std::move(outcome), jobs[i], exitStatus);
     std::string failures = FindFailures(file, arguments);
     const std::string urdfProblem = arguments.Urdf.empty() ? std::string() : sm::FindUrdfProblem(file);
     if (!urdfProblem.empty())
     {
-      file["messages"].push_back("no inertial block: " + urdfProblem);
+      file.Messages.push_back("no inertial block: " + urdfProblem);
       failures += (failures.empty() ? "" : ", and ") + ("has no inertial block: " + urdfProblem);
     }
     exitStatus = Combine(exitStatus, Judge(file, failures));
@@ -316,7 +312,7 @@ int Run(const sm::Arguments& arguments, double processStart)
     if (arguments.Compare)
     {
       compared.push_back(file);
-      file.erase(sm::ShapesKey);
+      file.Shapes.reset();
     }
     const bool isFirst = reports.GetNumberOfFiles() == 0;
     Print(reports.Add(std::move(file)), showTable ? std::string() : failures, showTable && !arguments.Compare,
@@ -324,11 +320,12 @@ int Run(const sm::Arguments& arguments, double processStart)
   }
   if (arguments.Compare)
   {
-    const sm::Json comparison = Compare(compared, arguments.CompareLimit, showTable, exitStatus);
+    const std::optional<sm::ProductDifference> comparison =
+      Compare(compared, arguments.CompareLimit, showTable, exitStatus);
     reports.SetComparison(comparison);
-    if (!arguments.Picture.empty() && !comparison.is_null() && !sm::IsInterrupted())
+    if (!arguments.Picture.empty() && comparison && !sm::IsInterrupted())
     {
-      exitStatus = Combine(exitStatus, DrawCompared(arguments, comparison, progress));
+      exitStatus = Combine(exitStatus, DrawCompared(arguments, *comparison, progress));
     }
   }
   if ((showTable || !arguments.Print.empty()) && !std::cout)

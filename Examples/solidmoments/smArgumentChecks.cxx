@@ -1,33 +1,15 @@
 #include "smArgumentChecks.h"
 
-#include "smFileJob.h"
 #include "smMaterialFile.h"
 #include "smOptionValues.h"
 #include "smText.h"
-#include "smUserIntegrals.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
 namespace sm
 {
-std::string CheckScheme(const std::string& name)
-{
-  const std::set<std::string> known = { "adaptive", "midpoint", "gauss2", "gauss3" };
-  return known.count(LowerCase(name))
-    ? ""
-    : "there is no scheme " + name + "; use adaptive, midpoint, gauss2 or gauss3";
-}
-
-std::string CheckDeviation(const std::string& name)
-{
-  return name == "bounded" || name == "sampled"
-    ? ""
-    : "there is no deviation " + name + "; use bounded or sampled";
-}
-
 std::string CheckBackend(const std::string& name)
 {
   const bool known = name == "auto" || name == "opengl" || name == "cpu" || name == "egl" || name == "x";
@@ -89,12 +71,6 @@ std::string CheckFactor(const std::string& what, int most, const std::string& te
     : "the number of " + what + " must be a whole number from 1 to " + std::to_string(most);
 }
 
-std::string CheckChord(const std::string& text)
-{
-  const double value = ParseNumber(text);
-  return value > 0.0 && value < 1.0 ? "" : "the chord tolerance must be a number above 0 and below 1";
-}
-
 std::string CheckEvaluations(const std::string& text)
 {
   const double value = ParseNumber(text);
@@ -105,44 +81,6 @@ std::string CheckSeconds(const std::string& text)
 {
   const double value = ParseNumber(text);
   return value >= 0.0 && value < 1e300 ? "" : "the seconds must be a number that is not negative";
-}
-
-std::string CheckDegree(const std::string& text)
-{
-  const double value = ParseNumber(text);
-  return value >= 0.0 && value <= LargestMomentDegree && value == std::floor(value)
-    ? ""
-    : "the degree of moments must be a whole number from 0 to " + std::to_string(LargestMomentDegree);
-}
-
-std::string CheckIntegral(const std::string& text)
-{
-  std::string name;
-  std::string expression;
-  return ParseIntegral(text, name, expression)
-    ? ""
-    : text + " is not an integral; write NAME=EXPRESSION, for example 'area=dA'";
-}
-
-std::string CheckHeight(const std::string& text)
-{
-  return std::isfinite(ParseNumber(text)) ? "" : "the height of a waterline must be a finite number";
-}
-
-std::string CheckDirection(const std::string& text)
-{
-  std::array<double, 3> direction;
-  return ParseDirection(text, direction)
-    ? ""
-    : text + " is not a direction; write x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
-}
-
-std::string CheckPlane(const std::string& text)
-{
-  std::array<double, 6> plane;
-  return ParsePlane(text, plane)
-    ? ""
-    : text + " is no plane; write a point and a normal that is not 0, six numbers such as 0,0,5,0,0,1";
 }
 
 std::string CheckDensity(const std::string& text)

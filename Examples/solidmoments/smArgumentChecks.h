@@ -10,8 +10,6 @@
 
 namespace sm
 {
-std::string CheckScheme(const std::string& name);
-std::string CheckDeviation(const std::string& name);
 std::string CheckBackend(const std::string& name);
 std::string CheckRepair(const std::string& word);
 std::string CheckUnit(const std::string& name);
@@ -21,14 +19,8 @@ std::string CheckGapLimit(const std::string& text);
 std::string CheckValidationLimit(const std::string& text);
 std::string CheckQuantityTolerance(const std::string& text);
 std::string CheckFactor(const std::string& what, int most, const std::string& text);
-std::string CheckChord(const std::string& text);
 std::string CheckEvaluations(const std::string& text);
 std::string CheckSeconds(const std::string& text);
-std::string CheckDegree(const std::string& text);
-std::string CheckIntegral(const std::string& text);
-std::string CheckHeight(const std::string& text);
-std::string CheckDirection(const std::string& text);
-std::string CheckPlane(const std::string& text);
 std::string CheckDensity(const std::string& text);
 std::string CheckShare(const std::string& text);
 std::string CheckFrame(const std::string& text);

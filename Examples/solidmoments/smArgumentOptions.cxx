@@ -1,10 +1,6 @@
 #include "smArgumentOptions.h"
 
 #include "smArgumentChecks.h"
-#include "smOptionValues.h"
-
-#include <algorithm>
-#include <iterator>
 
 namespace
 {
@@ -127,7 +123,7 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->check(sm::CheckBackend);
 }
 
-/// Declares the options of densities and of the frame of reference.
+/// Declares the options of densities.
 void DeclareMass(CLI::App& app, sm::Arguments& arguments)
 {
   app.option_defaults()->group("Materials and frame");
@@ -150,14 +146,6 @@ void DeclareMass(CLI::App& app, sm::Arguments& arguments)
     "of\n--list-materials");
   app.add_flag(
     "--list-materials", arguments.ListMaterials, "Print the common materials with their densities, and end");
-  app.add_flag("--box", arguments.Job.Box,
-    "Bounding boxes of the trimmed surfaces, with a bound; takes time for large parts");
-  app
-    .add_option("--about", arguments.About,
-      "Inertia and centre of mass in another frame, too: origin, a point X,Y,Z,\n"
-      "or nine numbers: a point, the direction of the z axis, that of the x axis")
-    ->type_name("FRAME")
-    ->check(sm::CheckFrame);
 }
 
 /// Declares the options of the product structure.
@@ -213,120 +201,15 @@ void DeclareValidation(CLI::App& app, sm::Arguments& arguments)
     "products, where it does not state them; all other bytes stay as they are");
 }
 
-/// Declares the options of further integrals.
-void DeclareIntegrals(CLI::App& app, sm::Arguments& arguments)
+void DeclareFrame(CLI::App& app, sm::Arguments& arguments)
 {
-  app.option_defaults()->group("Other integrals");
+  app.option_defaults()->group("Materials and frame");
   app
-    .add_option("--moments", arguments.Job.MomentDegree,
-      "Integrals of x^i y^j z^k over the volume, i + j + k up to DEGREE:\n"
-      "moment_i_j_k")
-    ->type_name("DEGREE")
-    ->check(sm::CheckDegree);
-  app
-    .add_option("--integral", arguments.Job.Integrals,
-      "Integral over the faces of an expression (GLSL) of position, normal (of\n"
-      "the length of the area element dA), unitNormal, u, v, du, dv, duu, duv,\n"
-      "dvv, meanCurvature, gaussianCurvature; with OpenGL only; may be given\n"
-      "several times: --integral 'willmore=pow(meanCurvature, 2) * dA'")
-    ->type_name("NAME=EXPR")
-    ->check(sm::CheckIntegral)
-    ->take_all()
-    ->allow_extra_args(false);
-}
-
-void DeclareWaterlines(CLI::App& app, sm::Arguments& arguments)
-{
-  app.option_defaults()->group("Buoyancy");
-  app
-    .add_option_function<std::vector<std::string>>(
-      "--waterline",
-      [&heights = arguments.Job.Waterlines](const std::vector<std::string>& texts)
-      { std::transform(texts.begin(), texts.end(), std::back_inserter(heights), sm::ParseNumber); },
-      "Volume below a waterline, and its centre, the centre of buoyancy: the\n"
-      "plane at HEIGHT along --up from the origin, in the unit of the results;\n"
-      "may be given several times")
-    ->type_name("HEIGHT")
-    ->check(sm::CheckHeight)
-    ->take_all()
-    ->allow_extra_args(false);
-  app.add_option("--up", arguments.Up, "Upward normal of the waterlines, of any length (default 0,0,1)")
-    ->type_name("X,Y,Z")
-    ->check(sm::CheckDirection);
-}
-
-void DeclareSections(CLI::App& app, sm::Arguments& arguments)
-{
-  app.option_defaults()->group("Sections");
-  app
-    .add_option_function<std::vector<std::string>>(
-      "--section",
-      [&planes = arguments.Job.Sections](const std::vector<std::string>& texts)
-      {
-        for (const std::string& text : texts)
-        {
-          sm::ParsePlane(text, planes.emplace_back());
-        }
-      },
-      "Section with the plane through the point X,Y,Z, in the unit of the\n"
-      "results, with the normal NX,NY,NZ: its area, centroid and second moments,\n"
-      "and volume, centre and mass on either side; may be given several times")
-    ->type_name("X,Y,Z,NX,NY,NZ")
-    ->check(sm::CheckPlane)
-    ->take_all()
-    ->allow_extra_args(false);
-}
-
-void DeclareStability(CLI::App& app, sm::Arguments& arguments)
-{
-  app.option_defaults()->group("Static stability");
-  app
-    .add_option("--stability", arguments.Job.Stability,
-      "Static stability of the part, resting on its lowest points, under gravity\n"
-      "along DIR, x, y, z, +x .. -z or three numbers: the stability margin\n"
-      "(signed distance from the projected centre of mass to the nearest edge\n"
-      "of the support polygon), tip angle and rise of the centre of mass before\n"
-      "tipping, with bounds; for all solids as one body, and for each alone:\n"
-      "--stability -z")
-    ->type_name("DIR")
-    ->check(sm::CheckDirection)
-    ->expected(1);
-}
-
-/// Declares the schemes of the paper and their options.
-void DeclareSchemes(CLI::App& app, sm::Arguments& arguments)
-{
-  app.option_defaults()->group("Schemes of the paper");
-  sm::JobOptions& job = arguments.Job;
-  app
-    .add_option("--scheme", job.Scheme,
-      "adaptive (default): to the tolerance, with bounds; midpoint, gauss2 or\n"
-      "gauss3: those of \"Accurate Moment Computation Using the GPU\", for\n"
-      "comparison, with the paper's estimate of the error and without a bound")
-    ->type_name("NAME")
-    ->check(sm::CheckScheme);
-  app
-    .add_option(
-      "--subpatches", job.SubPatches, "Paper's schemes: K x K sub-patches per knot interval (default 2)")
-    ->type_name("K")
-    ->check([](const std::string& text) { return sm::CheckFactor("sub-patches", 1024, text); });
-  app
-    .add_option("--trim-texture", job.TrimTexture, "Paper's schemes: M x M texels per sub-patch (default 4)")
-    ->type_name("M")
-    ->check([](const std::string& text) { return sm::CheckFactor("texels", 16, text); });
-  sm::AddNumberOption(app, "--chord", job.ChordTolerance,
-    "Paper's schemes: largest distance of the chords of planar faces' trim\n"
-    "curves from these, relative to the size of the solid (default 1e-8)")
-    ->check(sm::CheckChord);
-  app
-    .add_option("--deviation", job.Deviation,
-      "Paper's schemes: how the error estimate finds the deviation of a\n"
-      "sub-patch: bounded (default), or sampled")
-    ->type_name("NAME")
-    ->check(sm::CheckDeviation);
-  sm::AddFileOption(app, "--trim-textures", arguments.TextureFolder,
-    "Write the trim textures of the paper's schemes to FOLDER, a PNG per face")
-    ->type_name("FOLDER");
+    .add_option("--about", arguments.About,
+      "Inertia and centre of mass in another frame, too: origin, a point X,Y,Z,\n"
+      "or nine numbers: a point, the direction of the z axis, that of the x axis")
+    ->type_name("FRAME")
+    ->check(sm::CheckFrame);
 }
 }
 
@@ -342,10 +225,11 @@ void DeclareOptions(CLI::App& app, Arguments& arguments)
   DeclareProducts(app, arguments);
   DeclareComparison(app, arguments);
   DeclareValidation(app, arguments);
-  DeclareIntegrals(app, arguments);
-  DeclareWaterlines(app, arguments);
-  DeclareSections(app, arguments);
-  DeclareStability(app, arguments);
-  DeclareSchemes(app, arguments);
+  for (const std::shared_ptr<Analysis>& analysis : arguments.Job.Analyses)
+  {
+    analysis->Declare(app);
+  }
+  DeclareFrame(app, arguments);
+  arguments.Job.Scheme.Declare(app);
 }
 }

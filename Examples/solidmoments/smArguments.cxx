@@ -9,8 +9,6 @@
 #include "smOptionValues.h"
 #include "smOutputFiles.h"
 #include "smReport.h"
-#include "smUserExpression.h"
-#include "smUserIntegrals.h"
 #include "smVersion.h"
 
 #include <algorithm>
@@ -69,60 +67,15 @@ std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
   return {};
 }
 
-/// Returns an error message about an option whose module is not built into this program; empty otherwise.
-std::string FindMissingModule(const CLI::App& app, const sm::Arguments& arguments)
+/// Returns an error message about an analysis that this build is without; empty otherwise.
+std::string FindMissingModule(const sm::Arguments& arguments)
 {
-  const auto say = [](const char* option, const char* module)
-  { return std::string(option) + " needs a build with " + module + "=ON: this one is without"; };
-#ifndef SM_HAS_BUOYANCY
-  if (app.count("--waterline") > 0)
+  for (const std::shared_ptr<sm::Analysis>& analysis : arguments.Job.Analyses)
   {
-    return say("--waterline", "SOLIDMOMENTS_ENABLE_BUOYANCY");
-  }
-#endif
-#ifndef SM_HAS_SECTION
-  if (app.count("--section") > 0)
-  {
-    return say("--section", "SOLIDMOMENTS_ENABLE_SECTION");
-  }
-#endif
-#ifndef SM_HAS_STABILITY
-  if (app.count("--box") > 0)
-  {
-    return say("--box", "SOLIDMOMENTS_ENABLE_STABILITY");
-  }
-  if (app.count("--stability") > 0)
-  {
-    return say("--stability", "SOLIDMOMENTS_ENABLE_STABILITY");
-  }
-#endif
-#ifndef SM_HAS_MOMENT_SCHEMES
-  if (arguments.Job.Scheme != "adaptive")
-  {
-    return say("--scheme", "SOLIDMOMENTS_ENABLE_MOMENT_SCHEMES");
-  }
-#endif
-  (void)app;
-  (void)arguments;
-  (void)say;
-  return {};
-}
-
-/// Returns an error message if an option does not belong to the scheme; empty otherwise.
-std::string FindForeignOption(const CLI::App& app, const sm::Arguments& arguments)
-{
-  for (const char* option : { "--subpatches", "--trim-texture", "--chord", "--deviation", "--trim-textures" })
-  {
-    if (app.count(option) > 0 && arguments.Job.Scheme == "adaptive")
+    if (analysis->IsWanted() && analysis->GetMissingModule())
     {
-      return std::string(option) + " is for the paper's schemes: add --scheme midpoint, gauss2 or gauss3";
-    }
-  }
-  for (const char* option : { "--tolerance", "--tolerance-of" })
-  {
-    if (app.count(option) > 0 && arguments.Job.Scheme != "adaptive")
-    {
-      return std::string(option) + " is for --scheme adaptive: the paper's schemes have no tolerance";
+      return std::string(analysis->GetOption()) + " needs a build with " + analysis->GetMissingModule() +
+        "=ON: this one is without";
     }
   }
   return {};
@@ -162,8 +115,7 @@ std::string FindWrongComparison(const CLI::App& app, const sm::Arguments& argume
 /// computed; empty otherwise.
 std::string FindWrongRequest(const CLI::App& app, const sm::Arguments& arguments)
 {
-  const sm::Json file = sm::UnreadableFile(arguments.Job, "");
-  const std::vector<std::string> known = sm::ListColumns(file);
+  const std::vector<std::string> known = sm::ListColumns(sm::FileResult(arguments.Job));
   for (const std::vector<std::string>& columns : { arguments.Print, arguments.Fields })
   {
     for (const std::string& column : columns)
@@ -175,20 +127,13 @@ std::string FindWrongRequest(const CLI::App& app, const sm::Arguments& arguments
       }
     }
   }
-  for (const std::string& text : arguments.Job.Integrals)
-  {
-    std::string name;
-    std::string expression;
-    sm::ParseIntegral(text, name, expression);
-    const std::string error = sm::UserExpression(expression, {}).GetError();
-    if (!error.empty())
-    {
-      return "the integral " + name + " cannot be computed: " + error;
-    }
-  }
   const auto wants = [&arguments](const char* word)
   { return std::find(arguments.Require.begin(), arguments.Require.end(), word) != arguments.Require.end(); };
-  if (wants("stable") && arguments.Job.Stability.empty())
+  const sm::AnalysisList& analyses = arguments.Job.Analyses;
+  const bool hasStability = std::any_of(analyses.begin(), analyses.end(),
+    [](const auto& analysis)
+    { return analysis->GetKey() == std::string("stability") && analysis->IsWanted(); });
+  if (wants("stable") && !hasStability)
   {
     return "--require stable is for --stability: add the direction of gravity, for example -z";
   }
@@ -298,22 +243,21 @@ std::string TakeMass(sm::Arguments& arguments)
 /// Returns an error message if arguments contradict each other; empty otherwise.
 std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
 {
-  for (const std::string& problem : { FindEmptyName(app, arguments), FindMissingModule(app, arguments),
-         FindForeignOption(app, arguments), FindWrongComparison(app, arguments) })
+  for (const std::string& problem : { FindEmptyName(app, arguments), FindMissingModule(arguments),
+         arguments.Job.Scheme.FindProblem(app), FindWrongComparison(app, arguments) })
   {
     if (!problem.empty())
     {
       return problem;
     }
   }
-  const std::string clash = sm::FindClash(arguments.Job);
-  if (!clash.empty())
+  for (const std::shared_ptr<sm::Analysis>& analysis : arguments.Job.Analyses)
   {
-    return "two results would be called " + clash + ": give an integral another name";
-  }
-  if (app.count("--up") > 0 && arguments.Job.Waterlines.empty())
-  {
-    return "--up is for --waterline: add a height";
+    const std::string problem = analysis->FindProblem(app);
+    if (!problem.empty())
+    {
+      return problem;
+    }
   }
   const std::string wrongRequest = FindWrongRequest(app, arguments);
   if (!wrongRequest.empty())
@@ -354,8 +298,6 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
     return PrintOpenGLProbe();
   }
   arguments.Files = ExpandFolders(arguments.Files);
-  ParseDirection(arguments.Up, arguments.Job.Up);
-  arguments.Job.Scheme = LowerCase(arguments.Job.Scheme);
   const std::string wrongMaterials = TakeMass(arguments);
   const std::string problem = wrongMaterials.empty() ? FindProblem(app, arguments) : wrongMaterials;
   if (!problem.empty())

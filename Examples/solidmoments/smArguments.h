@@ -23,9 +23,7 @@ struct Arguments
   std::string Urdf;     ///< inertial blocks of robots; empty: none
   std::string Mesh;
   std::string Picture;
-  std::string TextureFolder; ///< for trim textures; empty: none
-  std::string Up = "0,0,1";  ///< upward normal of the waterlines
-  std::string Density;       ///< a number or the name of a common material; empty: what the files state
+  std::string Density; ///< a number or the name of a common material; empty: what the files state
   std::string DensityTolerance = "0"; ///< see ParseShare()
   std::string Materials;              ///< file with materials by the names of solids; empty: none
   std::string About;                  ///< see ParseFrame(); empty: none

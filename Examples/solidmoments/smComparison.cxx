@@ -1,7 +1,8 @@
 #include "smComparison.h"
 
 #include "smPartMatch.h"
-#include "smProductShapes.h"
+#include "smResults.h"
+#include "smText.h"
 
 #include "vtkMath.h"
 
@@ -23,99 +24,144 @@ using namespace states;
 /// The states in the order of the list.
 constexpr const char* States[] = { Changed, Moved, Added, Removed, Unchanged };
 
-/// Returns new - old of numbers, or of nested arrays of them; null where one is missing.
-Json Subtract(const Json& before, const Json& after)
+template <std::size_t N>
+double GetLargest(const std::array<double, N>& values)
 {
-  if (before.is_number() && after.is_number())
+  double largest = 0.0;
+  for (const double value : values)
   {
-    return after.get<double>() - before.get<double>();
-  }
-  Json result;
-  for (std::size_t i = 0; before.is_array() && after.is_array() && i < before.size(); ++i)
-  {
-    result.push_back(Subtract(before[i], after[i]));
-  }
-  return result;
-}
-
-double GetLargest(const Json& value)
-{
-  double largest = value.is_number() ? std::abs(value.get<double>()) : 0.0;
-  for (const Json& entry : value.is_array() ? value : Json::array())
-  {
-    largest = std::max(largest, GetLargest(entry));
+    largest = std::max(largest, std::abs(value));
   }
   return largest;
 }
 
-/// Returns the difference of a quantity. Its bound is the sum of both bounds and of the rounding of the subtraction.
-Json MakeDifference(const Json& before, const Json& after, const char* quantity)
+template <std::size_t N>
+QuantityDifference<N> MakeDifference(const Quantity<N>& before, const Quantity<N>& after)
 {
-  const Json& a = before["bounds"][quantity];
-  const Json& b = after["bounds"][quantity];
-  Json difference = { { "old", before[quantity] }, { "new", after[quantity] },
-    { "difference", Subtract(before[quantity], after[quantity]) }, { "bound", nullptr } };
-  if (!difference["difference"].is_null() && a.is_number() && b.is_number())
+  QuantityDifference<N> difference{ before, after, {} };
+  if (before.IsKnown() && after.IsKnown())
   {
-    difference["bound"] = (a.get<double>() + b.get<double>()) * (1.0 + 4.0 * Roundoff) +
-      Roundoff * GetLargest(difference["difference"]);
+    for (std::size_t i = 0; i < N; ++i)
+    {
+      difference.Change.Value[i] = after.Value[i] - before.Value[i];
+    }
+    difference.Change.Bound =
+      (before.Bound + after.Bound) * (1.0 + 4.0 * Roundoff) + Roundoff * GetLargest(difference.Change.Value);
   }
   return difference;
 }
 
-Json MakeDifferences(const Json& before, const Json& after)
+Differences MakeDifferences(const Quantities& before, const Quantities& after)
 {
-  Json differences;
-  for (const char* quantity :
-    { "volume", "area", "center_of_mass", "inertia", "mass", "mass_center", "mass_inertia" })
-  {
-    differences[quantity] = MakeDifference(before, after, quantity);
-  }
-  return differences;
+  return { MakeDifference(before.Volume, after.Volume), MakeDifference(before.Area, after.Area),
+    MakeDifference(before.Mass, after.Mass), MakeDifference(before.Center, after.Center),
+    MakeDifference(before.MassCenter, after.MassCenter), MakeDifference(before.Inertia, after.Inertia),
+    MakeDifference(before.MassInertia, after.MassInertia) };
 }
 
-/// Returns true if a quantity differs by more than the bounds and the limit.
-bool IsOther(const Json& before, const Json& after, const char* quantity, double limit)
+template <std::size_t N>
+void Visit(Fields& fields, const char* key, QuantityDifference<N>& difference)
 {
-  const Json difference = MakeDifference(before, after, quantity);
-  if (difference["difference"].is_null())
+  const auto visit = [&fields](const char* name, std::array<double, N>& values)
   {
-    return before[quantity].is_null() != after[quantity].is_null();
-  }
-  const double scale = std::max(GetLargest(before[quantity]), GetLargest(after[quantity]));
-  const double bound = difference["bound"].is_number() ? difference["bound"].get<double>() : 0.0;
-  return !(GetLargest(difference["difference"]) <= bound + limit * scale);
+    if (N == 1)
+    {
+      fields.Number(name, values[0]);
+    }
+    else
+    {
+      fields.Numbers(name, values.data(), N / 3, 3);
+    }
+  };
+  fields.Begin(key);
+  visit("old", difference.Old.Value);
+  visit("new", difference.New.Value);
+  visit("difference", difference.Change.Value);
+  fields.Number("bound", difference.Change.Bound);
+  fields.End();
 }
 
-/// Returns true if material, density or mass of two equal shapes differ. Densities are no results and have no bounds.
-bool HasOtherMaterial(const Json& before, const Json& after, double limit)
+void Visit(Fields& fields, Differences& differences)
 {
-  const Json& a = before["density"];
-  const Json& b = after["density"];
-  return before["material"] != after["material"] || a.is_null() != b.is_null() ||
-    (a.is_number() && !(GetLargest(Subtract(a, b)) <= limit * GetLargest(a))) ||
-    IsOther(before, after, "mass", limit);
+  Visit(fields, "volume", differences.Volume);
+  Visit(fields, "area", differences.Area);
+  Visit(fields, "center_of_mass", differences.Center);
+  Visit(fields, "inertia", differences.Inertia);
+  Visit(fields, "mass", differences.Mass);
+  Visit(fields, "mass_center", differences.MassCenter);
+  Visit(fields, "mass_inertia", differences.MassInertia);
+}
+
+void Visit(Fields& fields, ComparedBody& body)
+{
+  fields.Name("old_id", body.OldId);
+  fields.Name("new_id", body.NewId);
+  fields.Point("translation", body.Translation);
+  fields.Number("distance", body.Distance);
+  fields.Number("rotation_angle", body.RotationAngle);
+  fields.Point("rotation_axis", body.RotationAxis);
+}
+
+void Visit(Fields& fields, ComparedPart& part)
+{
+  auto count = static_cast<long long>(part.Bodies.size());
+  auto inOld = static_cast<long long>(part.InOld);
+  auto inNew = static_cast<long long>(part.InNew);
+  fields.Text("state", part.State);
+  fields.Text("name", part.Name);
+  fields.Text("old_name", part.OldName);
+  fields.Count("count", count);
+  fields.Count("in_old", inOld);
+  fields.Count("in_new", inNew);
+  fields.Texts("notes", part.Notes);
+  if (fields.Begin("difference", part.Difference.has_value()))
+  {
+    Visit(fields, *part.Difference);
+    fields.End();
+  }
+  fields.List("bodies", part.Bodies, [&fields](ComparedBody& body) { Visit(fields, body); });
+}
+
+/// Returns true if material, density or mass of two equal shapes differ: the mass by more than the bounds and the limit. Densities are no
+/// results and have no bounds.
+bool HasOtherMaterial(const Quantities& before, const Quantities& after, double limit)
+{
+  const double a = before.Density;
+  const double b = after.Density;
+  if (before.Material != after.Material || std::isnan(a) != std::isnan(b) ||
+    (!std::isnan(a) && !(std::abs(b - a) <= limit * std::abs(a))))
+  {
+    return true;
+  }
+  const ScalarQuantity change = MakeDifference(before.Mass, after.Mass).Change;
+  if (!change.IsKnown())
+  {
+    return before.Mass.IsKnown() != after.Mass.IsKnown();
+  }
+  const double scale = std::max(std::abs(before.Mass.Get()), std::abs(after.Mass.Get()));
+  const double bound = std::isnan(change.Bound) ? 0.0 : change.Bound;
+  return !(std::abs(change.Get()) <= bound + limit * scale);
 }
 
 /// A solid of one of the files.
 struct Body
 {
-  const Json* Solid;
+  const SolidResult* Solid;
   SolidShape Shape;
   std::array<double, 3> Center{};
   bool IsDone = false;
 
-  std::string GetName() const { return (*this->Solid)["name"].get<std::string>(); }
+  const std::string& GetName() const { return this->Solid->Name; }
   bool HasShape() const { return this->Shape.Shape && this->Shape.Shape->Problem.empty(); }
 };
 
-std::vector<Body> ListEntries(const Json& file)
+std::vector<Body> ListEntries(const FileResult& file)
 {
-  std::map<std::string, SolidShape> shapes = ReadShapes(file[ShapesKey]);
+  std::map<std::string, SolidShape> shapes = ReadShapes(*file.Shapes);
   std::vector<Body> bodies;
-  for (const Json& solid : file["solids"])
+  for (const SolidResult& solid : file.Solids)
   {
-    Body body{ &solid, shapes[solid["id"].get<std::string>()] };
+    Body body{ &solid, shapes[solid.Id] };
     body.Center = body.Shape.Shape ? body.Shape.GetCenter() : body.Center;
     bodies.push_back(std::move(body));
   }
@@ -137,15 +183,23 @@ struct Outcome
   sm::Rotation Rotation{};
 };
 
+/// Returns the diagonal of the larger product.
+double GetDiagonal(const FileResult& oldFile, const FileResult& newFile)
+{
+  return std::max(std::isnan(oldFile.Diagonal) ? 0.0 : oldFile.Diagonal,
+    std::isnan(newFile.Diagonal) ? 0.0 : newFile.Diagonal);
+}
+
 class Comparison
 {
 public:
-  Comparison(const Json& oldFile, const Json& newFile, double limit, std::function<bool()> shouldContinue)
+  Comparison(
+    const FileResult& oldFile, const FileResult& newFile, double limit, std::function<bool()> shouldContinue)
     : ShouldContinue(std::move(shouldContinue))
     , Old(ListEntries(oldFile))
     , New(ListEntries(newFile))
     , Limit(limit)
-    , Diagonal(std::max(GetLargest(oldFile["diagonal"]), GetLargest(newFile["diagonal"])))
+    , Diagonal(GetDiagonal(oldFile, newFile))
   {
   }
 
@@ -181,9 +235,7 @@ private:
   void Add(Body& before, Body& after, const char* state, bool hasSameShape, const Rotation& rotation = {})
   {
     before.IsDone = after.IsDone = true;
-    const Json& a = *before.Solid;
-    const Json& b = *after.Solid;
-    const bool isOther = hasSameShape && HasOtherMaterial(a, b, this->Limit);
+    const bool isOther = hasSameShape && HasOtherMaterial(*before.Solid, *after.Solid, this->Limit);
     this->Outcomes.push_back({ &before, &after, isOther ? Changed : state, hasSameShape, rotation });
   }
 
@@ -288,7 +340,7 @@ private:
     for (Body& before : this->Old)
     {
       const bool isOnly = this->Old.size() == 1 && this->New.size() == 1;
-      const std::string name = before.GetName();
+      const std::string& name = before.GetName();
       Body* after = before.IsDone || (name.empty() && !isOnly)
         ? nullptr
         : this->FindNearest(before, [&](const Body& body) { return isOnly || body.GetName() == name; });
@@ -309,14 +361,14 @@ private:
 };
 
 /// Returns notes on a solid that is in both files: the changes other than that of its place.
-Json MakeNotes(const Outcome& outcome)
+std::vector<std::string> MakeNotes(const Outcome& outcome)
 {
-  Json notes = Json::array();
-  const Json& before = *outcome.Old->Solid;
-  const Json& after = *outcome.New->Solid;
-  if (before["name"] != after["name"])
+  std::vector<std::string> notes;
+  const SolidResult& before = *outcome.Old->Solid;
+  const SolidResult& after = *outcome.New->Solid;
+  if (before.Name != after.Name)
   {
-    notes.push_back("renamed from " + outcome.Old->GetName());
+    notes.push_back("renamed from " + before.Name);
   }
   for (const Body* body : { outcome.Old, outcome.New })
   {
@@ -326,33 +378,31 @@ Json MakeNotes(const Outcome& outcome)
         (body->Shape.Shape ? body->Shape.Shape->Problem : std::string("it was not measured")));
     }
   }
-  const auto say = [](const Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.is_null() ? "none" : Dump(value);
-  };
-  for (const char* key : { "density", "material" })
+  const auto add = [&notes](const char* key, const std::string& old, const std::string& now)
   {
-    if (before[key] != after[key])
+    if (old != now)
     {
-      notes.push_back(std::string(key) + " " + say(before[key]) + " -> " + say(after[key]));
+      notes.push_back(std::string(key) + " " + old + " -> " + now);
     }
-  }
+  };
+  const auto say = [](double density) { return std::isnan(density) ? "none" : FormatExact(density); };
+  add("density", say(before.Density), say(after.Density));
+  add("material", before.Material.empty() ? "none" : before.Material,
+    after.Material.empty() ? "none" : after.Material);
   return notes;
 }
 
-Json MakeBody(const Outcome& outcome)
+ComparedBody MakeBody(const Outcome& outcome)
 {
-  const auto getId = [](const Body* body) { return body ? (*body->Solid)["id"] : Json(); };
-  Json entry = { { "old_id", getId(outcome.Old) }, { "new_id", getId(outcome.New) },
-    { "translation", nullptr }, { "distance", nullptr }, { "rotation_angle", nullptr },
-    { "rotation_axis", nullptr } };
+  ComparedBody entry;
+  entry.OldId = outcome.Old ? outcome.Old->Solid->Id : "";
+  entry.NewId = outcome.New ? outcome.New->Solid->Id : "";
   if (outcome.HasSameShape)
   {
-    std::array<double, 3> shift;
-    vtkMath::Subtract(outcome.New->Center.data(), outcome.Old->Center.data(), shift.data());
-    entry["translation"] = shift;
-    entry["distance"] = vtkMath::Norm(shift.data());
-    entry["rotation_angle"] = vtkMath::DegreesFromRadians(outcome.Rotation.Angle);
-    entry["rotation_axis"] = outcome.Rotation.Axis;
+    vtkMath::Subtract(outcome.New->Center.data(), outcome.Old->Center.data(), entry.Translation.data());
+    entry.Distance = vtkMath::Norm(entry.Translation.data());
+    entry.RotationAngle = vtkMath::DegreesFromRadians(outcome.Rotation.Angle);
+    entry.RotationAxis = outcome.Rotation.Axis;
   }
   return entry;
 }
@@ -377,32 +427,31 @@ PartKey GetKey(const Outcome& outcome)
     outcome.Old ? outcome.Old->Shape.Model : none, outcome.New ? outcome.New->Shape.Model : none };
 }
 
-Json MakeParts(const std::vector<Outcome>& outcomes)
+std::vector<ComparedPart> MakeParts(const std::vector<Outcome>& outcomes)
 {
   std::map<PartKey, std::vector<const Outcome*>> groups;
   for (const Outcome& outcome : outcomes)
   {
     groups[GetKey(outcome)].push_back(&outcome);
   }
-  Json parts = Json::array();
+  std::vector<ComparedPart> parts;
   for (const auto& [key, group] : groups)
   {
     const Outcome& first = *group.front();
-    const auto getName = [](const Body* body) { return body ? Json(body->GetName()) : Json(); };
-    Json part;
-    part["state"] = first.State;
-    part["name"] = getName(first.New ? first.New : first.Old);
-    part["old_name"] = getName(first.Old);
-    part["count"] = group.size();
-    part["in_old"] = CountInstances(outcomes, (first.Old ? first.Old : first.New)->GetName(), &Outcome::Old);
-    part["in_new"] = CountInstances(outcomes, (first.New ? first.New : first.Old)->GetName(), &Outcome::New);
-    part["notes"] = first.Old && first.New ? MakeNotes(first) : Json::array();
-    part["difference"] =
-      first.Old && first.New ? MakeDifferences(*first.Old->Solid, *first.New->Solid) : Json();
-    part["bodies"] = Json::array();
+    ComparedPart part;
+    part.State = first.State;
+    part.Name = (first.New ? first.New : first.Old)->GetName();
+    part.OldName = first.Old ? std::optional(first.Old->GetName()) : std::nullopt;
+    part.InOld = CountInstances(outcomes, (first.Old ? first.Old : first.New)->GetName(), &Outcome::Old);
+    part.InNew = CountInstances(outcomes, part.Name, &Outcome::New);
+    if (first.Old && first.New)
+    {
+      part.Notes = MakeNotes(first);
+      part.Difference = MakeDifferences(*first.Old->Solid, *first.New->Solid);
+    }
     for (const Outcome* outcome : group)
     {
-      part["bodies"].push_back(MakeBody(*outcome));
+      part.Bodies.push_back(MakeBody(*outcome));
     }
     parts.push_back(std::move(part));
   }
@@ -410,28 +459,47 @@ Json MakeParts(const std::vector<Outcome>& outcomes)
 }
 }
 
-Json CompareProducts(
-  const Json& oldFile, const Json& newFile, double limit, const std::function<bool()>& shouldContinue)
+void ProductDifference::Visit(Fields& fields)
+{
+  std::optional<bool> isEqual = this->IsEqual;
+  fields.Flag("equal", isEqual);
+  fields.Number("limit", this->Limit);
+  fields.Text("length_unit", this->LengthUnit);
+  fields.Begin("counts");
+  for (const auto& [state, number] : this->Counts)
+  {
+    auto count = static_cast<long long>(number);
+    fields.Count(state, count);
+  }
+  fields.End();
+  fields.Begin("total");
+  sm::Visit(fields, this->Total);
+  fields.End();
+  fields.List("parts", this->Parts, [&fields](ComparedPart& part) { sm::Visit(fields, part); });
+}
+
+std::optional<ProductDifference> CompareProducts(const FileResult& oldFile, const FileResult& newFile,
+  double limit, const std::function<bool()>& shouldContinue)
 {
   Comparison comparison(oldFile, newFile, limit, shouldContinue);
   const std::vector<Outcome> outcomes = comparison.Run();
   if (!shouldContinue())
   {
-    return {};
+    return std::nullopt;
   }
-  Json counts;
+  ProductDifference result;
   for (const char* state : States)
   {
-    counts[state] = std::count_if(outcomes.begin(), outcomes.end(),
+    const auto count = std::count_if(outcomes.begin(), outcomes.end(),
       [state](const Outcome& outcome) { return outcome.State == std::string(state); });
+    result.Counts.emplace_back(state, static_cast<std::size_t>(count));
+    result.IsEqual = result.IsEqual ||
+      (state == std::string(Unchanged) && static_cast<std::size_t>(count) == outcomes.size());
   }
-  Json result;
-  result["equal"] = counts[Unchanged] == outcomes.size();
-  result["limit"] = limit;
-  result["length_unit"] = newFile["length_unit"];
-  result["counts"] = std::move(counts);
-  result["total"] = MakeDifferences(oldFile["total"], newFile["total"]);
-  result["parts"] = MakeParts(outcomes);
+  result.Limit = limit;
+  result.LengthUnit = newFile.LengthUnit;
+  result.Total = MakeDifferences(oldFile.Total, newFile.Total);
+  result.Parts = MakeParts(outcomes);
   return result;
 }
 }

@@ -3,10 +3,11 @@
 #include "smBodyScene.h"
 #include "smComparison.h"
 #include "smFileReader.h"
+#include "smFilterSetUp.h"
 #include "smMassPropertyNames.h"
 #include "smProductTree.h"
+#include "smResults.h"
 #include "smText.h"
-#include "smUserIntegrals.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCADReader.h"
@@ -22,6 +23,7 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -48,17 +50,15 @@ const Style Styles[] = { { states::Unchanged, { 0.62, 0.64, 0.67 }, 0.3, false }
   { states::Removed, { 0.85, 0.12, 0.10 }, 0.35, true } };
 
 /// Returns the states of solids by their ids in the old or the new file.
-std::map<std::string, std::string> ListStates(const Json& comparison, const char* id)
+std::map<std::string, std::string> ListStates(
+  const ProductDifference& comparison, std::string ComparedBody::*id)
 {
   std::map<std::string, std::string> states;
-  for (const Json& part : comparison["parts"])
+  for (const ComparedPart& part : comparison.Parts)
   {
-    for (const Json& body : part["bodies"])
+    for (const ComparedBody& body : part.Bodies)
     {
-      if (body[id].is_string())
-      {
-        states[body[id].get<std::string>()] = part["state"].get<std::string>();
-      }
+      states[body.*id] = part.State;
     }
   }
   return states;
@@ -84,14 +84,15 @@ vtkSmartPointer<vtkPolyData> JoinState(
 void SetUpComparison(vtkCADReader* before, vtkCADReader* after, const JobOptions& options,
   vtkOpenGLRenderWindow* window, vtkRenderer* body, vtkRenderer* front)
 {
-  const auto oldStates = ListStates(options.Comparison, "old_id");
-  const auto newStates = ListStates(options.Comparison, "new_id");
+  const auto oldStates = ListStates(*options.Comparison, &ComparedBody::OldId);
+  const auto newStates = ListStates(*options.Comparison, &ComparedBody::NewId);
   vtkBoundingBox box;
   int line = Margin;
   for (const Style& style : Styles)
   {
-    const Json& count = options.Comparison["counts"][style.State];
-    if (count == 0)
+    const auto count = std::find_if(options.Comparison->Counts.begin(), options.Comparison->Counts.end(),
+      [&style](const auto& entry) { return entry.first == std::string(style.State); });
+    if (count == options.Comparison->Counts.end() || count->second == 0)
     {
       continue;
     }
@@ -100,7 +101,8 @@ void SetUpComparison(vtkCADReader* before, vtkCADReader* after, const JobOptions
     AddActor(body, mesh, style.Color, style.Opacity);
     AddOutlines(body, MakeOutlines(mesh));
     box.AddBounds(mesh->GetBounds());
-    vtkTextActor* text = AddText(front, Dump(count) + " " + style.State, 18, true, Margin, line, false);
+    vtkTextActor* text =
+      AddText(front, std::to_string(count->second) + " " + style.State, 18, true, Margin, line, false);
     text->GetTextProperty()->SetColor(style.Color[0], style.Color[1], style.Color[2]);
     line += LineHeight;
   }
@@ -142,17 +144,17 @@ void DrawComparison(const JobOptions& options, const JobListener& send)
   const std::string& name = options.SourceName.empty() ? options.FileName : options.SourceName;
   const vtkSmartPointer<vtkCADReader> before = MakeReader(options.ComparedName);
   const vtkSmartPointer<vtkCADReader> after = MakeReader(name);
-  send({ { "progress", { stages::Read, 0.0 } } });
+  send(JobMessage::OfProgress(stages::Read));
   SetUpReader(before, options.ComparedName, options);
   before->Update();
   SetUpReader(after, name, options);
   after->Update();
-  Json file = UnreadableFile(options, "");
+  FileResult file(options);
   const bool areRead = before->GetStatus() == vtkCADReader::OK && after->GetStatus() == vtkCADReader::OK;
-  file["status"] = areRead ? names::StatusOk : names::StatusNotComputed;
-  send({ { "result", file }, { "complete", true } });
-  send({ { "progress", { stages::Draw, 0.0 } } });
-  send({ { "picture",
-    areRead ? WriteComparison(before, after, options) : std::string("the files could not be read again") } });
+  file.Status = areRead ? names::StatusOk : names::StatusNotComputed;
+  send(JobMessage::OfResult(file, true));
+  send(JobMessage::OfProgress(stages::Draw));
+  send(JobMessage::OfOutput(JobMessage::Picture,
+    areRead ? WriteComparison(before, after, options) : std::string("the files could not be read again")));
 }
 }

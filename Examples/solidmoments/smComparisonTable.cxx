@@ -1,8 +1,8 @@
 #include "smComparisonTable.h"
 
-#include "smComparison.h"
 #include "smFormat.h"
 #include "smReport.h"
+#include "smResults.h"
 #include "smTableText.h"
 #include "smText.h"
 
@@ -19,46 +19,35 @@ namespace
 constexpr size_t MostParts = 40;
 constexpr size_t NameWidth = 32;
 
-double ToNumber(const Json& value)
-{
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// Returns the length of a vector, or the largest entry of a matrix.
-double GetSize(const Json& value)
+/// Returns the number itself, the length of a vector, or the largest entry of a matrix.
+template <std::size_t N>
+double GetSize(const std::array<double, N>& value)
 {
   double size = 0.0;
-  for (const Json& entry : value)
+  for (const double number : value)
   {
-    for (const Json& number : entry.is_array() ? entry : Json::array())
-    {
-      size = std::max(size, std::abs(ToNumber(number)));
-    }
-    size = entry.is_array() ? size : std::hypot(size, ToNumber(entry));
+    size = N == 3 ? std::hypot(size, number) : std::max(size, std::abs(number));
   }
-  return size;
+  return N == 1 ? value[0] : size;
 }
 
 /// Returns "volume -7.85 mm^3 (+- 1e-9)"; empty without a difference.
 std::string FormatDifference(
-  const Json& differences, const char* quantity, const std::string& label, const std::string& unit)
+  const QuantityDifference<1>& difference, const std::string& label, const std::string& unit)
 {
-  const Json& difference = differences[quantity];
-  const Json& value = difference["difference"];
-  const double bound = ToNumber(difference["bound"]);
-  return value.is_null() ? std::string()
-                         : ", " + label + " " +
-      FormatWithBound(value.is_array() ? GetSize(value) : value.get<double>(), bound, unit);
+  return difference.Change.IsKnown()
+    ? ", " + label + " " + FormatWithBound(difference.Change.Get(), difference.Change.Bound, unit)
+    : std::string();
 }
 
 /// Returns "by 12.5 mm", or "by 3 to 12.5 mm"; empty if all values would be shown as 0.
-std::string FormatRange(const Json& part, const char* key, const std::string& unit)
+std::string FormatRange(const ComparedPart& part, double ComparedBody::*member, const std::string& unit)
 {
   double least = std::numeric_limits<double>::infinity();
   double largest = 0.0;
-  for (const Json& body : part["bodies"])
+  for (const ComparedBody& body : part.Bodies)
   {
-    const double value = ToNumber(body[key]);
+    const double value = body.*member;
     least = std::min(least, value);
     largest = std::max(largest, value);
   }
@@ -67,86 +56,84 @@ std::string FormatRange(const Json& part, const char* key, const std::string& un
   return largest < 1e-9 ? std::string() : (low == high ? low : low + " to " + high) + " " + unit;
 }
 
-std::string FormatMotion(const Json& part, const std::string& unit)
+std::string FormatMotion(const ComparedPart& part, const std::string& unit)
 {
-  const std::string distance = FormatRange(part, "distance", unit);
-  std::string angle = FormatRange(part, "rotation_angle", "degrees");
-  const Json& axis = part["bodies"][0]["rotation_axis"];
-  if (!angle.empty() && part["bodies"].size() == 1)
+  const std::string distance = FormatRange(part, &ComparedBody::Distance, unit);
+  std::string angle = FormatRange(part, &ComparedBody::RotationAngle, "degrees");
+  if (!angle.empty() && part.Bodies.size() == 1)
   {
-    angle += " about " + FormatTriple(axis[0].get<double>(), axis[1].get<double>(), axis[2].get<double>());
+    const std::array<double, 3>& axis = part.Bodies[0].RotationAxis;
+    angle += " about " + FormatTriple(axis[0], axis[1], axis[2]);
   }
   return (distance.empty() ? "" : ", by " + distance) + (angle.empty() ? "" : ", rotated by " + angle);
 }
 
 /// Returns a text with the differences and notes of a part.
-std::string Describe(const Json& part, const Json& newFile)
+std::string Describe(const ComparedPart& part, const FileResult& newFile)
 {
   std::string text;
-  const std::string state = part["state"].get<std::string>();
-  if (state == states::Changed)
+  if (part.State == states::Changed && part.Difference)
   {
-    text += FormatDifference(part["difference"], "volume", "volume", FormatUnit(newFile, 3)) +
-      FormatDifference(part["difference"], "area", "area", FormatUnit(newFile, 2)) +
-      FormatDifference(part["difference"], "mass", "mass", "kg");
+    text += FormatDifference(part.Difference->Volume, "volume", newFile.FormatUnit(3)) +
+      FormatDifference(part.Difference->Area, "area", newFile.FormatUnit(2)) +
+      FormatDifference(part.Difference->Mass, "mass", "kg");
   }
   // The distance of an unchanged part is only rounding.
-  if (state != states::Unchanged && part["bodies"][0]["distance"].is_number())
+  if (part.State != states::Unchanged && !std::isnan(part.Bodies[0].Distance))
   {
-    text += FormatMotion(part, FormatUnit(newFile, 1));
+    text += FormatMotion(part, newFile.FormatUnit(1));
   }
-  for (const Json& note : part["notes"])
+  for (const std::string& note : part.Notes)
   {
-    text += ", " + note.get<std::string>();
+    text += ", " + note;
   }
   return text.empty() ? "" : text.substr(2);
 }
 
 /// Returns a row of the totals: old, new, difference; for vectors and tensors the size of the difference.
+template <std::size_t N>
 std::string FormatTotal(
-  const Json& differences, const char* quantity, const std::string& label, const std::string& unit)
+  const QuantityDifference<N>& difference, const std::string& label, const std::string& unit)
 {
-  const Json& difference = differences[quantity];
-  const Json& value = difference["difference"];
-  if (value.is_null() && difference["old"].is_null() && difference["new"].is_null())
+  if (!difference.Old.IsKnown() && !difference.New.IsKnown())
   {
     return {};
   }
-  const auto show = [](const Json& number)
-  { return number.is_array() ? std::string() : FormatValue(number, nullptr); };
-  const double bound = ToNumber(difference["bound"]);
-  const double size = value.is_array() ? GetSize(value) : ToNumber(value);
-  return TrimEnd("  " + Pad(label + " " + unit, 28) + Pad(show(difference["old"]), 20, true) +
-           Pad(show(difference["new"]), 20, true) +
-           Pad(value.is_null() ? "-" : FormatNumber(size, bound), 20, true) +
+  const auto show = [](const Quantity<N>& quantity)
+  { return N > 1 && quantity.IsKnown() ? std::string() : FormatValue(quantity.Get(), Unknown); };
+  const double bound = difference.Change.Bound;
+  return TrimEnd("  " + Pad(label + " " + unit, 28) + Pad(show(difference.Old), 20, true) +
+           Pad(show(difference.New), 20, true) +
+           Pad(difference.Change.IsKnown() ? FormatNumber(GetSize(difference.Change.Value), bound) : "-", 20,
+             true) +
            (std::isfinite(bound) ? "  +/- " + FormatBoundOfShown(bound) : std::string())) +
     "\n";
 }
 
-std::string FormatTotals(const Json& total, const Json& newFile)
+std::string FormatTotals(const Differences& total, const FileResult& newFile)
 {
-  const std::string length = FormatUnit(newFile, 1);
+  const std::string length = newFile.FormatUnit(1);
   return "\n  " + Pad("all solids together", 28) + Pad("old", 20, true) + Pad("new", 20, true) +
-    Pad("difference", 20, true) + "\n" + FormatTotal(total, "volume", "volume", FormatUnit(newFile, 3)) +
-    FormatTotal(total, "area", "surface area", FormatUnit(newFile, 2)) +
-    FormatTotal(total, "center_of_mass", "centre of mass", length) +
-    FormatTotal(total, "inertia", "inertia about centre", FormatUnit(newFile, 5)) +
-    FormatTotal(total, "mass", "mass", "kg") +
-    FormatTotal(total, "mass_inertia", "mass inertia", "kg " + FormatUnit(newFile, 2));
+    Pad("difference", 20, true) + "\n" + FormatTotal(total.Volume, "volume", newFile.FormatUnit(3)) +
+    FormatTotal(total.Area, "surface area", newFile.FormatUnit(2)) +
+    FormatTotal(total.Center, "centre of mass", length) +
+    FormatTotal(total.Inertia, "inertia about centre", newFile.FormatUnit(5)) +
+    FormatTotal(total.Mass, "mass", "kg") +
+    FormatTotal(total.MassInertia, "mass inertia", "kg " + newFile.FormatUnit(2));
 }
 
-std::string FormatParts(const Json& parts, const Json& newFile)
+std::string FormatParts(const std::vector<ComparedPart>& parts, const FileResult& newFile)
 {
+  const auto count = [](std::size_t number) { return Pad(std::to_string(number), 7, true); };
   std::string text = "\n  " + Pad("part", NameWidth) + Pad("state", 11) + Pad("count", 7, true) +
     Pad("old", 7, true) + Pad("new", 7, true) + "\n";
-  for (size_t i = 0; i < std::min(parts.size(), MostParts); ++i)
+  for (std::size_t i = 0; i < std::min(parts.size(), MostParts); ++i)
   {
-    const Json& part = parts[i];
-    const std::string name = part["name"].get<std::string>();
-    text += TrimEnd("  " + Pad(Shorten(name.empty() ? "(no name)" : name, NameWidth - 1), NameWidth) +
-              Pad(part["state"].get<std::string>(), 11) + Pad(Dump(part["count"]), 7, true) +
-              Pad(Dump(part["in_old"]), 7, true) + Pad(Dump(part["in_new"]), 7, true) + "  " +
-              Describe(part, newFile)) +
+    const ComparedPart& part = parts[i];
+    text +=
+      TrimEnd("  " + Pad(Shorten(part.Name.empty() ? "(no name)" : part.Name, NameWidth - 1), NameWidth) +
+        Pad(part.State, 11) + count(part.Bodies.size()) + count(part.InOld) + count(part.InNew) + "  " +
+        Describe(part, newFile)) +
       "\n";
   }
   return parts.size() > MostParts
@@ -154,30 +141,27 @@ std::string FormatParts(const Json& parts, const Json& newFile)
     : text;
 }
 
-std::string FormatFile(const char* label, const Json& file)
+std::string FormatFile(const char* label, const FileResult& file)
 {
-  return std::string(label) + "  " + file["file"].get<std::string>() + "   " +
-    file["status"].get<std::string>() + "\n" + FormatMessages(file);
+  return std::string(label) + "  " + file.File + "   " + file.Status + "\n" + FormatMessages(file);
 }
 }
 
-std::string FormatComparison(const Json& oldFile, const Json& newFile, const Json& comparison)
+std::string FormatComparison(
+  const FileResult& oldFile, const FileResult& newFile, const std::optional<ProductDifference>& comparison)
 {
   const std::string head = FormatFile("old", oldFile) + FormatFile("new", newFile);
-  if (comparison.is_null())
+  if (!comparison)
   {
     return head + "\nthe products cannot be compared\n";
   }
   std::string counts;
-  for (const auto& item : comparison["counts"].items())
+  for (const auto& [state, count] : comparison->Counts)
   {
-    if (item.value() != 0)
-    {
-      counts += (counts.empty() ? "" : ", ") + Dump(item.value()) + " " + item.key();
-    }
+    counts += count == 0 ? "" : (counts.empty() ? "" : ", ") + std::to_string(count) + " " + state;
   }
-  return head + FormatParts(comparison["parts"], newFile) + FormatTotals(comparison["total"], newFile) +
-    "\nthe products " + (comparison["equal"] == true ? "are equal" : "differ") +
+  return head + FormatParts(comparison->Parts, newFile) + FormatTotals(comparison->Total, newFile) +
+    "\nthe products " + (comparison->IsEqual ? "are equal" : "differ") +
     (counts.empty() ? "" : ": " + counts) + "\n";
 }
 }

@@ -5,7 +5,7 @@
 #ifndef smComparisonTable_h
 #define smComparisonTable_h
 
-#include "smJson.h"
+#include "smComparison.h"
 
 #include <string>
 
@@ -13,7 +13,8 @@ namespace sm
 {
 /// Returns the statuses of both files, a row for each changed part and one for all unchanged parts, the differences of the totals, and the
 /// result. `comparison`: of CompareProducts(); null where there is none.
-std::string FormatComparison(const Json& oldFile, const Json& newFile, const Json& comparison);
+std::string FormatComparison(
+  const FileResult& oldFile, const FileResult& newFile, const std::optional<ProductDifference>& comparison);
 }
 
 #endif

@@ -1,34 +1,17 @@
 #include "smFileJob.h"
 
 #include "smComparisonPicture.h"
-#include "smFileEntry.h"
 #include "smFileReader.h"
+#include "smFilterSetUp.h"
 #include "smMassPropertyNames.h"
 #include "smMeshFile.h"
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smOptionValues.h"
 #include "smOptions.h"
-#include "smPartsReport.h"
 #include "smPicture.h"
-#include "smProductShapes.h"
 #include "smProductTree.h"
-#include "smQuantities.h"
-#include "smText.h"
-#include "smUserIntegrals.h"
-#include "smValidation.h"
-#ifdef SM_HAS_BUOYANCY
-#include "smBuoyancyJob.h"
-#endif
-#ifdef SM_HAS_MOMENT_SCHEMES
-#include "smSchemeJob.h"
-#endif
-#ifdef SM_HAS_SECTION
-#include "smSectionJob.h"
-#endif
-#ifdef SM_HAS_STABILITY
-#include "smStabilityJob.h"
-#endif
+#include "smResults.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCADReader.h"
@@ -52,7 +35,8 @@
 
 namespace
 {
-using sm::Json;
+using sm::FileResult;
+using sm::JobMessage;
 namespace names = sm::names;
 
 /// Sends the progress of an algorithm to the listener, from construction to destruction.
@@ -81,7 +65,7 @@ private:
     if (std::abs(fraction - this->Last) >= 0.01)
     {
       this->Last = fraction;
-      this->Send({ { "progress", { this->Stage, fraction } } });
+      this->Send(JobMessage::OfProgress(this->Stage, fraction));
     }
   }
 
@@ -99,7 +83,7 @@ const std::string& GetSource(const sm::JobOptions& options)
 }
 
 /// Reads the file. Returns false if there is nothing to integrate; status and messages of the entry then have the reason.
-bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, Json& file,
+bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, FileResult& file,
   sm::MessageList& messages)
 {
   sm::SetUpReader(reader, GetSource(options), options);
@@ -109,24 +93,24 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
     ProgressScope progress(reader, sm::stages::Read, send);
     reader->Update();
   }
-  file["seconds"]["read"] = reader->GetReadSeconds();
-  file["seconds"]["parse"] = reader->GetParseSeconds();
-  file["seconds"]["transfer"] = reader->GetTransferSeconds();
-  file["seconds"]["trims"] = reader->GetTrimSeconds();
+  file.Seconds.Read = reader->GetReadSeconds();
+  file.Seconds.Parse = reader->GetParseSeconds();
+  file.Seconds.Transfer = reader->GetTransferSeconds();
+  file.Seconds.Trims = reader->GetTrimSeconds();
   // The time of "prepare" begins when OpenCASCADE has the shape in memory, so it includes the display mesh.
-  file["seconds"]["prepare"] = reader->GetMeshSeconds() + reader->GetConversionSeconds();
-  file["seconds"]["mesh"] = reader->GetMeshSeconds();
-  file["seconds"]["convert"] = reader->GetConversionSeconds();
-  file["status"] = reader->GetStatusAsString();
+  file.Seconds.Prepare = reader->GetMeshSeconds() + reader->GetConversionSeconds();
+  file.Seconds.Mesh = reader->GetMeshSeconds();
+  file.Seconds.Convert = reader->GetConversionSeconds();
+  file.Status = reader->GetStatusAsString();
   messages.AddReader(reader);
   if (reader->GetStatus() != vtkCADReader::OK && reader->GetStatus() != vtkCADReader::EMPTY)
   {
-    file["status"] = names::StatusUnreadable;
+    file.Status = names::StatusUnreadable;
     return false;
   }
-  file["length_unit"] = reader->GetLengthUnit();
-  file["faces"] = 0;
-  file["free_faces"] = reader->GetNumberOfFreeFaces();
+  file.LengthUnit = reader->GetLengthUnit();
+  file.Faces = 0;
+  file.FreeFaces = reader->GetNumberOfFreeFaces();
   return reader->GetStatus() == vtkCADReader::OK;
 }
 
@@ -161,7 +145,7 @@ void SetQuantityTolerance(vtkMassPropertiesGPU* filter, const std::string& text)
 vtkSmartPointer<vtkMassPropertiesBase> MakeFilter(vtkCADReader* reader, const sm::JobOptions& options)
 {
   vtkSmartPointer<vtkMassPropertiesBase> filter;
-  if (options.Scheme == "adaptive")
+  if (options.Scheme.IsAdaptive())
   {
     auto adaptive = vtkSmartPointer<vtkMassPropertiesGPU>::New();
     adaptive->SetRelativeTolerance(options.Tolerance);
@@ -171,12 +155,10 @@ vtkSmartPointer<vtkMassPropertiesBase> MakeFilter(vtkCADReader* reader, const sm
     }
     filter = adaptive;
   }
-#ifdef SM_HAS_MOMENT_SCHEMES
   else
   {
-    filter = sm::MakeSchemeFilter(options);
+    filter = options.Scheme.MakeFilter();
   }
-#endif
   filter->SetInputConnection(reader->GetOutputPort());
   sm::SetUpFilter(filter, options);
   sm::SetUpMass(filter, options);
@@ -188,52 +170,51 @@ vtkSmartPointer<vtkMassPropertiesBase> MakeFilter(vtkCADReader* reader, const sm
   return filter;
 }
 
+void ReadSeconds(vtkMassPropertiesBase* filter, sm::StageSeconds& seconds)
+{
+  seconds.Start = filter->GetStartSeconds();
+  seconds.Prepare += filter->GetPrepareSeconds();
+  seconds.Cut = filter->GetCutSeconds();
+  seconds.Plan = filter->GetPlanSeconds();
+  seconds.Upload = filter->GetPrepareSeconds() - filter->GetCutSeconds() - filter->GetPlanSeconds();
+  seconds.Integrate = filter->GetIntegrateSeconds();
+  seconds.Analyse = filter->GetAnalyseSeconds();
+}
+
 void Integrate(vtkMassPropertiesBase* filter, const sm::JobOptions& options, const sm::JobListener& send,
-  Json& file, sm::MessageList& messages)
+  FileResult& file, sm::MessageList& messages)
 {
   {
     ProgressScope progress(filter, sm::stages::Integrate, send);
     filter->Update();
   }
   vtkFieldData* fields = filter->GetOutput()->GetFieldData();
-  file["length_unit"] = sm::GetText(fields, 0, names::LengthUnit);
-  file["status"] = filter->GetStatus();
+  file.LengthUnit = sm::GetText(fields, 0, names::LengthUnit);
+  file.Status = filter->GetStatus();
   messages.AddFilter(filter);
-  file["backend"] = filter->GetBackendName();
-  file["renderer"] = filter->GetRenderer();
+  file.Backend = filter->GetBackendName();
+  file.Renderer = filter->GetRenderer();
   const std::string reason = filter->GetBackendReason();
-  file["backend_reason"] = reason.empty() ? Json() : Json(reason);
-  file["estimate"] = { { "evaluations", static_cast<long long>(filter->GetEstimatedEvaluations()) },
-    { "cpu_seconds", filter->GetEstimatedSeconds(vtkSurfaceIntegralBase::CPU) },
-    { "opengl_seconds", filter->GetEstimatedSeconds(vtkSurfaceIntegralBase::OPENGL) } };
-  file["total"] = sm::GetTotal(fields);
-  if (!options.About.empty())
-  {
-    const auto get = [&options](size_t i) {
-      return Json({ options.About[i], options.About[i + 1], options.About[i + 2] });
-    };
-    file["frame"] = { { "origin", get(0) }, { "z_axis", get(3) }, { "x_axis", get(6) } };
-  }
-  file["solids"] = sm::GetSolids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)),
-    vtkTable::SafeDownCast(filter->GetOutputDataObject(4)));
-  file["faces"] = filter->GetNumberOfFaces();
-  file["diagonal"] = sm::GetDiagonal(filter->GetInputDataObject(0, 0));
-  file["evaluations"] = filter->GetEvaluations();
-  file["dispatches"] = filter->GetDispatches();
-  file["seconds"]["start"] = filter->GetStartSeconds();
-  file["seconds"]["prepare"] = file["seconds"]["prepare"].get<double>() + filter->GetPrepareSeconds();
-  file["seconds"]["cut"] = filter->GetCutSeconds();
-  file["seconds"]["plan"] = filter->GetPlanSeconds();
-  file["seconds"]["upload"] =
-    filter->GetPrepareSeconds() - filter->GetCutSeconds() - filter->GetPlanSeconds();
-  file["seconds"]["integrate"] = filter->GetIntegrateSeconds();
-  file["seconds"]["analyse"] = filter->GetAnalyseSeconds();
+  file.BackendReason = reason.empty() ? std::nullopt : std::optional(reason);
+  file.EstimatedEvaluations = filter->GetEstimatedEvaluations();
+  file.EstimatedCPUSeconds = filter->GetEstimatedSeconds(vtkSurfaceIntegralBase::CPU);
+  file.EstimatedOpenGLSeconds = filter->GetEstimatedSeconds(vtkSurfaceIntegralBase::OPENGL);
+  sm::ReadTotal(fields, file.Total);
+  file.Frame = options.About;
+  sm::ReadSolids(vtkTable::SafeDownCast(filter->GetOutputDataObject(1)),
+    vtkTable::SafeDownCast(filter->GetOutputDataObject(4)), file);
+  file.Faces = filter->GetNumberOfFaces();
+  file.Diagonal = sm::GetDiagonal(filter->GetInputDataObject(0, 0));
+  file.Evaluations = filter->GetEvaluations();
+  file.Dispatches = filter->GetDispatches();
+  ReadSeconds(filter, file.Seconds);
 }
 
-void SendResult(const sm::JobListener& send, Json& file, const sm::MessageList& messages, bool isComplete)
+void SendResult(
+  const sm::JobListener& send, FileResult& file, const sm::MessageList& messages, bool isComplete)
 {
-  file["messages"] = messages.Get();
-  send({ { "result", file }, { "complete", isComplete } });
+  file.Messages = messages.Get();
+  send(JobMessage::OfResult(file, isComplete));
 }
 
 std::string DescribeException(const std::exception& error)
@@ -248,8 +229,8 @@ std::string DescribeException(const std::exception& error)
     : std::string("stopped by an error: ") + error.what();
 }
 
-std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase* filter,
-  vtkPolyData* stability, const sm::JobOptions& options, const Json& file)
+std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase* filter, vtkPolyData* drawing,
+  const sm::JobOptions& options, const FileResult& file)
 {
   if (!bodies || bodies->GetNumberOfPoints() == 0)
   {
@@ -261,87 +242,114 @@ std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase*
   picture.Window = context->GetRenderWindow();
   picture.Body = bodies;
   picture.Mark = filter->GetOutput();
-  picture.Stability = stability;
+  picture.Stability = drawing;
   picture.Flagged = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(6));
   picture.Result = &file;
   return picture.Window ? sm::WritePicture(picture, options.PictureName)
                         : "there is no OpenGL context to draw in: " + context->GetReason();
 }
 
-/// Computes the other results that the options ask for. Sends the results after every stage. Returns the drawing of the stability.
-vtkSmartPointer<vtkPolyData> IntegrateMore(vtkCADReader* reader, const sm::JobOptions& options,
-  const sm::JobListener& send, Json& file, sm::MessageList& messages)
+/// Runs the requested analyses, those of bodies first. Sends the results before each. Returns what the picture shows in addition.
+vtkSmartPointer<vtkPolyData> RunAnalyses(vtkCADReader* reader, const sm::JobOptions& options,
+  const sm::JobListener& send, FileResult& file, sm::MessageList& messages)
 {
-  const auto makeUpdate = [&send](const char* stage)
+  vtkSmartPointer<vtkPolyData> drawing;
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < options.Analyses.size(); ++i)
   {
-    return [&send, stage](vtkAlgorithm* algorithm)
+    if (options.Analyses[i]->IsWanted())
     {
-      ProgressScope progress(algorithm, stage, send);
+      order.push_back(i);
+    }
+  }
+  std::stable_partition(
+    order.begin(), order.end(), [&options](std::size_t i) { return options.Analyses[i]->IsOfBodies(); });
+  std::stable_partition(
+    order.begin(), order.end(), [&options](std::size_t i) { return !options.Analyses[i]->RunsLast(); });
+  for (const std::size_t i : order)
+  {
+    const sm::Analysis& analysis = *options.Analyses[i];
+    SendResult(send, file, messages, false);
+    const auto update = [&send, &analysis](vtkAlgorithm* algorithm)
+    {
+      ProgressScope progress(algorithm, analysis.GetStage(), send);
       algorithm->Update();
     };
-  };
-  sm::AddPlaceholders(options, file);
-  vtkSmartPointer<vtkPolyData> drawing;
-#ifdef SM_HAS_STABILITY
-  if (!options.Stability.empty())
-  {
-    SendResult(send, file, messages, false);
-    drawing = sm::FindStability(reader, options, makeUpdate(sm::stages::Stability), file, messages);
-  }
-#endif
-#ifdef SM_HAS_BUOYANCY
-  if (!options.Waterlines.empty())
-  {
-    SendResult(send, file, messages, false);
-    sm::IntegrateBelowWaterlines(reader, options, makeUpdate(sm::stages::Buoyancy), file, messages);
-  }
-#endif
-#ifdef SM_HAS_SECTION
-  if (!options.Sections.empty())
-  {
-    SendResult(send, file, messages, false);
-    sm::IntegrateSections(reader, options, makeUpdate(sm::stages::Section), file, messages);
-  }
-#endif
-  // Expressions come last, because they may crash a shader compiler.
-  if (!options.Integrals.empty() || options.MomentDegree >= 0)
-  {
-    SendResult(send, file, messages, false);
-    sm::IntegrateUsers(reader, options, makeUpdate(sm::stages::Integrals), file, messages);
+    analysis.Run({ reader, options, update, file, messages, drawing, i });
   }
   return drawing;
 }
 
+/// Removes the entries that are more than `depth` levels down.
+void CutList(std::vector<sm::PartsListEntry>& entries, int depth)
+{
+  for (sm::PartsListEntry& entry : entries)
+  {
+    if (depth <= 1)
+    {
+      entry.Children.clear();
+    }
+    CutList(entry.Children, depth - 1);
+  }
+}
+
 /// Adds the results of products: shapes, parts list and validation properties.
 void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, const sm::JobOptions& options,
-  const sm::JobListener& send, Json& file, sm::MessageList& messages)
+  const sm::JobListener& send, FileResult& file, sm::MessageList& messages)
 {
   if (options.Shapes)
   {
     SendResult(send, file, messages, false);
-    file[sm::ShapesKey] = sm::MeasureProduct(reader, options, file["solids"]);
+    file.Shapes = sm::MeasureProduct(reader, file, options.GetSecondsLeft());
   }
-  if (!options.PartsList && !options.Validate && options.ValidationTarget.empty())
-  {
-    return;
-  }
-  const Json tree = sm::GetProductTree(reader);
   if (options.PartsList)
   {
-    file["parts"] = sm::MakePartsJson(filter->GetPartsList(), options.Depth);
+    file.Parts = filter->GetPartsList();
+    if (options.Depth > 0)
+    {
+      CutList(*file.Parts, options.Depth);
+    }
   }
   if (options.Validate)
   {
-    file["validation"] = sm::CompareValidation(GetSource(options), tree, file, options.ValidationLimit);
+    file.Validation =
+      sm::CompareValidation(GetSource(options), sm::GetProductTree(reader), file, options.ValidationLimit);
   }
   if (!options.ValidationTarget.empty())
   {
-    const std::string problem = sm::WriteValidation(GetSource(options), tree, file, options.ValidationTarget);
+    const std::string problem =
+      sm::WriteValidation(GetSource(options), sm::GetProductTree(reader), file, options.ValidationTarget);
     if (!problem.empty())
     {
       messages.AddEcho(problem);
-      file["status"] = names::StatusNotComputed;
+      file.Status = names::StatusNotComputed;
     }
+  }
+}
+
+/// Writes trim textures, triangles and picture.
+void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* drawing,
+  const sm::JobOptions& options, const sm::JobListener& send, const FileResult& file)
+{
+  if (!options.TexturePrefix.empty())
+  {
+    send(JobMessage::OfProgress(sm::stages::Textures));
+    send(JobMessage::OfOutput(
+      JobMessage::Textures, sm::Scheme::WriteTrimPictures(filter, options.TexturePrefix)));
+  }
+  // Port 5 has the bodies that --only chooses.
+  auto* const bodies = vtkPartitionedDataSetCollection::SafeDownCast(
+    options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5));
+  if (!options.MeshName.empty())
+  {
+    send(JobMessage::OfProgress(sm::stages::Mesh));
+    send(JobMessage::OfOutput(
+      JobMessage::Mesh, sm::WriteMesh(bodies, reader->GetLengthUnit(), options.MeshName)));
+  }
+  if (!options.PictureName.empty())
+  {
+    send(JobMessage::OfProgress(sm::stages::Draw));
+    send(JobMessage::OfOutput(JobMessage::Picture, Draw(bodies, filter, drawing, options, file)));
   }
 }
 
@@ -352,14 +360,13 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkSMPTools::SetBackend("STDThread");
 
-  if (!given.Comparison.is_null())
+  if (given.Comparison)
   {
     sm::DrawComparison(given, send);
     vtkOutputWindow::SetInstance(nullptr);
     return;
   }
-  Json file = sm::MakeEmptyFile(given.FileName);
-  sm::AddPlaceholders(given, file);
+  FileResult file(given);
   sm::MessageList messages;
   const bool isRead = Read(reader, given, send, file, messages);
   sm::JobOptions options = given;
@@ -369,50 +376,25 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
     options.Selectors.insert(options.Selectors.end(), selectors.begin(), selectors.end());
   }
   const auto filter = MakeFilter(reader, options);
-  vtkSmartPointer<vtkPolyData> stability;
+  vtkSmartPointer<vtkPolyData> drawing;
   if (isRead)
   {
-    file["scheme"] = options.Scheme;
-#ifdef SM_HAS_MOMENT_SCHEMES
-    file["scheme_options"] = sm::GetSchemeOptions(filter);
-#endif
-    file["status"] = names::StatusNotComputed;
+    file.Scheme = options.Scheme.GetName();
+    sm::Scheme::ReadOptions(filter, file);
+    file.Status = names::StatusNotComputed;
     SendResult(send, file, messages, false);
     Integrate(filter, options, send, file, messages);
     AddProducts(reader, filter, options, send, file, messages);
-#ifdef SM_HAS_STABILITY
-    if (options.Box)
-    {
-      SendResult(send, file, messages, false);
-      sm::AddBoxes(reader, file);
-    }
-#endif
-    stability = IntegrateMore(reader, options, send, file, messages);
+    drawing = RunAnalyses(reader, options, send, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
   {
     messages.AddEcho(message);
   }
   SendResult(send, file, messages, true);
-#ifdef SM_HAS_MOMENT_SCHEMES
-  if (!options.TexturePrefix.empty() && isRead)
+  if (isRead)
   {
-    send({ { "progress", { sm::stages::Textures, 0.0 } } });
-    send({ { "textures", sm::WriteTrimPictures(filter, options.TexturePrefix) } });
-  }
-#endif
-  // Port 5 has the bodies that --only chooses.
-  auto* const bodies = vtkPartitionedDataSetCollection::SafeDownCast(
-    options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5));
-  if (!options.MeshName.empty() && isRead)
-  {
-    send({ { "progress", { sm::stages::Mesh, 0.0 } } });
-    send({ { "mesh", sm::WriteMesh(bodies, reader->GetLengthUnit(), options.MeshName) } });
-  }
-  if (!options.PictureName.empty() && isRead)
-  {
-    send({ { "progress", { sm::stages::Draw, 0.0 } } });
-    send({ { "picture", Draw(bodies, filter, stability, options, file) } });
+    WriteOutputs(reader, filter, drawing, options, send, file);
   }
   vtkOutputWindow::SetInstance(nullptr);
 }
@@ -431,22 +413,23 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
       std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(std::min(options.MaximumSeconds, 1e9)));
   }
-  Json sent;           ///< last results, while they are not complete
-  std::string waiting; ///< the output other than results that is being made
+  std::optional<FileResult> sent;                  ///< last results, while they are not complete
+  JobMessage::Kinds waiting = JobMessage::Picture; ///< the output other than results that is being made
   bool isComplete = false;
-  const auto listener = [&](const Json& message)
+  const auto listener = [&](const JobMessage& message)
   {
     send(message);
-    if (message.contains("progress"))
+    if (message.Kind == JobMessage::Progress)
     {
-      const std::string stage = message["progress"][0].get<std::string>();
-      waiting = stage == stages::Mesh || stage == stages::Textures ? stage : "picture";
+      waiting = message.Text == stages::Mesh ? JobMessage::Mesh
+        : message.Text == stages::Textures   ? JobMessage::Textures
+                                             : JobMessage::Picture;
     }
-    if (message.contains("result"))
+    if (message.Kind == JobMessage::Result)
     {
-      isComplete = message["complete"].get<bool>();
+      isComplete = message.IsComplete;
       // An assembly of thousands of solids is large.
-      sent = isComplete ? Json() : message["result"];
+      sent = isComplete ? std::nullopt : std::optional(*message.File);
     }
   };
   try
@@ -459,42 +442,47 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
     const std::string reason = DescribeException(error);
     if (isComplete)
     {
-      send({ { waiting.empty() ? "picture" : waiting, reason } });
+      send(JobMessage::OfOutput(waiting, reason));
       return;
     }
-    if (sent.is_null())
+    if (!sent)
     {
       sent = UnreadableFile(options, reason);
     }
     else
     {
-      MarkIncomplete(sent, reason);
+      MarkIncomplete(*sent, reason);
     }
-    send({ { "result", sent }, { "complete", true } });
+    send(JobMessage::OfResult(*sent, true));
   }
 }
 
-void MarkIncomplete(Json& file, const std::string& reason)
+double JobOptions::GetSecondsLeft() const
 {
-  file["messages"].push_back(reason);
-  if (file["status"] == names::StatusOk)
+  const std::chrono::duration<double> left = this->Deadline - std::chrono::steady_clock::now();
+  return this->MaximumSeconds > 0.0 ? std::max(left.count(), 1e-9) : 0.0;
+}
+
+void MarkIncomplete(FileResult& file, const std::string& reason)
+{
+  file.Messages.push_back(reason);
+  if (file.Status == names::StatusOk)
   {
-    file["status"] = names::StatusNotComputed;
+    file.Status = names::StatusNotComputed;
   }
 }
 
-int GetExitStatus(const Json& file)
+int GetExitStatus(const FileResult& file)
 {
-  return file["status"] == names::StatusOk      ? AllOk
-    : file["status"] == names::StatusUnreadable ? Unreadable
-                                                : Flagged;
+  return file.Status == names::StatusOk      ? AllOk
+    : file.Status == names::StatusUnreadable ? Unreadable
+                                             : Flagged;
 }
 
-Json UnreadableFile(const JobOptions& options, const std::string& message)
+FileResult UnreadableFile(const JobOptions& options, const std::string& message)
 {
-  Json file = sm::MakeEmptyFile(options.FileName);
-  AddPlaceholders(options, file);
-  file["messages"].push_back(message);
+  FileResult file(options);
+  file.Messages.push_back(message);
   return file;
 }
 }

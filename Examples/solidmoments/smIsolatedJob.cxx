@@ -1,5 +1,6 @@
 #include "smIsolatedJob.h"
 
+#include "smByteFields.h"
 #include "smFormat.h"
 #include "smIntegralNames.h"
 
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -38,14 +40,49 @@ void OnInterrupt(int number)
   Interrupted = number;
 }
 
-/// Writes one line of JSON. Names in files may be in any encoding; bytes that are not UTF-8 are replaced.
-void WriteLine(int descriptor, const sm::Json& message)
+/// Head of a message in the pipe: its kind, and the number of bytes that follow.
+constexpr std::size_t HeadSize = 1 + sizeof(std::uint64_t);
+
+/// Visits what a message of the kind `result` holds.
+void VisitResult(sm::Fields& fields, sm::FileResult& file, bool& isComplete)
 {
-  const std::string line = sm::Dump(message) + "\n";
-  size_t done = 0;
-  while (done < line.size())
+  isComplete = fields.Has(isComplete);
+  file.Visit(fields);
+  if (fields.Has(file.Shapes.has_value()))
   {
-    const ssize_t count = write(descriptor, line.data() + done, line.size() - done);
+    file.Shapes = file.Shapes.value_or(sm::ProductShapes());
+    file.Shapes->Visit(fields);
+  }
+}
+
+std::string EncodeMessage(const sm::JobMessage& message)
+{
+  sm::ByteWriter writer;
+  if (message.Kind == sm::JobMessage::Result)
+  {
+    bool isComplete = message.IsComplete;
+    // A writer changes nothing.
+    VisitResult(writer, const_cast<sm::FileResult&>(*message.File), isComplete);
+  }
+  else
+  {
+    std::string text = message.Text;
+    double fraction = message.Fraction;
+    writer.sm::Fields::Text(nullptr, text);
+    writer.Number(nullptr, fraction);
+  }
+  const std::uint64_t size = writer.Get().size();
+  return std::string(1, message.Kind) + std::string(reinterpret_cast<const char*>(&size), sizeof(size)) +
+    writer.Get();
+}
+
+void WriteMessage(int descriptor, const sm::JobMessage& message)
+{
+  const std::string bytes = EncodeMessage(message);
+  size_t done = 0;
+  while (done < bytes.size())
+  {
+    const ssize_t count = write(descriptor, bytes.data() + done, bytes.size() - done);
     if (count < 0 && errno != EINTR)
     {
       _exit(1); // the parent has closed the pipe
@@ -136,7 +173,7 @@ long CountMemoryKills()
     // Mesa's software rasterizer has threads of its own.
     setenv("LP_NUM_THREADS", std::to_string(options.Threads).c_str(), 0);
   }
-  sm::RunFileJob(options, [descriptor](const sm::Json& message) { WriteLine(descriptor, message); });
+  sm::RunFileJob(options, [descriptor](const sm::JobMessage& message) { WriteMessage(descriptor, message); });
   // _exit() skips the destructors of static objects in third-party libraries, which might fail.
   _exit(0);
 }
@@ -202,24 +239,24 @@ std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const s
 
 /// Adds the reason for missing results to those that a child sent before it failed; `isExplained` is true if `end` is the whole reason.
 void AddFailure(const sm::JobOptions& options, const std::string& stage, const std::string& end,
-  bool isExplained, sm::Json& file)
+  bool isExplained, std::optional<sm::FileResult>& file)
 {
   std::string reason = "the process that worked on this file " +
     (end.empty() ? "ended without a result" : end) + " in stage \"" + stage + "\"";
-  if (file.is_null())
+  if (!file)
   {
     const bool isReading = stage == sm::stages::Read;
     file = sm::UnreadableFile(options,
       reason + (isReading && !isExplained ? "; the file is malformed or the CAD kernel cannot read it" : ""));
-    file["status"] = isExplained ? names::StatusNotComputed : names::StatusUnreadable;
+    file->Status = isExplained ? names::StatusNotComputed : names::StatusUnreadable;
     return;
   }
   if (!isExplained)
   {
     reason += "; this is a defect of this program or of the OpenGL driver, and none of the file";
   }
-  const bool isComputed = file["status"] != names::StatusNotComputed;
-  sm::MarkIncomplete(file, reason + (isComputed ? "; what was computed before is kept" : ""));
+  const bool isComputed = file->Status != names::StatusNotComputed;
+  sm::MarkIncomplete(*file, reason + (isComputed ? "; what was computed before is kept" : ""));
 }
 
 /// Adds the reasons why requested pictures and meshes are missing. `end`: result of DescribeEnd().
@@ -227,19 +264,14 @@ void FindOutputErrors(
   const sm::JobOptions& options, const sm::JobMessages& said, const std::string& end, sm::JobOutcome& outcome)
 {
   // The status already explains why an unreadable or empty file has no pictures.
-  const sm::Json& status = outcome.File["status"];
+  const std::string& status = outcome.File->Status;
   if (!options.TexturePrefix.empty() && status != "unreadable")
   {
-    outcome.TextureError = said.Textures.is_string() ? said.Textures.get<std::string>()
-                                                     : "the process ended before they were written";
+    outcome.TextureError = said.Textures.value_or("the process ended before they were written");
   }
   const bool isRead = status != "unreadable" && status != "empty";
-  const auto explain = [&end](const sm::Json& reason, const std::string& process)
-  {
-    return reason.is_string() ? reason.get<std::string>()
-      : end.empty()           ? process + " ended without one"
-                              : process + " " + end;
-  };
+  const auto explain = [&end](const std::optional<std::string>& reason, const std::string& process)
+  { return reason.value_or(process + " " + (end.empty() ? "ended without one" : end)); };
   if (!options.MeshName.empty() && isRead)
   {
     outcome.MeshError = explain(said.Mesh, "the process that made it");
@@ -253,29 +285,40 @@ void FindOutputErrors(
 
 namespace sm
 {
-void JobMessages::Take(Json& message, const ProgressListener& progress)
+void JobMessages::Take(
+  JobMessage::Kinds kind, std::string bytes, const JobOptions& options, const ProgressListener& progress)
 {
-  if (message.contains("progress"))
+  ByteReader reader(std::move(bytes));
+  if (kind == JobMessage::Result)
   {
-    this->Stage = message["progress"][0].get<std::string>();
-    progress(this->Stage, message["progress"][1].get<double>());
+    FileResult file(options);
+    bool isComplete = false;
+    VisitResult(reader, file, isComplete);
+    if (reader.IsWhole())
+    {
+      this->Result = std::move(file);
+      this->IsComplete = isComplete;
+    }
+    return;
   }
-  else if (message.contains("result"))
+  std::string text;
+  double fraction = 0.0;
+  reader.Fields::Text(nullptr, text);
+  reader.Number(nullptr, fraction);
+  if (!reader.IsWhole())
   {
-    this->Result = std::move(message["result"]);
-    this->IsComplete = message["complete"].get<bool>();
+    return;
   }
-  else if (message.contains("textures"))
+  if (kind == JobMessage::Progress)
   {
-    this->Textures = message["textures"];
+    this->Stage = text;
+    progress(text, fraction);
   }
-  else if (message.contains("mesh"))
+  else
   {
-    this->Mesh = message["mesh"];
-  }
-  else if (message.contains("picture"))
-  {
-    this->Picture = message["picture"];
+    (kind == JobMessage::Textures  ? this->Textures
+        : kind == JobMessage::Mesh ? this->Mesh
+                                   : this->Picture) = text;
   }
 }
 
@@ -352,16 +395,17 @@ void IsolatedJob::Append(const char* bytes, std::size_t count)
 {
   this->Pending.append(bytes, count);
   std::size_t begin = 0;
-  for (std::size_t end = this->Pending.find('\n'); end != std::string::npos;
-       end = this->Pending.find('\n', begin))
+  while (this->Pending.size() - begin >= HeadSize)
   {
-    Json message = Json::parse(this->Pending.begin() + static_cast<long>(begin),
-      this->Pending.begin() + static_cast<long>(end), nullptr, false);
-    if (message.is_object())
+    std::uint64_t size = 0;
+    std::memcpy(&size, this->Pending.data() + begin + 1, sizeof(size));
+    if (size > this->Pending.size() - begin - HeadSize)
     {
-      this->Said.Take(message, this->Progress);
+      break;
     }
-    begin = end + 1;
+    this->Said.Take(static_cast<JobMessage::Kinds>(this->Pending[begin]),
+      this->Pending.substr(begin + HeadSize, static_cast<std::size_t>(size)), this->Options, this->Progress);
+    begin += HeadSize + static_cast<std::size_t>(size);
   }
   this->Pending.erase(0, begin);
 }
@@ -421,10 +465,10 @@ JobOutcome IsolatedJob::GetOutcome()
     return outcome;
   }
   outcome.File = std::move(this->Said.Result);
-  if (outcome.File.is_object())
+  if (outcome.File)
   {
     // The pipe carries UTF-8 only; the table and the CSV show the name with its own bytes.
-    outcome.File["file"] = this->Options.FileName;
+    outcome.File->File = this->Options.FileName;
   }
   if (Interrupted)
   {
@@ -443,7 +487,7 @@ JobOutcome IsolatedJob::GetOutcome()
   }
   else if (!end.empty() && !this->IsTimeOver)
   {
-    outcome.File["messages"].push_back("the process that worked on this file " + end + " in stage \"" +
+    outcome.File->Messages.push_back("the process that worked on this file " + end + " in stage \"" +
       this->Said.Stage + "\", after it had sent the result");
   }
   FindOutputErrors(this->Options, this->Said, end, outcome);

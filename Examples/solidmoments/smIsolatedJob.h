@@ -2,16 +2,18 @@
  * @file smIsolatedJob.h
  * @brief Runs the jobs of files in child processes, so that a crash of the CAD kernel affects only the job of that file
  *
- * Children are forked while this process has neither threads nor an OpenGL context; results come back as lines of
- * JSON through a pipe. Signal handlers are installed in the child only if its memory is limited (ulimit -v), to report that it ran out.
+ * Children are forked while this process has neither threads nor an OpenGL context; results come back through a pipe, as
+ * smByteFields.h writes them. Signal handlers are installed in the child only if its memory is limited (ulimit -v), to report that it ran out.
  */
 #ifndef smIsolatedJob_h
 #define smIsolatedJob_h
 
 #include "smFileJob.h"
+#include "smResults.h"
 
 #include <csignal>
 #include <functional>
+#include <optional>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -20,8 +22,8 @@ namespace sm
 {
 struct JobOutcome
 {
-  Json File;                ///< entry of "files"; null when interrupted before there was one
-  std::string TextureError; ///< why a requested trim texture is missing; empty: none is
+  std::optional<FileResult> File; ///< none when interrupted before there was one
+  std::string TextureError;       ///< why a requested trim texture is missing; empty: none is
   std::string
     MeshError; ///< why the requested triangles are missing; empty: they are not, or none were requested
   std::string PictureError; ///< why the requested picture is missing; empty: it is not, or none was requested
@@ -32,14 +34,15 @@ using ProgressListener = std::function<void(const std::string& stage, double fra
 /// The messages of a child.
 struct JobMessages
 {
-  Json Result;
+  std::optional<FileResult> Result;
   bool IsComplete = false; ///< of the result
-  Json Textures;
-  Json Mesh;
-  Json Picture;
+  /// Why an output was not written, empty if it was; none: not told.
+  std::optional<std::string> Textures, Mesh, Picture;
   std::string Stage;
 
-  void Take(Json& message, const ProgressListener& progress);
+  /// Takes a message as WriteMessage() wrote it, without its head; one that is damaged is ignored.
+  void Take(
+    JobMessage::Kinds kind, std::string bytes, const JobOptions& options, const ProgressListener& progress);
 };
 
 /// The job of one file in a child process. A child is killed if it takes longer than 1.25 times MaximumSeconds, and at least 2 seconds

@@ -9,17 +9,15 @@ namespace sm
 namespace
 {
 /// Replaces the name of a copy in the messages by the name that the user gave.
-void RestoreName(const JobOptions& job, Json& file)
+void RestoreName(const JobOptions& job, FileResult& file)
 {
-  for (Json& message : file["messages"])
+  for (std::string& text : file.Messages)
   {
-    std::string text = message.get<std::string>();
     for (std::size_t at = text.find(job.SourceName); at != std::string::npos;
          at = text.find(job.SourceName, at + job.FileName.size()))
     {
       text.replace(at, job.SourceName.size(), job.FileName);
     }
-    message = text;
   }
 }
 }
@@ -105,9 +103,9 @@ JobOutcome JobQueue::Next()
     return outcome;
   }
   JobOutcome outcome = entry.Job->GetOutcome();
-  if (!outcome.File.is_null() && job.SourceName != job.FileName)
+  if (outcome.File && job.SourceName != job.FileName)
   {
-    RestoreName(job, outcome.File);
+    RestoreName(job, *outcome.File);
   }
   return outcome;
 }

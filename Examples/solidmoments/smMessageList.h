@@ -9,8 +9,6 @@
 #ifndef smMessageList_h
 #define smMessageList_h
 
-#include "smJson.h"
-
 #include <map>
 #include <set>
 #include <string>
@@ -32,7 +30,7 @@ public:
   /// Adds an error or warning of VTK unless it repeats a message that was added before.
   void AddEcho(const std::string& message);
 
-  const Json& Get() const { return this->Messages; }
+  const std::vector<std::string>& Get() const { return this->Messages; }
 
 private:
   struct Body
@@ -50,7 +48,7 @@ private:
   std::vector<Body> Bodies;                                ///< one for each model
   std::map<std::string, std::vector<size_t>> BodiesByName; ///< by the names of their instances
   std::vector<std::string> Heard;                          ///< all messages as they were given
-  Json Messages = Json::array();
+  std::vector<std::string> Messages;
 };
 }
 

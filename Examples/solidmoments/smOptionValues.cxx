@@ -28,6 +28,14 @@ bool ParseDirection(const std::string& text, std::array<double, 3>& direction)
   return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
 }
 
+std::string CheckDirection(const std::string& text)
+{
+  std::array<double, 3> direction;
+  return ParseDirection(text, direction)
+    ? ""
+    : text + " is not a direction; write x, y, z, -x, -y, -z, or three numbers such as 0,0.1,-1";
+}
+
 bool ParsePlane(const std::string& text, std::array<double, 6>& plane)
 {
   const std::vector<double> numbers = ParseNumbers(text);

@@ -83,10 +83,11 @@ std::vector<std::string> OutputNames(const std::vector<std::string>& files, cons
 std::vector<std::string> TexturePrefixes(const Arguments& arguments)
 {
   std::vector<std::string> prefixes(arguments.Files.size());
-  if (!arguments.TextureFolder.empty())
+  const std::string& folder = arguments.Job.Scheme.GetTextureFolder();
+  if (!folder.empty())
   {
     std::transform(arguments.Files.begin(), arguments.Files.end(), prefixes.begin(),
-      [&](const std::string& file) { return arguments.TextureFolder + "/" + GetStem(file); });
+      [&](const std::string& file) { return folder + "/" + GetStem(file); });
     prefixes = MakeDistinct(prefixes);
   }
   return prefixes;
@@ -115,7 +116,7 @@ bool IsModelFile(const std::string& name)
 
 std::string MakeTextureFolder(const Arguments& arguments)
 {
-  const std::string& folder = arguments.TextureFolder;
+  const std::string& folder = arguments.Job.Scheme.GetTextureFolder();
   if (folder.empty())
   {
     return {};

@@ -3,7 +3,9 @@
 #include "smBodyScene.h"
 #include "smFormat.h"
 #include "smMassPropertyNames.h"
-#include "smReport.h"
+#include "smResults.h"
+#include "smStabilityAnalysis.h"
+#include "smTableText.h"
 #include "smText.h"
 
 #include "vtkActor.h"
@@ -38,32 +40,31 @@ const int MostNumbers = 5;      // of flagged places
 const size_t LongestLine = 100; // characters across the picture
 
 /// Returns the caption: the values that exist, and the status if it is not ok.
-std::string Caption(const sm::Json& file)
+std::string Caption(const sm::FileResult& file)
 {
-  const sm::Json& total = file["total"];
-  const sm::Json& bounds = total["bounds"];
   std::string text;
-  const auto add = [&](const std::string& label, const sm::Json& value, const sm::Json& bound, int power)
+  const auto add = [&](const std::string& label, const std::string& value, double bound, int power)
   {
-    if (!value.is_null())
+    if (value != "-")
     {
-      text += (text.empty() ? "" : "\n") + label + "  " +
-        (value.is_array() ? sm::FormatVector(value, bound) : sm::FormatValue(value, bound)) + " " +
-        sm::FormatUnit(file, power) + (bound.is_null() ? " (no bound)" : "");
+      text += (text.empty() ? "" : "\n") + label + "  " + value + " " + file.FormatUnit(power) +
+        (std::isnan(bound) ? " (no bound)" : "");
     }
   };
-  add("volume", total["volume"], bounds["volume"], 3);
-  add("area", total["area"], bounds["area"], 2);
-  add("centre of mass", total["center_of_mass"], bounds["center_of_mass"], 1);
-  if (!total["stability"].is_null())
+  const auto addScalar = [&add](const std::string& label, const sm::ScalarQuantity& quantity, int power)
+  { add(label, sm::FormatValue(quantity.Get(), quantity.Bound), quantity.Bound, power); };
+  const sm::TotalResult& total = file.Total;
+  addScalar("volume", total.Volume, 3);
+  addScalar("area", total.Area, 2);
+  add("centre of mass", sm::FormatVector(total.Center.Value, total.Center.Bound), total.Center.Bound, 1);
+  if (const auto* stability = total.Analyses.Find<sm::StabilityResult>())
   {
-    text += "\nstability  " + total["stability"]["verdict"].get<std::string>();
-    add("stability margin", total["stability"]["stability_margin"],
-      total["stability"]["bounds"]["stability_margin"], 1);
+    text += "\nstability  " + stability->Verdict;
+    addScalar("stability margin", stability->Margin, 1);
   }
-  if (file["status"] != "ok")
+  if (file.Status != "ok")
   {
-    text += "\nstatus  " + file["status"].get<std::string>();
+    text += "\nstatus  " + file.Status;
   }
   return sm::RaiseDigits(text);
 }
@@ -145,7 +146,7 @@ void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* fron
   const bool isFlagged = picture.Flagged && picture.Flagged->GetNumberOfCells() > 0;
   sm::SetView(body, bounds, isFlagged ? 0.72 : 1.05, isFlagged ? 0.0 : -0.06);
 
-  const std::string path = (*picture.Result)["file"].get<std::string>();
+  const std::string& path = picture.Result->File;
   sm::AddText(front, sm::GetFileName(path), 18, true, Margin, Height - Margin, true);
   sm::AddText(front, Caption(*picture.Result), 18, false, Margin, Margin, false);
 }

@@ -7,8 +7,6 @@
 #ifndef smPicture_h
 #define smPicture_h
 
-#include "smJson.h"
-
 #include <string>
 
 class vtkOpenGLRenderWindow;
@@ -17,14 +15,16 @@ class vtkPolyData;
 
 namespace sm
 {
+struct FileResult;
+
 struct Picture
 {
   vtkOpenGLRenderWindow* Window = nullptr;         ///< the window to draw in, off screen
   vtkPartitionedDataSetCollection* Body = nullptr; ///< the bodies to draw
   vtkPolyData* Mark = nullptr;                     ///< port 0 of vtkMassPropertiesGPU
-  vtkPolyData* Stability = nullptr; ///< port 0 of vtkSolidStability, in its own colours; null: none
-  vtkPolyData* Flagged = nullptr;   ///< port 6: faces and edges to mark; may be empty
-  const Json* Result = nullptr;     ///< the file's entry, for the caption
+  vtkPolyData* Stability = nullptr;   ///< port 0 of vtkSolidStability, in its own colours; null: none
+  vtkPolyData* Flagged = nullptr;     ///< port 6: faces and edges to mark; may be empty
+  const FileResult* Result = nullptr; ///< for the caption
 };
 
 /// Writes a PNG file. Returns an error message, empty when it is written.

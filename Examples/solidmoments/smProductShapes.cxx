@@ -1,13 +1,13 @@
 #include "smProductShapes.h"
 
 #include "smProductTree.h"
+#include "smResults.h"
 
 #include "vtkCADReader.h"
 #include "vtkMath.h"
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
-#include <chrono>
 #include <set>
 #include <vector>
 
@@ -18,65 +18,49 @@ namespace
 /// Relative tolerance of the integrals of shapes. Their bounds are mostly the rounding of the sums.
 constexpr double ShapeTolerance = 1e-12;
 
-Json WriteFace(const FaceShape& face)
+void Visit(Fields& fields, FaceShape& face)
 {
-  Json numbers = { face.Area };
-  for (const double x : face.First)
-  {
-    numbers.push_back(x);
-  }
-  for (const double x : face.Second)
-  {
-    numbers.push_back(x);
-  }
-  for (const double x : face.VectorArea)
-  {
-    numbers.push_back(x);
-  }
-  for (const double x : { face.AreaBound, face.FirstBound, face.SecondBound, face.VectorAreaBound })
-  {
-    numbers.push_back(x);
-  }
-  return numbers;
-}
-
-FaceShape ReadFace(const Json& numbers)
-{
-  FaceShape face;
-  auto next = numbers.begin();
-  const auto read = [&next](double& x) { x = (next++)->get<double>(); };
-  read(face.Area);
-  std::for_each(face.First.begin(), face.First.end(), read);
-  std::for_each(face.Second.begin(), face.Second.end(), read);
-  std::for_each(face.VectorArea.begin(), face.VectorArea.end(), read);
-  for (double* x : { &face.AreaBound, &face.FirstBound, &face.SecondBound, &face.VectorAreaBound })
-  {
-    read(*x);
-  }
-  return face;
-}
-
-Json WriteShape(const PartShape& shape)
-{
-  Json faces = Json::array();
-  for (const FaceShape& face : shape.Problem.empty() ? shape.Faces : std::vector<FaceShape>())
-  {
-    faces.push_back(WriteFace(face));
-  }
-  return { { "reference", shape.Reference }, { "solid", shape.IsSolid }, { "problem", shape.Problem },
-    { "faces", std::move(faces) } };
+  fields.Number("area", face.Area);
+  fields.Point("first", face.First);
+  fields.Numbers("second", face.Second.data(), 1, 6);
+  fields.Point("vector_area", face.VectorArea);
+  fields.Number("area_bound", face.AreaBound);
+  fields.Number("first_bound", face.FirstBound);
+  fields.Number("second_bound", face.SecondBound);
+  fields.Number("vector_area_bound", face.VectorAreaBound);
 }
 }
 
-Json MeasureProduct(vtkCADReader* reader, const JobOptions& options, const Json& solids)
+void ProductShapes::Visit(Fields& fields)
+{
+  fields.List("models", this->Models,
+    [&fields](PartShape& shape)
+    {
+      std::optional<bool> isSolid = shape.IsSolid;
+      fields.Point("reference", shape.Reference);
+      fields.Flag("solid", isSolid);
+      fields.Text("problem", shape.Problem);
+      fields.List("faces", shape.Faces, [&fields](FaceShape& face) { sm::Visit(fields, face); });
+      shape.IsSolid = isSolid.value_or(false);
+    });
+  fields.List("bodies", this->Bodies,
+    [&fields](Body& body)
+    {
+      fields.Text("id", body.Id);
+      fields.Count("model", body.Model);
+      fields.Numbers("placement", body.Placement.data(), 3, 4);
+    });
+}
+
+ProductShapes MeasureProduct(vtkCADReader* reader, const FileResult& file, double seconds)
 {
   std::set<std::string> ids;
-  for (const Json& solid : solids)
+  for (const SolidResult& solid : file.Solids)
   {
-    ids.insert(solid["id"].get<std::string>());
+    ids.insert(solid.Id);
   }
   std::vector<vtkTrimmedNURBSModel*> models;
-  Json bodies = Json::array();
+  ProductShapes result;
   for (const ProductBody& body : ListBodies(reader))
   {
     if (ids.count(body.Id) == 0)
@@ -84,25 +68,15 @@ Json MeasureProduct(vtkCADReader* reader, const JobOptions& options, const Json&
       continue;
     }
     const auto found = std::find(models.begin(), models.end(), body.Model);
-    const auto index = static_cast<std::size_t>(found - models.begin());
+    const auto index = static_cast<long long>(found - models.begin());
     if (found == models.end())
     {
       models.push_back(body.Model);
     }
-    bodies.push_back({ { "id", body.Id }, { "model", index }, { "placement", body.Placement } });
+    result.Bodies.push_back({ body.Id, index, body.Placement });
   }
-  double seconds = 0.0;
-  if (options.MaximumSeconds > 0.0)
-  {
-    const std::chrono::duration<double> left = options.Deadline - std::chrono::steady_clock::now();
-    seconds = std::max(left.count(), 1e-9);
-  }
-  Json shapes = Json::array();
-  for (const PartShape& shape : MeasureShapes(models, ShapeTolerance, seconds))
-  {
-    shapes.push_back(WriteShape(shape));
-  }
-  return { { "models", std::move(shapes) }, { "bodies", std::move(bodies) } };
+  result.Models = MeasureShapes(models, ShapeTolerance, seconds);
+  return result;
 }
 
 bool SolidShape::IsMirrored() const
@@ -126,28 +100,20 @@ PartShape SolidShape::GetPlaced() const
   return placed;
 }
 
-std::map<std::string, SolidShape> ReadShapes(const Json& shapes)
+std::map<std::string, SolidShape> ReadShapes(const ProductShapes& shapes)
 {
   std::vector<std::shared_ptr<const PartShape>> models;
-  for (const Json& entry : shapes["models"])
+  for (const PartShape& given : shapes.Models)
   {
-    auto shape = std::make_shared<PartShape>();
-    shape->Reference = entry["reference"].get<std::array<double, 3>>();
-    shape->IsSolid = entry["solid"].get<bool>();
-    shape->Problem = entry["problem"].get<std::string>();
-    for (const Json& face : entry["faces"])
-    {
-      shape->Faces.push_back(ReadFace(face));
-    }
+    auto shape = std::make_shared<PartShape>(given);
     shape->Center();
     models.push_back(std::move(shape));
   }
   std::map<std::string, SolidShape> solids;
-  for (const Json& body : shapes["bodies"])
+  for (const ProductShapes::Body& body : shapes.Bodies)
   {
-    const auto model = body["model"].get<std::size_t>();
-    solids[body["id"].get<std::string>()] = { model, models.at(model),
-      body["placement"].get<std::array<double, 12>>() };
+    const auto model = static_cast<std::size_t>(body.Model);
+    solids[body.Id] = { model, models.at(model), body.Placement };
   }
   return solids;
 }

@@ -1,26 +1,42 @@
 /**
  * @file smProductShapes.h
- * @brief The shapes of the solids of a file as JSON, which the process that reads the file sends to the one that compares
+ * @brief The shapes of the solids of a file, which the process that reads the file sends to the one that compares
  */
 #ifndef smProductShapes_h
 #define smProductShapes_h
 
-#include "smFileJob.h"
-#include "smJson.h"
+#include "smFields.h"
 #include "smPartShape.h"
 
 #include <array>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
+
+class vtkCADReader;
 
 namespace sm
 {
-/// Key of the shapes in the entry of a file, until they are compared.
-constexpr const char* ShapesKey = "shapes";
+struct FileResult;
 
-/// Returns the shape of each model, and the model and the placement of each solid.
-Json MeasureProduct(vtkCADReader* reader, const JobOptions& options, const Json& solids);
+/// The shape of each model, and the model and the placement of each solid.
+struct ProductShapes
+{
+  struct Body
+  {
+    std::string Id;
+    long long Model = 0;
+    std::array<double, 12> Placement{};
+  };
+  std::vector<PartShape> Models;
+  std::vector<Body> Bodies;
+
+  void Visit(Fields& fields);
+};
+
+/// Measures the solids of the file. `seconds`: the limit of all; 0: none.
+ProductShapes MeasureProduct(vtkCADReader* reader, const FileResult& file, double seconds);
 
 /// The data of a solid for the comparison.
 struct SolidShape
@@ -37,8 +53,8 @@ struct SolidShape
   PartShape GetPlaced() const;
 };
 
-/// Returns the shapes of solids by their ids, from the result of MeasureProduct().
-std::map<std::string, SolidShape> ReadShapes(const Json& shapes);
+/// Returns the shapes of solids by their ids.
+std::map<std::string, SolidShape> ReadShapes(const ProductShapes& shapes);
 }
 
 #endif

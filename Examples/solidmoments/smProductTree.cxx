@@ -1,7 +1,6 @@
 #include "smProductTree.h"
 
 #include "smMaterials.h"
-#include "smProducts.h"
 
 #include "vtkCADReader.h"
 #include "vtkDataAssembly.h"
@@ -10,7 +9,6 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
-#include <map>
 
 namespace sm
 {
@@ -40,22 +38,6 @@ void ForEachBody(vtkPartitionedDataSetCollection* parts, const Use& use)
     }
   }
 }
-
-Json MakeNode(const ProductTreeNode& product, std::map<vtkTrimmedNURBSModel*, size_t>& models)
-{
-  Json node = { { "name", product.Name }, { "bodies", Json::array() }, { "children", Json::array() } };
-  for (const ProductTreeNode::Body& body : product.Bodies)
-  {
-    const size_t model = models.emplace(body.Model, models.size()).first->second;
-    node["bodies"].push_back({ { "id", body.Id }, { "model", model },
-      { "placement", std::vector<double>(body.Placement, body.Placement + 12) } });
-  }
-  for (const ProductTreeNode& child : product.Children)
-  {
-    node["children"].push_back(MakeNode(child, models));
-  }
-  return node;
-}
 }
 
 std::vector<ProductBody> ListBodies(vtkCADReader* reader)
@@ -68,10 +50,9 @@ std::vector<ProductBody> ListBodies(vtkCADReader* reader)
   return bodies;
 }
 
-Json GetProductTree(vtkCADReader* reader)
+ProductTreeNode GetProductTree(vtkCADReader* reader)
 {
-  std::map<vtkTrimmedNURBSModel*, size_t> models;
-  return MakeNode(MakeProductTree(GetParts(reader)), models);
+  return MakeProductTree(GetParts(reader));
 }
 
 std::vector<std::string> FindProducts(vtkCADReader* reader, const std::string& pattern)

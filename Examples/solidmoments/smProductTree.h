@@ -5,7 +5,7 @@
 #ifndef smProductTree_h
 #define smProductTree_h
 
-#include "smJson.h"
+#include "smProducts.h"
 
 #include <array>
 #include <string>
@@ -17,10 +17,8 @@ class vtkTrimmedNURBSModel;
 
 namespace sm
 {
-/// Returns the root of the products: {"name", "bodies": [{"id", "model", "placement"}], "children": [...]}. "id" is that of the table of
-/// solids, and bodies with the same "model" are instances of one; "placement" has the first three rows of the matrix from the part to the
-/// world. Nodes more than 100 levels deep are missing, and their bodies are in the node above.
-Json GetProductTree(vtkCADReader* reader);
+/// Returns the root of the products (MakeProductTree()).
+ProductTreeNode GetProductTree(vtkCADReader* reader);
 
 /// A solid or free shell of the file: its id in the table of solids, its model, its display mesh, and the first three rows of the matrix
 /// from the part to the world.

@@ -1,7 +1,5 @@
 #include "smReportFiles.h"
 
-#include "smPartsReport.h"
-#include "smReport.h"
 #include "smSafeFile.h"
 #include "smUrdf.h"
 
@@ -15,7 +13,7 @@ namespace
 constexpr size_t FreeBytes = size_t(256) << 20;
 }
 
-const Json& ReportFiles::Add(Json file)
+const FileResult& ReportFiles::Add(FileResult file)
 {
   this->Files.push_back(std::move(file));
   if (this->Written <= FreeBytes || this->Files.size() > this->Due + this->Due / 20)
@@ -36,14 +34,10 @@ int ReportFiles::SaveAll(bool isLast)
   const auto isDue = [isLast](const std::string& name)
   { return !name.empty() && (isLast || (name != "-" && !IsStream(name))); };
   int exitStatus = AllOk;
-  if (isDue(this->JsonName))
+  if (isDue(this->JsonName) &&
+    this->Save(this->JsonName, FormatJson(this->Head, this->Files), this->InJson, isLast) != AllOk)
   {
-    Json document = { { "version", 2 }, { "process_start", this->ProcessStart }, { "files", this->Files } };
-    if (this->Comparison)
-    {
-      document["comparison"] = *this->Comparison;
-    }
-    exitStatus = this->Save(this->JsonName, FormatJson(document), this->InJson, isLast);
+    exitStatus = UsageOrOutput;
   }
   if (isDue(this->CsvName) &&
     this->Save(this->CsvName, FormatCsv(this->Files, this->Fields), this->InCsv, isLast) != AllOk)

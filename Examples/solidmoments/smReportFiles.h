@@ -6,8 +6,8 @@
 #define smReportFiles_h
 
 #include "smArguments.h"
+#include "smReport.h"
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,19 +24,23 @@ class ReportFiles
 public:
   /// `processStart`: the processor's seconds before main().
   ReportFiles(const Arguments& arguments, double processStart)
-    : ProcessStart(processStart)
-    , JsonName(arguments.Json)
+    : JsonName(arguments.Json)
     , CsvName(arguments.Csv)
     , PartsName(arguments.PartsCsv)
     , UrdfName(arguments.Urdf)
     , Fields(arguments.Fields)
   {
+    this->Head.ProcessStart = processStart;
   }
 
   /// Adds the entry of a finished file, and returns it.
-  const Json& Add(Json file);
+  const FileResult& Add(FileResult file);
   /// Adds the comparison of the files to the JSON.
-  void SetComparison(Json comparison) { this->Comparison = std::move(comparison); }
+  void SetComparison(std::optional<ProductDifference> comparison)
+  {
+    this->Head.HasComparison = true;
+    this->Head.Comparison = std::move(comparison);
+  }
   size_t GetNumberOfFiles() const { return this->Files.size(); }
   /// Writes the final documents. Returns an exit status, and prints a message about every output that could not be written.
   int Finish();
@@ -46,14 +50,13 @@ private:
   int Save(const std::string& name, const std::string& text, size_t& saved, bool isLast);
   int SaveAll(bool isLast);
 
-  double ProcessStart;
   std::string JsonName;
   std::string CsvName;
   std::string PartsName;
   std::string UrdfName;
   std::vector<std::string> Fields; ///< columns of the CSV; none: all
-  Json Files = Json::array();
-  std::optional<Json> Comparison;
+  std::vector<FileResult> Files;
+  DocumentHead Head;
   size_t InJson = 0;
   size_t InCsv = 0;
   size_t InParts = 0;

@@ -1,85 +1,75 @@
 #include "smReportRows.h"
 
 #include "smFormat.h"
-#include "smTableText.h"
-#include "smText.h"
 
 #include <algorithm>
 
 namespace sm
 {
-std::string Count(const Json& number, const std::string& one, const std::string& more)
+std::string Count(long long number, const std::string& one, const std::string& more)
 {
-  return number.is_null() ? "- " + more : Dump(number) + " " + (number == 1 ? one : more);
+  return number < 0 ? "- " + more : std::to_string(number) + " " + (number == 1 ? one : more);
 }
 
-std::string Plain(const Json& value)
+std::string Short(double value)
 {
-  return value.is_string() ? value.get<std::string>() : value.is_null() ? "-" : Dump(value);
+  return std::isfinite(value) ? FormatDigits(value, 2) : "-";
 }
 
-std::string Short(const Json& value)
+std::string ShortBound(double value)
 {
-  return value.is_number() ? FormatDigits(value.get<double>(), 2) : "-";
+  return std::isfinite(value) ? FormatBound(value, 2) : "-";
 }
 
-std::string ShortBound(const Json& value)
+std::string RaiseUnit(const std::string& unit, int power)
 {
-  return value.is_number() ? FormatBound(value.get<double>(), 2) : "-";
+  return unit.empty() || power == 1 ? unit : unit + "^" + std::to_string(power);
 }
 
-std::string Row(
-  const std::string& label, const std::string& value, const std::string& unit, const Json& bound)
+std::string Row(const std::string& label, const std::string& value, const std::string& unit, double bound)
 {
   std::string line = "  " + Pad(label, 22) + value;
   if (value != "-" && !unit.empty())
   {
     line += " " + unit;
   }
-  if (bound.is_number())
+  if (std::isfinite(bound))
   {
-    line = Pad(line, 80) + "  +/- " + FormatBoundOfShown(bound.get<double>(), 2);
+    line = Pad(line, 80) + "  +/- " + FormatBoundOfShown(bound, 2);
   }
   return line + "\n";
 }
 
 std::string BoundedRow(
-  const std::string& label, const std::string& value, const std::string& unit, const Json& bound)
+  const std::string& label, const std::string& value, const std::string& unit, double bound)
 {
   const std::string row = Row(label, value, unit, bound);
-  return value == "-" || bound.is_number() ? row : Pad(row.substr(0, row.size() - 1), 80) + "  no bound\n";
+  return value == "-" || std::isfinite(bound) ? row : Pad(row.substr(0, row.size() - 1), 80) + "  no bound\n";
 }
 
-std::string Rows(
-  const std::string& label, const Json& matrix, const Json& limit, const std::string& unit, bool hasBound)
+std::string MatrixRows(
+  const std::string& label, const TensorQuantity& matrix, const std::string& unit, bool hasBound)
 {
-  if (matrix.is_null())
+  if (!matrix.IsKnown())
   {
-    return Row(label, "-", unit, nullptr);
+    return Row(label, "-", unit);
   }
   size_t width = 0;
-  std::string cells[3][3];
-  for (size_t i = 0; i < 3; ++i)
+  std::array<std::string, 9> cells;
+  for (size_t i = 0; i < 9; ++i)
   {
-    for (size_t j = 0; j < 3; ++j)
-    {
-      cells[i][j] = FormatValue(matrix[i][j], limit, 10);
-      width = std::max(width, cells[i][j].size());
-    }
+    cells[i] = FormatValue(matrix.Value[i], matrix.Bound, 10);
+    width = std::max(width, cells[i].size());
   }
   std::string text;
-  for (size_t i = 0; i < 3; ++i)
+  for (size_t i = 0; i < 9; i += 3)
   {
-    const std::string line = Pad(cells[i][0], width, true) + "  " + Pad(cells[i][1], width, true) + "  " +
-      Pad(cells[i][2], width, true);
-    text += i == 0 ? (hasBound ? BoundedRow(label, line, unit, limit) : Row(label, line, unit, nullptr))
-                   : Row("", line, "", nullptr);
+    const std::string line = Pad(cells[i], width, true) + "  " + Pad(cells[i + 1], width, true) + "  " +
+      Pad(cells[i + 2], width, true);
+    text += i > 0 ? Row("", line, "")
+      : hasBound  ? BoundedRow(label, line, unit, matrix.Bound)
+                  : Row(label, line, unit);
   }
   return text;
-}
-
-bool HasMixedDensities(const Json& total)
-{
-  return total["mass"].is_number() && total["density"].is_null();
 }
 }

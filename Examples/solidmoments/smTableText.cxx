@@ -55,50 +55,47 @@ std::string Pad(const std::string& text, size_t width, bool right)
   return right ? blanks + text : text + blanks;
 }
 
-std::string FormatValue(const Json& value, const Json& bound, int digits)
+std::string FormatValue(double value, double bound, int digits)
 {
-  if (!value.is_number())
-  {
-    return "-";
-  }
-  const auto number = value.get<double>();
-  return bound.is_number() && std::isfinite(bound.get<double>()) ? FormatNumber(number, bound.get<double>())
-                                                                 : FormatDigits(number, digits);
+  return !std::isfinite(value) ? "-"
+    : std::isfinite(bound)     ? FormatNumber(value, bound)
+                               : FormatDigits(value, digits);
 }
 
-std::string FormatVector(const Json& values, const Json& bound)
+std::string FormatVector(const double* values, double bound)
 {
-  if (values.is_null())
-  {
-    return "-";
-  }
   const int digits = 10;
-  return FormatValue(values[0], bound, digits) + "  " + FormatValue(values[1], bound, digits) + "  " +
-    FormatValue(values[2], bound, digits);
+  return std::isnan(values[0]) ? "-"
+                               : FormatValue(values[0], bound, digits) + "  " +
+      FormatValue(values[1], bound, digits) + "  " + FormatValue(values[2], bound, digits);
 }
 
-std::string FormatBrief(const Json& value, const Json& bound)
+std::string FormatBrief(double value, double bound)
 {
-  if (value.is_null())
+  const bool hasBound = std::isfinite(bound);
+  return !std::isfinite(value)
+    ? "-"
+    : (hasBound ? "" : "~") + FormatValue(value, std::max(hasBound ? bound : 0.0, 1e-8 * std::abs(value)));
+}
+
+std::string FormatBrief(const VectorQuantity& quantity)
+{
+  if (!quantity.IsKnown())
   {
     return "-";
   }
-  double limit = bound.is_number() ? bound.get<double>() : 0.0;
-  for (const Json& number : value.is_array() ? value : Json::array({ value }))
+  const bool hasBound = std::isfinite(quantity.Bound);
+  double limit = hasBound ? quantity.Bound : 0.0;
+  for (const double number : quantity.Value)
   {
-    limit = std::max(limit, 1e-8 * std::abs(number.get<double>()));
+    limit = std::max(limit, 1e-8 * std::abs(number));
   }
-  return (bound.is_number() ? "" : "~") +
-    (value.is_array() ? FormatVector(value, limit) : FormatValue(value, limit));
+  return (hasBound ? "" : "~") + FormatVector(quantity.Value, limit);
 }
 
-std::string FormatCell(const Json& value)
+std::string FormatCell(const std::optional<std::string>& value)
 {
-  if (!value.is_string())
-  {
-    return value.is_null() ? "" : Dump(value);
-  }
-  std::string text = value.get<std::string>();
+  std::string text = value.value_or("");
   if (text.find_first_of(",\"\n\r") == std::string::npos)
   {
     return text;

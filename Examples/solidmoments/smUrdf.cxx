@@ -1,6 +1,7 @@
 #include "smUrdf.h"
 
 #include "smLengthUnits.h"
+#include "smResults.h"
 #include "smText.h"
 
 #include <algorithm>
@@ -25,43 +26,47 @@ std::string Escape(const std::string& text)
   return result;
 }
 
-/// Returns centre and central inertia, with the axes of the frame of --about if there is one.
-const Json& GetPlaced(const Json& file)
+/// Returns the centre, with the axes of the frame of --about if there is one.
+const std::array<double, 3>& GetCenter(const TotalResult& total)
 {
-  const Json& total = file["total"];
-  return total["about"].is_null() ? total : total["about"];
+  return total.About ? total.About->MassCenter.Value : total.MassCenter.Value;
 }
 
-const Json& GetInertia(const Json& file)
+/// Returns the inertia about the centre.
+const TensorQuantity& GetInertia(const TotalResult& total)
 {
-  return GetPlaced(file)[file["total"]["about"].is_null() ? "mass_inertia" : "mass_central_inertia"];
+  return total.About ? total.About->MassCentralInertia : total.MassInertia;
+}
+
+std::string Quote(double value)
+{
+  return "\"" + FormatExact(value) + "\"";
 }
 }
 
-std::string FindUrdfProblem(const Json& file)
+std::string FindUrdfProblem(const FileResult& file)
 {
-  const Json& total = file["total"];
-  if (total["mass"].is_null() || !(total["mass"].get<double>() > 0.0))
+  const TotalResult& total = file.Total;
+  if (!(total.Mass.Get() > 0.0))
   {
     return "it has no mass: give the densities that are missing, see --density and --materials";
   }
-  const Json& moments = total["mass_principal_moments"];
-  if (moments.is_null() || GetInertia(file).is_null())
+  const std::array<double, 3>& moments = total.MassPrincipalMoments.Value;
+  if (!total.MassPrincipalMoments.IsKnown() || !GetInertia(total).IsKnown())
   {
     return "it has no inertia";
   }
-  const auto get = [&moments](size_t i) { return moments[i].get<double>(); };
-  if (!(get(0) > 0.0))
+  if (!(moments[0] > 0.0))
   {
     return "its inertia is not positive definite";
   }
   // For thin plates the two sides are equal up to rounding.
-  return get(2) > (get(0) + get(1)) * (1.0 + 1e-12)
+  return moments[2] > (moments[0] + moments[1]) * (1.0 + 1e-12)
     ? "its largest principal moment is more than the sum of the others"
     : "";
 }
 
-std::string FormatUrdf(const Json& files)
+std::string FormatUrdf(const std::vector<FileResult>& files)
 {
   std::string text =
     "<?xml version=\"1.0\"?>\n"
@@ -70,31 +75,29 @@ std::string FormatUrdf(const Json& files)
     "     link; ixy, ixz and iyz are entries of the tensor, negative products of inertia. -->\n"
     "<robot name=\"solidmoments\">\n";
   std::set<std::string> taken;
-  for (const Json& file : files)
+  for (const FileResult& file : files)
   {
     if (!FindUrdfProblem(file).empty())
     {
       continue;
     }
-    const std::string stem = GetStem(file["file"].get<std::string>());
+    const std::string stem = GetStem(file.File);
     std::string name = stem;
     for (int i = 2; !taken.insert(name).second; ++i)
     {
       name = stem + "-" + std::to_string(i);
     }
-    const double metres = GetMetres(file["length_unit"].get<std::string>());
-    const auto scale = [](const Json& value, double factor)
-    { return "\"" + Dump(Json(factor * value.get<double>())) + "\""; };
-    const Json& center = GetPlaced(file)["mass_center"];
-    const Json& inertia = GetInertia(file);
+    const double metres = GetMetres(file.LengthUnit.value_or(""));
     const double area = metres * metres;
-    const auto getMetres = [&](size_t i) { return Dump(Json(metres * center[i].get<double>())); };
-    text += "  <link name=\"" + Escape(name) + "\">\n    <inertial>\n      <origin xyz=\"" + getMetres(0) +
-      " " + getMetres(1) + " " + getMetres(2) +
-      "\" rpy=\"0 0 0\"/>\n      <mass value=" + scale(file["total"]["mass"], 1.0) +
-      "/>\n      <inertia ixx=" + scale(inertia[0][0], area) + " ixy=" + scale(inertia[0][1], area) +
-      " ixz=" + scale(inertia[0][2], area) + " iyy=" + scale(inertia[1][1], area) +
-      " iyz=" + scale(inertia[1][2], area) + " izz=" + scale(inertia[2][2], area) +
+    const std::array<double, 3>& center = GetCenter(file.Total);
+    const std::array<double, 9>& inertia = GetInertia(file.Total).Value;
+    text += "  <link name=\"" + Escape(name) + "\">\n    <inertial>\n      <origin xyz=\"" +
+      FormatExact(metres * center[0]) + " " + FormatExact(metres * center[1]) + " " +
+      FormatExact(metres * center[2]) +
+      "\" rpy=\"0 0 0\"/>\n      <mass value=" + Quote(file.Total.Mass.Get()) +
+      "/>\n      <inertia ixx=" + Quote(area * inertia[0]) + " ixy=" + Quote(area * inertia[1]) +
+      " ixz=" + Quote(area * inertia[2]) + " iyy=" + Quote(area * inertia[4]) +
+      " iyz=" + Quote(area * inertia[5]) + " izz=" + Quote(area * inertia[8]) +
       "/>\n    </inertial>\n  </link>\n";
   }
   return text + "</robot>\n";

@@ -2,6 +2,8 @@
 
 #include "smIntegralNames.h"
 #include "smLengthUnits.h"
+#include "smProducts.h"
+#include "smResults.h"
 #include "smSTEPProducts.h"
 #include "smSafeFile.h"
 
@@ -30,104 +32,92 @@ struct Computed
   std::string NoCenter;
   /// False if some solid is flagged by more than a bound above the tolerance.
   bool IsSound = true;
-  /// Material and density; null for an assembly.
-  Json Material, Density;
+  /// Material and density; empty and NaN for an assembly.
+  std::string Material;
+  double Density = std::nan("");
 };
 
-struct Solid
+struct PlacedSolid
 {
-  const Json* Values;
-  const Json* Placement;
+  const SolidResult* Values;
+  const double* Placement;
 };
 
-using SolidsById = std::map<std::string, const Json*>;
+using SolidsById = std::map<std::string, const SolidResult*>;
 
-bool IsKnown(const Json& solid)
+bool IsKnown(const SolidResult& solid)
 {
-  const Json& bounds = solid["bounds"];
-  return solid["volume"].is_number() && solid["area"].is_number() && solid["center_of_mass"].is_array() &&
-    bounds["volume"].is_number() && bounds["area"].is_number() && bounds["center_of_mass"].is_number();
+  return solid.Volume.IsKnown() && solid.Area.IsKnown() && solid.Center.IsKnown() &&
+    !std::isnan(solid.Volume.Bound) && !std::isnan(solid.Area.Bound) && !std::isnan(solid.Center.Bound);
 }
 
-bool IsSound(const Json& status)
+bool IsSound(const std::string& status)
 {
   return status == names::StatusOk || status == names::StatusToleranceNotMet;
 }
 
 /// Collects the solids below a node; returns false if one of them was not computed.
-bool Collect(const Json& node, const SolidsById& byId, std::vector<Solid>& solids)
+bool Collect(const ProductTreeNode& node, const SolidsById& byId, std::vector<PlacedSolid>& solids)
 {
-  for (const Json& body : node["bodies"])
+  for (const ProductTreeNode::Body& body : node.Bodies)
   {
-    const auto found = byId.find(body["id"].get<std::string>());
+    const auto found = byId.find(body.Id);
     if (found == byId.end() || !IsKnown(*found->second))
     {
       return false;
     }
-    solids.push_back({ found->second, &body["placement"] });
+    solids.push_back({ found->second, body.Placement });
   }
-  for (const Json& child : node["children"])
-  {
-    if (!Collect(child, byId, solids))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-Vector GetVector(const Json& values)
-{
-  return { values[0].get<double>(), values[1].get<double>(), values[2].get<double>() };
+  return std::all_of(node.Children.begin(), node.Children.end(),
+    [&](const ProductTreeNode& child) { return Collect(child, byId, solids); });
 }
 
 /// Returns the centre in the coordinates of the part: R^T (c - t) for a rigid placement.
-Vector PlaceBack(const Vector& c, const Json& placement)
+Vector PlaceBack(const Vector& c, const double* placement)
 {
   Vector result{};
   for (size_t i = 0; i < 3; ++i)
   {
     for (size_t k = 0; k < 3; ++k)
     {
-      result[i] += placement[4 * k + i].get<double>() * (c[k] - placement[4 * k + 3].get<double>());
+      result[i] += placement[4 * k + i] * (c[k] - placement[4 * k + 3]);
     }
   }
   return result;
 }
 
 /// Returns the sums of the solids below a node: in the coordinates of the part if there is a single part, otherwise in world coordinates.
-Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double millimetres)
+Computed Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byId, double millimetres)
 {
   Computed sum;
-  std::vector<Solid> solids;
+  std::vector<PlacedSolid> solids;
   if (!Collect(node, byId, solids) || solids.empty())
   {
     sum.Reason = "not all of its solids were computed";
     return sum;
   }
   const double cube = millimetres * millimetres * millimetres;
-  const bool isPart = node["children"].empty();
+  const bool isPart = node.Children.empty();
   std::vector<Vector> centers;
   Vector first{};
   double rounding = 0.0;
-  for (const Solid& solid : solids)
+  for (const PlacedSolid& solid : solids)
   {
-    const Json& values = *solid.Values;
-    const Json& bounds = values["bounds"];
-    sum.IsSound = sum.IsSound && IsSound(values["status"]);
-    const double volume = cube * values["volume"].get<double>();
+    const SolidResult& values = *solid.Values;
+    sum.IsSound = sum.IsSound && IsSound(values.Status);
+    const double volume = cube * values.Volume.Get();
     sum.Volume += volume;
-    sum.VolumeBound += cube * bounds["volume"].get<double>();
-    sum.Area += millimetres * millimetres * values["area"].get<double>();
-    sum.AreaBound += millimetres * millimetres * bounds["area"].get<double>();
-    const Vector world = GetVector(values["center_of_mass"]);
-    centers.push_back(isPart ? PlaceBack(world, *solid.Placement) : world);
+    sum.VolumeBound += cube * values.Volume.Bound;
+    sum.Area += millimetres * millimetres * values.Area.Get();
+    sum.AreaBound += millimetres * millimetres * values.Area.Bound;
+    const Vector& world = values.Center.Value;
+    centers.push_back(isPart ? PlaceBack(world, solid.Placement) : world);
     for (size_t i = 0; i < 3; ++i)
     {
       centers.back()[i] *= millimetres;
       first[i] += volume * centers.back()[i];
       rounding += 1e-15 * millimetres * (std::abs(world[i]) + std::abs(centers.back()[i]) / millimetres);
-      rounding += isPart ? 1e-15 * millimetres * std::abs((*solid.Placement)[4 * i + 3].get<double>()) : 0.0;
+      rounding += isPart ? 1e-15 * millimetres * std::abs(solid.Placement[4 * i + 3]) : 0.0;
     }
   }
   sum.VolumeBound += 1e-15 * sum.Volume;
@@ -142,12 +132,12 @@ Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double m
   }
   for (size_t k = 0; k < solids.size(); ++k)
   {
-    const Json& values = *solids[k].Values;
-    const double e = cube * values["bounds"]["volume"].get<double>();
-    const double d = millimetres * values["bounds"]["center_of_mass"].get<double>();
+    const SolidResult& values = *solids[k].Values;
+    const double e = cube * values.Volume.Bound;
+    const double d = millimetres * values.Center.Bound;
     const double away =
       std::hypot(centers[k][0] - sum.Center[0], centers[k][1] - sum.Center[1], centers[k][2] - sum.Center[2]);
-    error += cube * values["volume"].get<double>() * d + e * (away + d);
+    error += cube * values.Volume.Get() * d + e * (away + d);
   }
   sum.CenterBound = error / (sum.Volume - sum.VolumeBound) + rounding;
   if (!isPart)
@@ -155,24 +145,24 @@ Computed Compute(const Json& node, bool isRoot, const SolidsById& byId, double m
     return sum;
   }
   // One material for all solids, or none.
-  sum.Material = (*solids.front().Values)["material"];
-  sum.Density = (*solids.front().Values)["density"];
-  for (const Solid& solid : solids)
+  sum.Material = solids.front().Values->Material;
+  sum.Density = solids.front().Values->Density;
+  for (const PlacedSolid& solid : solids)
   {
-    sum.Material = (*solid.Values)["material"] == sum.Material ? sum.Material : Json();
-    sum.Density = (*solid.Values)["density"] == sum.Density ? sum.Density : Json();
+    sum.Material = solid.Values->Material == sum.Material ? sum.Material : "";
+    sum.Density = solid.Values->Density == sum.Density ? sum.Density : std::nan("");
   }
   return sum;
 }
 
-using Nodes = std::map<std::string, std::pair<const Json*, bool>>;
+using Nodes = std::map<std::string, std::pair<const ProductTreeNode*, bool>>;
 
 /// Collects the first node of each name, and if it is at the top level.
-void ListNodes(const Json& node, bool isTop, Nodes& nodes)
+void ListNodes(const ProductTreeNode& node, bool isTop, Nodes& nodes)
 {
-  for (const Json& child : node["children"])
+  for (const ProductTreeNode& child : node.Children)
   {
-    nodes.emplace(child["name"].get<std::string>(), std::pair(&child, isTop));
+    nodes.emplace(child.Name, std::pair(&child, isTop));
     ListNodes(child, false, nodes);
   }
 }
@@ -180,9 +170,8 @@ void ListNodes(const Json& node, bool isTop, Nodes& nodes)
 class ProductComparison
 {
 public:
-  ProductComparison(const std::string& fileName, const Json& tree, const Json& file)
-    : Millimetres(
-        GetUnitInMillimetres(file["length_unit"].is_string() ? file["length_unit"].get<std::string>() : ""))
+  ProductComparison(const std::string& fileName, const ProductTreeNode& tree, const FileResult& file)
+    : Millimetres(GetUnitInMillimetres(file.LengthUnit.value_or("")))
   {
     this->IsRead = this->File.Read(fileName);
     this->Products = this->IsRead ? ReadSTEPProducts(this->File) : std::vector<STEPProduct>();
@@ -190,9 +179,9 @@ public:
     {
       ++this->Uses[product.Name];
     }
-    for (const Json& solid : file["solids"])
+    for (const SolidResult& solid : file.Solids)
     {
-      this->ById[solid["id"].get<std::string>()] = &solid;
+      this->ById[solid.Id] = &solid;
     }
     ListNodes(tree, true, this->NodesByName);
   }
@@ -230,16 +219,16 @@ private:
 /// Adds an entry. Values are in millimetres to a power, those of a centroid in three components; `allowed` is without the bound.
 void AddEntry(const STEPProduct& product, const char* quantity, const std::vector<double>& stated,
   const std::vector<double>& computed, double bound, double allowed, const std::string& reason, double unit,
-  Json& list)
+  std::vector<ValidationEntry>& list)
 {
   const auto convert = [unit](const std::vector<double>& values)
   {
-    Json result = Json::array();
+    std::vector<double> result;
     for (const double value : values)
     {
       result.push_back(value / unit);
     }
-    return values.size() == 1 ? result[0] : result;
+    return result;
   };
   double squared = 0.0;
   for (size_t i = 0; i < stated.size(); ++i)
@@ -250,26 +239,59 @@ void AddEntry(const STEPProduct& product, const char* quantity, const std::vecto
   const double limit = allowed + (stated.size() == 1 ? bound : std::sqrt(3.0) * bound);
   const std::string problem = !product.Problem.empty() ? product.Problem : reason;
   const bool isComparable = problem.empty() && std::isfinite(limit) && std::isfinite(difference);
-  Json entry;
-  entry["product"] = product.Name;
-  entry["definition"] = product.Definition;
-  entry["quantity"] = quantity;
-  entry["stated"] = convert(stated);
-  entry["computed"] = isComparable ? convert(computed) : Json();
-  entry["bound"] = isComparable ? Json(bound / unit) : Json();
-  entry["difference"] = isComparable ? Json(difference / unit) : Json();
-  entry["limit"] = isComparable ? Json(limit / unit) : Json();
-  entry["result"] = !isComparable ? "not-comparable" : difference <= limit ? "pass" : "fail";
-  entry["reason"] = isComparable ? Json() : problem.empty() ? Json("it was not computed") : Json(problem);
+  ValidationEntry entry;
+  entry.Product = product.Name;
+  entry.Definition = static_cast<long long>(product.Definition);
+  entry.Quantity = quantity;
+  entry.Stated = convert(stated);
+  if (isComparable)
+  {
+    entry.Computed = convert(computed);
+    entry.Bound = bound / unit;
+    entry.Difference = difference / unit;
+    entry.Limit = limit / unit;
+  }
+  entry.Result = !isComparable ? "not-comparable" : difference <= limit ? "pass" : "fail";
+  entry.Reason = isComparable ? "" : problem.empty() ? "it was not computed" : problem;
   list.push_back(std::move(entry));
 }
 }
 
-Json CompareValidation(const std::string& fileName, const Json& tree, const Json& file, double limit)
+void ValidationEntry::Visit(Fields& fields)
+{
+  const auto visit = [&](const char* key, std::vector<double>& values)
+  {
+    std::array<double, 3> numbers{ Unknown, Unknown, Unknown };
+    std::copy(values.begin(), values.end(), numbers.begin());
+    if (this->Quantity == "centroid")
+    {
+      fields.Point(key, numbers);
+    }
+    else
+    {
+      fields.Number(key, numbers[0]);
+    }
+    values.assign(numbers.begin(), numbers.begin() + (this->Quantity == "centroid" ? 3 : 1));
+    values.resize(std::isnan(values[0]) ? 0 : values.size());
+  };
+  fields.Text("product", this->Product);
+  fields.Count("definition", this->Definition);
+  fields.Text("quantity", this->Quantity);
+  visit("stated", this->Stated);
+  visit("computed", this->Computed);
+  fields.Number("bound", this->Bound);
+  fields.Number("difference", this->Difference);
+  fields.Number("limit", this->Limit);
+  fields.Text("result", this->Result);
+  fields.Name("reason", this->Reason);
+}
+
+std::vector<ValidationEntry> CompareValidation(
+  const std::string& fileName, const ProductTreeNode& tree, const FileResult& file, double limit)
 {
   const ProductComparison comparison(fileName, tree, file);
   const double unit = comparison.Millimetres > 0.0 ? comparison.Millimetres : 1.0;
-  Json list = Json::array();
+  std::vector<ValidationEntry> list;
   for (const STEPProduct& product : comparison.Products)
   {
     const STEPValidation& stated = product.Stated;
@@ -302,7 +324,7 @@ Json CompareValidation(const std::string& fileName, const Json& tree, const Json
 }
 
 std::string WriteValidation(
-  const std::string& fileName, const Json& tree, const Json& file, const std::string& target)
+  const std::string& fileName, const ProductTreeNode& tree, const FileResult& file, const std::string& target)
 {
   const ProductComparison comparison(fileName, tree, file);
   if (!comparison.IsRead)
@@ -310,9 +332,9 @@ std::string WriteValidation(
     return fileName + " is no STEP file that can be written again with validation properties";
   }
   // A flag that no solid has is that of the file: something that it declares is missing or contradictory.
-  const bool isFileSound = IsSound(file["status"]) ||
-    std::any_of(file["solids"].begin(), file["solids"].end(),
-      [](const Json& solid) { return !IsSound(solid["status"]); });
+  const bool isFileSound = IsSound(file.Status) ||
+    std::any_of(file.Solids.begin(), file.Solids.end(),
+      [](const SolidResult& solid) { return !IsSound(solid.Status); });
   std::vector<STEPStatement> statements;
   for (const STEPProduct& product : comparison.Products)
   {
@@ -332,15 +354,22 @@ std::string WriteValidation(
     {
       statement.Values.Centroid = computed.Center;
     }
-    if (computed.Density.is_number() && !product.HasDensity)
+    if (!std::isnan(computed.Density) && !product.HasDensity)
     {
-      statement.Density = computed.Density.get<double>();
-      statement.Material = computed.Material.is_string() ? computed.Material.get<std::string>() : "";
+      statement.Density = computed.Density;
+      statement.Material = computed.Material;
     }
     statements.push_back(statement);
   }
   const std::string text = AppendSTEPValidation(comparison.File, statements);
   const std::string problem = text.empty() ? "it has no entities" : SaveFile(target, text);
   return problem.empty() ? problem : target + " cannot be written: " + problem;
+}
+
+long long CountValidation(const FileResult& file, const std::string& result)
+{
+  const std::vector<ValidationEntry> list = file.Validation.value_or(std::vector<ValidationEntry>());
+  return std::count_if(
+    list.begin(), list.end(), [&result](const ValidationEntry& entry) { return entry.Result == result; });
 }
 }

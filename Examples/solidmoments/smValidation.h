@@ -5,24 +5,45 @@
 #ifndef smValidation_h
 #define smValidation_h
 
-#include "smJson.h"
+#include "smFields.h"
 
 #include <string>
+#include <vector>
 
 namespace sm
 {
+struct FileResult;
+struct ProductTreeNode;
+
+/// A property that the file states, in the length unit of the results.
+struct ValidationEntry
+{
+  std::string Product;
+  long long Definition = -1; ///< entity number
+  std::string Quantity;      ///< "volume", "area", "centroid"
+  std::vector<double> Stated,
+    Computed; ///< one number, three of a centroid; Computed is empty if it is not comparable
+  double Bound = Unknown, Difference = Unknown, Limit = Unknown;
+  std::string Result; ///< "pass", "fail", "not-comparable"
+  std::string Reason; ///< why it is not comparable
+
+  void Visit(Fields& fields);
+};
+
 /**
- * Returns a list with an entry for every property that the file states: product (name), definition (entity number), quantity ("volume",
- * "area", "centroid"), stated, computed and bound in the length unit of the results, difference, limit, result ("pass", "fail",
- * "not-comparable") and reason. Volume and area may differ by `limit` of the stated value, the centroid by `limit` of the cube root of the
- * volume, and all by their bounds. `tree` is that of GetProductTree() with placements.
+ * Returns an entry for every property that the file states. Volume and area may differ by `limit` of the stated value, the centroid by
+ * `limit` of the cube root of the volume, and all by their bounds.
  */
-Json CompareValidation(const std::string& fileName, const Json& tree, const Json& file, double limit);
+std::vector<ValidationEntry> CompareValidation(
+  const std::string& fileName, const ProductTreeNode& tree, const FileResult& file, double limit);
 
 /// Writes the text of the file with the validation properties and densities of the products that were computed. Existing statements are
 /// kept. Returns an error message; empty if the file was written.
-std::string WriteValidation(
-  const std::string& fileName, const Json& tree, const Json& file, const std::string& target);
+std::string WriteValidation(const std::string& fileName, const ProductTreeNode& tree, const FileResult& file,
+  const std::string& target);
+
+/// Returns the number of entries with that result.
+long long CountValidation(const FileResult& file, const std::string& result);
 }
 
 #endif

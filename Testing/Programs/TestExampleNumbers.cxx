@@ -1,9 +1,9 @@
 // TestExampleNumbers [commas]: the command line prints and reads numbers with a decimal point, in the locale "C" or, with `commas`, in
 // de_DE.UTF-8 of LOCPATH.
 #include "smArguments.h"
+#include "smBuoyancyAnalysis.h"
 #include "smOptionValues.h"
 #include "smReport.h"
-#include "smStabilityJob.h"
 #include "smTesting.h"
 #include "smText.h"
 
@@ -61,8 +61,14 @@ void CheckArguments()
   Check("tolerance", 0.25, arguments.Job.Tolerance, 0.0);
   Check("density", 7850.5, arguments.Job.Density, 0.0);
   Check("seconds", 1.5, arguments.Job.MaximumSeconds, 0.0);
-  CheckTrue("heights", arguments.Job.Waterlines == std::vector<double>{ -2.5, 0.125 });
-  Check("direction", 0.5, arguments.Job.Up[1], 0.0);
+  for (const std::shared_ptr<sm::Analysis>& analysis : arguments.Job.Analyses)
+  {
+    if (const auto* buoyancy = dynamic_cast<const sm::BuoyancyAnalysis*>(analysis.get()))
+    {
+      CheckTrue("heights", buoyancy->GetWaterlines() == std::vector<double>{ -2.5, 0.125 });
+      Check("direction", 0.5, buoyancy->GetUp()[1], 0.0);
+    }
+  }
 }
 
 void CheckReport()
@@ -71,24 +77,24 @@ void CheckReport()
   CheckEqual("vector", "0.5  -1.25  0", sm::FormatVector({ 0.5, -1.25, -1e-17 }, 1e-9));
   sm::JobOptions options;
   options.FileName = "part.step";
-  sm::Json file = sm::UnreadableFile(options, "a note");
-  file["backend"] = "cpu";
-  file["length_unit"] = "mm";
-  file["renderer"] = "CPU";
-  file["seconds"]["start"] = 0.125;
-  sm::Json& total = file["total"];
-  total["volume"] = 1234.5;
-  total["bounds"]["volume"] = 0.00123;
-  total["mass"] = 9.75;
-  total["bounds"]["mass"] = 0.00025;
-  total["center_of_mass"] = { 0.5, 1.5, 2.5 };
+  sm::FileResult file = sm::UnreadableFile(options, "a note");
+  file.Backend = "cpu";
+  file.LengthUnit = "mm";
+  file.Renderer = "CPU";
+  file.Seconds.Start = 0.125;
+  sm::TotalResult& total = file.Total;
+  total.Volume.Value = { 1234.5 };
+  total.Volume.Bound = 0.00123;
+  total.Mass.Value = { 9.75 };
+  total.Mass.Bound = 0.00025;
+  total.Center.Value = { 0.5, 1.5, 2.5 };
   const std::string table = sm::FormatTable(file);
   for (const char* number :
     { "1234.5 mm^3", "+/- 0.0013", "9.75 kg", "+/- 0.00027", "0.5  1.5  2.5", "start 0.12" })
   {
     CheckTrue(std::string("table has ") + number, table.find(number) != std::string::npos, table);
   }
-  const std::string csv = sm::FormatCsv(sm::Json::array({ file }));
+  const std::string csv = sm::FormatCsv({ file });
   CheckTrue("CSV", csv.find(",1234.5,0.00123,") != std::string::npos, csv);
   CheckTrue("CSV of the mass", csv.find(",9.75,0.00025,") != std::string::npos, csv);
 }

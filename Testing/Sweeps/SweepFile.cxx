@@ -9,6 +9,8 @@
 #include "smFileJob.h"
 #include "smJson.h"
 #include "smKernelComparison.h"
+#include "smReportJson.h"
+#include "smResults.h"
 #include "smRoundTrip.h"
 #if __has_include("smBuoyancySums.h")
 #include "smBuoyancySums.h"
@@ -106,13 +108,11 @@ Json RunJob(const std::string& file, double tolerance, vtkSTEPReader* reader)
   options.FileName = file;
   // The default itself is under test.
   options.Tolerance = tolerance == Tolerances[0] ? options.Tolerance : tolerance;
-  Json document;
+  sm::FileResult result(options);
   sm::RunFileJob(
-    options,
-    [&](const Json& message) { document = message.contains("result") ? message["result"] : document; },
-    reader);
-  return { { "tolerance", tolerance }, { "exit_status", sm::GetExitStatus(document) },
-    { "seconds", vtkTimerLog::GetUniversalTime() - start }, { "document", document } };
+    options, [&](const sm::JobMessage& message) { result = message.File ? *message.File : result; }, reader);
+  return { { "tolerance", tolerance }, { "exit_status", sm::GetExitStatus(result) },
+    { "seconds", vtkTimerLog::GetUniversalTime() - start }, { "document", sm::MakeJson(result) } };
 }
 
 void RunStages(const std::set<std::string>& stages, vtkSTEPReader* reader, const std::string& folder)

@@ -1,0 +1,16 @@
+#include "smBoxAnalysis.h"
+#include "smBuoyancyAnalysis.h"
+#include "smIntegralAnalysis.h"
+#include "smSectionAnalysis.h"
+#include "smStabilityAnalysis.h"
+
+namespace sm
+{
+AnalysisList MakeAnalyses()
+{
+  // In the order of the help, of the columns and, after those of bodies, of the rows of the table.
+  return { std::make_shared<IntegralAnalysis>(), std::make_shared<BuoyancyAnalysis>(),
+    std::make_shared<SectionAnalysis>(), std::make_shared<BoxAnalysis>(),
+    std::make_shared<StabilityAnalysis>() };
+}
+}

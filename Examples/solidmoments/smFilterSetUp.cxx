@@ -1,0 +1,62 @@
+#include "smFilterSetUp.h"
+
+#include "smFileJob.h"
+#include "smMassPropertyNames.h"
+#include "smMessageList.h"
+#include "smResults.h"
+
+#include "vtkComputeContext.h"
+#include "vtkMassPropertiesBase.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace sm
+{
+void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
+{
+  filter->SetMaximumEvaluations(static_cast<vtkTypeInt64>(options.MaximumEvaluations));
+  SetTimeLimit(filter, options);
+  for (const std::string& selector : options.Selectors)
+  {
+    filter->AddSelector(selector);
+  }
+  filter->SetGapLimit(options.GapLimit);
+  filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralBase::AUTOMATIC
+      : options.Backend == "cpu"               ? vtkSurfaceIntegralBase::CPU
+                                               : vtkSurfaceIntegralBase::OPENGL);
+  filter->GetComputeContext()->SetSource(options.Backend == "egl" ? vtkComputeContext::EGL
+      : options.Backend == "x"                                    ? vtkComputeContext::X
+                                                                  : vtkComputeContext::AUTOMATIC);
+}
+
+void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options)
+{
+  filter->SetDensity(options.Density);
+  filter->SetDensityTolerance(options.DensityTolerance);
+  for (const MaterialRule& rule : options.Materials)
+  {
+    filter->AddMaterial(
+      rule.Pattern.c_str(), rule.Material.Name.c_str(), rule.Material.Density, rule.Material.Tolerance);
+  }
+}
+
+void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options)
+{
+  if (options.MaximumSeconds > 0.0)
+  {
+    filter->SetMaximumSeconds(options.GetSecondsLeft());
+  }
+}
+
+void AddEffort(vtkSurfaceIntegralBase* filter, FileResult& file, MessageList& messages)
+{
+  if (file.Status == names::StatusOk)
+  {
+    file.Status = filter->GetStatus();
+  }
+  file.Evaluations += filter->GetEvaluations();
+  file.Dispatches += filter->GetDispatches();
+  messages.AddFilter(filter);
+}
+}

@@ -1,0 +1,30 @@
+/**
+ * @file smFilterSetUp.h
+ * @brief The settings that all filters of a job share
+ */
+#ifndef smFilterSetUp_h
+#define smFilterSetUp_h
+
+class vtkMassPropertiesBase;
+class vtkSurfaceIntegralBase;
+
+namespace sm
+{
+class MessageList;
+struct FileResult;
+struct JobOptions;
+
+/// Sets the limits and the backend of a filter.
+void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options);
+
+/// Sets the densities and materials of a filter.
+void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options);
+
+/// Limits the next run of a filter to the seconds that the job has left.
+void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options);
+
+/// Adds evaluations, dispatches and messages of a filter's last run to the file's. If the file was ok, it gets the status of the filter.
+void AddEffort(vtkSurfaceIntegralBase* filter, FileResult& file, MessageList& messages);
+}
+
+#endif
