@@ -31,17 +31,19 @@ bool ReadSTEPDirection(const STEPAttributes& entities, Part21File::Index directi
 
 /// The function first_proj_axis: the unit vector normal to the unit vector `z` that is nearest to `reference`. By default that is the x
 /// axis, or the y axis if `z` is parallel to x. Returns false if `reference` is parallel to `z`.
-bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVector& x);
+SMREADERSPART21_EXPORT bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVector& x);
 
 /// The x axis that OpenCASCADE gives a placement without a reference direction.
 STEPVector GetKernelFirstAxis(const STEPVector& z);
 
 /// The function base_axis: the axes of an operator of which some are given, others null. They may be a reflection. Returns false if one is
 /// parallel to another; this may also be the default of y.
-bool MakeBaseAxes(const std::array<const STEPVector*, 3>& given, std::array<STEPVector, 3>& axes);
+SMREADERSPART21_EXPORT bool MakeBaseAxes(
+  const std::array<const STEPVector*, 3>& given, std::array<STEPVector, 3>& axes);
 
 /// Reads an AXIS2_PLACEMENT_3D. Returns false if it is damaged or has no x axis.
-SMREADERSPART21_EXPORT bool ReadSTEPFrame(const STEPAttributes& entities, Part21File::Index placement, STEPFrame& frame);
+SMREADERSPART21_EXPORT bool ReadSTEPFrame(
+  const STEPAttributes& entities, Part21File::Index placement, STEPFrame& frame);
 
 /// The motion `second` followed by `first`.
 STEPFrame Compose(const STEPFrame& first, const STEPFrame& second);

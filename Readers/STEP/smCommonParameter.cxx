@@ -1,7 +1,7 @@
 #include "smCommonParameter.h"
 
 #include "smCellSurface.h"
-#include "smChebyshevFit.h"
+#include "Geometry/smChebyshevFit.h"
 #include "smVector.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #define smOCCTBuildBody_h
 
 #include "smFace.h"
-#include "smOCCTParameterMap.h"
+#include "Geometry/smParameterMap.h"
 
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>

@@ -10,7 +10,7 @@
 #define smOCCTBuildGeometry_h
 
 #include "smNURBSSurface.h"
-#include "smOCCTParameterMap.h"
+#include "Geometry/smParameterMap.h"
 #include "smPolynomialCurve.h"
 
 #include <Geom2d_BSplineCurve.hxx>

@@ -5,6 +5,8 @@
 #ifndef smOCCTCompatibility_h
 #define smOCCTCompatibility_h
 
+#include "smReadersSTEPModule.h"
+
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
@@ -29,7 +31,7 @@ Handle(Geom_Surface) MakeEntitySurface(const Handle(StepGeom_Surface) & entity);
 
 /// Makes geometry of entities in their own unit of length, during the lifetime of this object, which changes global settings of OpenCASCADE.
 /// `angle` is the file's unit of angles in radians.
-class EntityGeometry
+class SMREADERSSTEP_EXPORT EntityGeometry
 {
 public:
   explicit EntityGeometry(double angle);

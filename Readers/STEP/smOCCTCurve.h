@@ -5,13 +5,13 @@
 #ifndef smOCCTCurve_h
 #define smOCCTCurve_h
 
-#include "smOCCTParameterMap.h"
+#include "Geometry/smCurveFit.h"
+#include "Geometry/smParameterMap.h"
 #include "smPolynomialCurve.h"
 #include "smReadersSTEPModule.h"
 
 #include <Geom_Curve.hxx>
 
-#include <functional>
 #include <vector>
 
 namespace sm
@@ -22,10 +22,6 @@ SMREADERSSTEP_EXPORT EdgeCurve ConvertEdge(
 
 /// Fits polynomial pieces to 1e-14 of the curve's size.
 EdgeCurve FitEdge(const Handle(Geom_Curve) & curve, double first, double last, const AffineMap& map);
-
-/// Fits any function that is smooth between the breaks. The rounding of its values is that of coordinates as large as `magnitude`.
-EdgeCurve FitEdge(
-  const std::function<Vector3(double)>& position, const std::vector<double>& breaks, double magnitude);
 
 /// Returns the breaks of a 3D curve: first, last and the knots between.
 std::vector<double> GetCurveBreaks(const Handle(Geom_Curve) & curve, double first, double last);

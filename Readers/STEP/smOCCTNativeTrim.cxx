@@ -1,6 +1,6 @@
 #include "smOCCTNativeTrim.h"
 
-#include "smChebyshevFit.h"
+#include "Geometry/smChebyshevFit.h"
 #include "smOCCTSpline.h"
 
 #include <Geom2d_BSplineCurve.hxx>

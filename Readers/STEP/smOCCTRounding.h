@@ -6,7 +6,7 @@
 #define smOCCTRounding_h
 
 #include "smNURBSSurface.h"
-#include "smOCCTParameterMap.h"
+#include "Geometry/smParameterMap.h"
 #include "smOCCTSurface.h"
 
 #include <Geom_Surface.hxx>

@@ -5,8 +5,7 @@
 #ifndef smOCCTSurface_h
 #define smOCCTSurface_h
 
-#include "smNURBSSurface.h"
-#include "smOCCTParameterMap.h"
+#include "Geometry/smConvertedSurface.h"
 #include "smReadersSTEPModule.h"
 
 #include <Geom_Surface.hxx>
@@ -14,28 +13,12 @@
 
 namespace sm
 {
-struct ConvertedSurface
-{
-  NURBSSurface Surface;
-  ParameterMap Map[2];
-};
-
-/// Range of native parameters that the trim curves of a face cover.
-struct NativeBox
-{
-  double Low[2] = { 0.0, 0.0 };
-  double High[2] = { 0.0, 0.0 };
-};
-
 /// Returns the basis surface of rectangular trimmed surfaces, which has the same parameters.
 SMREADERSSTEP_EXPORT Handle(Geom_Surface) GetBasisSurface(Handle(Geom_Surface) surface);
 
 /// Converts a surface. Throws std::runtime_error with the reason if that is not possible.
 SMREADERSSTEP_EXPORT ConvertedSurface ConvertSurface(
   const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map);
-
-/// Fits a surface by tensor Chebyshev series over the box, where there is no exact conversion (offset surfaces). Sets Residual.
-NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map);
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "smOCCTTrim.h"
 
+#include "Geometry/smChebyshevFit.h"
 #include "smOCCTSpline.h"
 #include "smTrimResidual.h"
 

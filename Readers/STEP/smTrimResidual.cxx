@@ -1,7 +1,7 @@
 #include "smTrimResidual.h"
 
 #include "smCellSurface.h"
-#include "smChebyshevFit.h"
+#include "Geometry/smChebyshevFit.h"
 #include "smVector.h"
 
 #include <algorithm>

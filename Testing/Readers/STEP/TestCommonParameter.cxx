@@ -1,6 +1,6 @@
 // Trim curves out of step with their edge: the parameter in common comes back, the points of the face stay what they were, and
 // where there is no such parameter the curve is left alone. Residuals cover what is between trim curves and edges.
-#include "smChebyshevFit.h"
+#include "Geometry/smChebyshevFit.h"
 #include "smCommonParameter.h"
 #include "smTesting.h"
 #include "smTrimResidual.h"

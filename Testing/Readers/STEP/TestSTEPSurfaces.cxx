@@ -2,10 +2,12 @@
  * @file TestSTEPSurfaces.cxx
  * @brief Every surface and curve type: our B-spline at mapped parameters against OpenCASCADE's own evaluation
  */
+#include "Geometry/smGeometryConversion.h"
 #include "smTesting.h"
 
 #include "smOCCTCurve.h"
 #include "smOCCTFileSurface.h"
+#include "smOCCTGeometry.h"
 #include "smOCCTTrim.h"
 
 #include <Geom2d_BSplineCurve.hxx>
@@ -82,15 +84,90 @@ sm::AffineMap MakeMap(bool mirrored)
 /// 13 digits: OpenCASCADE's own rounding in coordinates of about 10.
 constexpr double SurfaceLimit = 1e-13;
 
+double GetKernelDistance(const sm::Vector3& a, const gp_XYZ& b)
+{
+  return std::hypot(a[0] - b.X(), a[1] - b.Y(), a[2] - b.Z());
+}
+
+/// Values of derivatives are up to about 100, of second ones more.
+constexpr double DerivativeLimit = 1e-12;
+
+/// The native value has the points and derivatives that OpenCASCADE evaluates.
+void CheckValue(const char* name, const Handle(Geom_Surface) & surface, const sm::NativeBox& box)
+{
+  const sm::SurfacePointer value = sm::MakeGeometry(surface);
+  double worst[3] = { 0.0, 0.0, 0.0 };
+  for (int i = 0; value && i < 100; ++i)
+  {
+    const double u = Uniform(box.Low[0], box.High[0]);
+    const double v = Uniform(box.Low[1], box.High[1]);
+    gp_Pnt p;
+    gp_Vec d[5];
+    surface->D2(u, v, p, d[0], d[1], d[2], d[3], d[4]);
+    sm::GeometricSurface::Derivatives own;
+    const int order = value->GetLargestOrder();
+    value->Evaluate(u, v, order, own);
+    worst[0] = std::max(worst[0], GetKernelDistance(own[0][0], p.XYZ()));
+    const double slope = std::max({ 1.0, d[0].Magnitude(), d[1].Magnitude() });
+    worst[1] = std::max({ worst[1], GetKernelDistance(own[1][0], d[0].XYZ()) / slope,
+      GetKernelDistance(own[0][1], d[1].XYZ()) / slope });
+    if (order == 2)
+    {
+      const double bend = std::max({ slope, d[2].Magnitude(), d[3].Magnitude(), d[4].Magnitude() });
+      worst[2] = std::max({ worst[2], GetKernelDistance(own[2][0], d[2].XYZ()) / bend,
+        GetKernelDistance(own[0][2], d[3].XYZ()) / bend, GetKernelDistance(own[1][1], d[4].XYZ()) / bend });
+    }
+  }
+  smtest::CheckTrue(std::string(name) + " is a value", value != nullptr);
+  smtest::CheckRange(std::string(name) + " point", 0.0, worst[0], DerivativeLimit, "rounding of both");
+  smtest::CheckRange(std::string(name) + " slopes", 0.0, worst[1], DerivativeLimit, "rounding of both");
+  // An offset has first derivatives only.
+  smtest::CheckRange(
+    std::string(name) + " second derivatives", 0.0, worst[2], DerivativeLimit, "rounding of both");
+}
+
+/// The same for a curve.
+void CheckValue(const char* name, const Handle(Geom_Curve) & curve, double first, double last)
+{
+  const sm::CurvePointer<3> value = sm::MakeGeometry(curve);
+  double worst[4] = { 0.0, 0.0, 0.0, 0.0 };
+  for (int i = 0; value && i < 100; ++i)
+  {
+    const double t = Uniform(first, last);
+    gp_Pnt p;
+    gp_Vec d[3];
+    curve->D3(t, p, d[0], d[1], d[2]);
+    sm::GeometricCurve<3>::Derivatives own;
+    const int order = value->GetLargestOrder();
+    value->Evaluate(t, order, own);
+    worst[0] = std::max(worst[0], GetKernelDistance(own[0], p.XYZ()));
+    double size = 1.0;
+    for (int k = 1; k <= order; ++k)
+    {
+      size = std::max(size, d[k - 1].Magnitude());
+      worst[k] = std::max(worst[k], GetKernelDistance(own[k], d[k - 1].XYZ()) / size);
+    }
+  }
+  smtest::CheckTrue(std::string("edge: ") + name + " is a value", value != nullptr);
+  for (int k = 0; k < 4; ++k)
+  {
+    smtest::CheckRange(std::string("edge: ") + name + " derivative " + std::to_string(k), 0.0, worst[k],
+      DerivativeLimit, "rounding of both");
+  }
+}
+
 void CheckSurface(const char* name, const Handle(Geom_Surface) & surface, double u0, double u1, double v0,
   double v1, double residual = 0.0)
 {
+  const sm::NativeBox box{ { u0, v0 }, { u1, v1 } };
+  CheckValue(name, surface, box);
   for (const bool mirrored : { false, true })
   {
     const sm::AffineMap map = MakeMap(mirrored);
-    const sm::NativeBox box{ { u0, v0 }, { u1, v1 } };
     const sm::ConvertedSurface converted = sm::ConvertSurface(surface, box, map);
+    const sm::ConvertedSurface native = sm::ConvertGeometry(*sm::MakeGeometry(surface), box, map);
     double worst = 0.0;
+    double worstNative = 0.0;
     for (int i = 0; i < 400; ++i)
     {
       const double u = i % 20 == 0 ? u0 : i % 20 == 1 ? u1 : Uniform(u0, u1);
@@ -99,9 +176,14 @@ void CheckSurface(const char* name, const Handle(Geom_Surface) & surface, double
       double p[3];
       converted.Surface.Evaluate(converted.Map[0].Evaluate(u), converted.Map[1].Evaluate(v), p);
       worst = std::max(worst, std::hypot(p[0] - expected[0], p[1] - expected[1], p[2] - expected[2]));
+      native.Surface.Evaluate(native.Map[0].Evaluate(u), native.Map[1].Evaluate(v), p);
+      worstNative =
+        std::max(worstNative, std::hypot(p[0] - expected[0], p[1] - expected[1], p[2] - expected[2]));
     }
     smtest::CheckRange(std::string(name) + (mirrored ? " mirrored" : ""), 0.0, worst, SurfaceLimit + residual,
       "rounding of coordinates of about 1");
+    smtest::CheckRange(std::string(name) + (mirrored ? " mirrored" : "") + ", of the value alone", 0.0,
+      worstNative, SurfaceLimit + native.Surface.Residual, "the same");
     smtest::CheckRange(std::string(name) + " stated residual", 0.0, converted.Surface.Residual, residual);
     smtest::CheckEqual(std::string(name) + " is consistent", "", converted.Surface.Check());
   }
@@ -435,14 +517,19 @@ void CheckEdge(const char* name, const Handle(Geom_Curve) & curve, double first,
 {
   const sm::AffineMap map = MakeMap(false);
   const sm::EdgeCurve result = sm::ConvertEdge(curve, first, last, map);
+  CheckValue(name, curve, first, last);
+  const sm::EdgeCurve native = sm::ConvertCurve(*sm::MakeGeometry(curve), first, last, map);
   double worst = 0.0;
+  double worstNative = 0.0;
   for (int i = 0; i <= 1000; ++i)
   {
     const double t = first + (last - first) * i / 1000.0;
     const sm::Vector3 expected = map.MapPoint(curve->Value(t).XYZ());
-    const auto p = result.Evaluate(t);
-    worst = std::max(worst, std::hypot(p[0] - expected[0], p[1] - expected[1], p[2] - expected[2]));
+    worst = std::max(worst, sm::Norm(sm::Subtract(result.Evaluate(t), expected)));
+    worstNative = std::max(worstNative, sm::Norm(sm::Subtract(native.Evaluate(t), expected)));
   }
+  smtest::CheckRange(std::string("edge: ") + name + ", of the value alone", 0.0, worstNative,
+    2.0 * native.GetLargestResidual() + 2e-14, "stated residual and rounding");
   smtest::CheckRange(std::string("edge: ") + name, 0.0, worst, 2.0 * result.GetLargestResidual() + 2e-14,
     "stated residual and rounding");
   smtest::CheckRange(

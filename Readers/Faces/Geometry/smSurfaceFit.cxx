@@ -1,12 +1,10 @@
-#include "smOCCTSurface.h"
+#include "smSurfaceFit.h"
 
 #include "smChebyshevFit.h"
 #include "smFormat.h"
-#include "smOCCTSpline.h"
 
-#include <Geom_BSplineSurface.hxx>
-#include <Geom_OffsetSurface.hxx>
-
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace sm
@@ -22,45 +20,15 @@ constexpr double FitTolerance = 1e-13;
 
 using Grid = std::array<std::array<Vector3, FitOrder + 1>, FitOrder + 1>;
 
-/// Returns the knots inside the box of the basis surface of an offset surface; cells of the fit must not extend across them.
-std::vector<double> GetBreaks(const Handle(Geom_Surface) & surface, int direction, double low, double high)
-{
-  std::vector<double> breaks{ low };
-  Handle(Geom_Surface) basis = surface;
-  while (const auto offset = Handle(Geom_OffsetSurface)::DownCast(basis))
-  {
-    basis = GetBasisSurface(offset->BasisSurface());
-  }
-  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(basis))
-  {
-    const FlatKnots flat = direction == 0 ? MakeFlatKnots(spline->UDegree(), spline->UKnots(),
-                                              spline->UMultiplicities(), spline->IsUPeriodic(), low, high)
-                                          : MakeFlatKnots(spline->VDegree(), spline->VKnots(),
-                                              spline->VMultiplicities(), spline->IsVPeriodic(), low, high);
-    const double slack = 1e-12 * (high - low);
-    for (const double knot : flat.Knots)
-    {
-      if (knot > breaks.back() + slack && knot < high - slack)
-      {
-        breaks.push_back(knot);
-      }
-    }
-  }
-  breaks.push_back(high);
-  return breaks;
-}
-
 /// Computes the Chebyshev coefficients of one cell: grid[j][i] belongs to T_i(u) T_j(v).
-void Sample(const Handle(Geom_Surface) & surface, const AffineMap& map, const double u[2], const double v[2],
-  Grid& grid, double& size)
+void Sample(const SurfacePosition& position, const double u[2], const double v[2], Grid& grid, double& size)
 {
   const FitSamples& x = GetFitNodes();
   for (int j = 0; j <= FitOrder; ++j)
   {
     for (int i = 0; i <= FitOrder; ++i)
     {
-      grid[j][i] = map.MapPoint(
-        surface->Value((1.0 - x[i]) * u[0] + x[i] * u[1], (1.0 - x[j]) * v[0] + x[j] * v[1]).XYZ());
+      grid[j][i] = position((1.0 - x[i]) * u[0] + x[i] * u[1], (1.0 - x[j]) * v[0] + x[j] * v[1]);
       for (const double c : grid[j][i])
       {
         if (!std::isfinite(c))
@@ -173,16 +141,14 @@ std::vector<double> Refine(const std::vector<double>& breaks, const std::vector<
 }
 
 /// Samples the cells between the breaks. `tails` gets the truncation errors of each in u and v; `size` is raised to the largest coordinate.
-void SampleCells(const Handle(Geom_Surface) & surface, const AffineMap& map,
-  const std::vector<double> breaks[2], std::vector<Grid>& cells, std::vector<std::array<double, 2>>& tails,
-  double& size)
+void SampleCells(const SurfacePosition& position, const std::vector<double> breaks[2],
+  std::vector<Grid>& cells, std::vector<std::array<double, 2>>& tails, double& size)
 {
   const std::size_t columns = breaks[0].size() - 1;
   const std::size_t rows = breaks[1].size() - 1;
   if (columns * rows > MaximumCells)
   {
-    throw std::runtime_error("its surface (" + std::string(surface->DynamicType()->Name()) +
-      ") needs more than " + std::to_string(MaximumCells) + " pieces");
+    throw std::runtime_error("it needs more than " + std::to_string(MaximumCells) + " pieces");
   }
   tails.assign(columns * rows, { 0.0, 0.0 });
   cells.resize(columns * rows);
@@ -190,7 +156,7 @@ void SampleCells(const Handle(Geom_Surface) & surface, const AffineMap& map,
   {
     for (std::size_t i = 0; i < columns; ++i)
     {
-      Sample(surface, map, &breaks[0][i], &breaks[1][j], cells[i + j * columns], size);
+      Sample(position, &breaks[0][i], &breaks[1][j], cells[i + j * columns], size);
       MeasureTails(cells[i + j * columns], tails[i + j * columns].data());
     }
   }
@@ -256,20 +222,17 @@ NURBSSurface JoinCells(const std::vector<double> breaks[2], const std::vector<Gr
 }
 }
 
-NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& box, const AffineMap& map)
+NURBSSurface FitSurface(
+  const SurfacePosition& position, const std::vector<double>& u, const std::vector<double>& v)
 {
-  std::vector<double> breaks[2];
-  for (int d = 0; d < 2; ++d)
-  {
-    breaks[d] = GetBreaks(surface, d, box.Low[d], box.High[d]);
-  }
+  std::vector<double> breaks[2] = { u, v };
   std::vector<Grid> cells;
   std::vector<std::array<double, 2>> tails;
   double size = 0.0;
   double tolerance = 0.0;
   do
   {
-    SampleCells(surface, map, breaks, cells, tails, size);
+    SampleCells(position, breaks, cells, tails, size);
     // The tolerance must exceed the rounding of a sum of coefficients, or the refinement would not end.
     tolerance = size * std::max(FitTolerance, 64.0 * UnitRoundoff * FitOrder);
   } while (RefineBreaks(tails, tolerance, breaks));
@@ -283,8 +246,8 @@ NURBSSurface FitSurface(const Handle(Geom_Surface) & surface, const NativeBox& b
   s.Residual = 3.0 * worst + 8.0 * UnitRoundoff * size;
   if (!(s.Residual < 1e-6 * size))
   {
-    throw std::runtime_error("its surface (" + std::string(surface->DynamicType()->Name()) +
-      ") could not be fitted: a residual of " + FormatDistance(s.Residual) + " is left");
+    throw std::runtime_error(
+      "it could not be fitted: a residual of " + FormatDistance(s.Residual) + " is left");
   }
   return s;
 }

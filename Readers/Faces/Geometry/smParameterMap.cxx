@@ -1,6 +1,6 @@
-#include "smOCCTParameterMap.h"
+#include "smParameterMap.h"
 
-#include "smChebyshevFit.h"
+#include "smUnitRoundoff.h"
 
 #include <vtkMath.h>
 
@@ -18,31 +18,17 @@ double SnapToZero(double value)
 }
 }
 
-AffineMap AffineMap::Make(const gp_Trsf& trsf, double unit, const double origin[3])
-{
-  AffineMap map;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      map.Linear[i][j] = unit * trsf.Value(i + 1, j + 1);
-    }
-    map.Translation[i] = unit * trsf.Value(i + 1, 4) - origin[i];
-  }
-  return map;
-}
-
-Vector3 AffineMap::MapVector(const gp_XYZ& v) const
+Vector3 AffineMap::MapVector(const Vector3& v) const
 {
   Vector3 r;
   for (int i = 0; i < 3; ++i)
   {
-    r[i] = this->Linear[i][0] * v.X() + this->Linear[i][1] * v.Y() + this->Linear[i][2] * v.Z();
+    r[i] = this->Linear[i][0] * v[0] + this->Linear[i][1] * v[1] + this->Linear[i][2] * v[2];
   }
   return r;
 }
 
-Vector3 AffineMap::MapPoint(const gp_XYZ& p) const
+Vector3 AffineMap::MapPoint(const Vector3& p) const
 {
   Vector3 r = this->MapVector(p);
   for (int i = 0; i < 3; ++i)

@@ -1,31 +1,54 @@
 /**
- * @file smOCCTParameterMap.h
- * @brief Maps coordinates and parameters of OpenCASCADE's geometry to those of the model
+ * @file smParameterMap.h
+ * @brief Maps coordinates and parameters of native geometry to those of the model
  */
-#ifndef smOCCTParameterMap_h
-#define smOCCTParameterMap_h
+#ifndef smParameterMap_h
+#define smParameterMap_h
 
-#include "smReadersSTEPModule.h"
+#include "smReadersFacesModule.h"
 
-#include <gp_Trsf.hxx>
+#include "smVector.h"
 
-#include <array>
 #include <vector>
 
 namespace sm
 {
-using Vector3 = std::array<double, 3>;
-
-/// Maps coordinates of OpenCASCADE's geometry (mm, before a location) to those of the model.
-struct SMREADERSSTEP_EXPORT AffineMap
+/// Maps coordinates of native geometry (mm, before a placement) to those of the model.
+struct SMREADERSFACES_EXPORT AffineMap
 {
   double Linear[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   Vector3 Translation{};
 
-  /// model = unit * trsf(kernel) - origin
-  static AffineMap Make(const gp_Trsf& trsf, double unit, const double origin[3]);
-  Vector3 MapVector(const gp_XYZ& v) const;
-  Vector3 MapPoint(const gp_XYZ& p) const;
+  /// model = unit * placement(native) - origin. The placement is a matrix with three rows and four columns, Value(1, 1) to Value(3, 4).
+  template <class Placement>
+  static AffineMap Make(const Placement& placement, double unit, const double origin[3])
+  {
+    AffineMap map;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        map.Linear[i][j] = unit * placement.Value(i + 1, j + 1);
+      }
+      map.Translation[i] = unit * placement.Value(i + 1, 4) - origin[i];
+    }
+    return map;
+  }
+  Vector3 MapVector(const Vector3& v) const;
+  Vector3 MapPoint(const Vector3& p) const;
+  ///@{
+  /** The same for a vector of another library, with X(), Y() and Z(). */
+  template <class Vector>
+  Vector3 MapVector(const Vector& v) const
+  {
+    return this->MapVector(Vector3{ v.X(), v.Y(), v.Z() });
+  }
+  template <class Vector>
+  Vector3 MapPoint(const Vector& p) const
+  {
+    return this->MapPoint(Vector3{ p.X(), p.Y(), p.Z() });
+  }
+  ///@}
   bool IsMirrored() const;
   /// Length of a mapped unit vector.
   double GetScale() const;
@@ -40,7 +63,7 @@ constexpr double MaximumTurns = 1e4;
  *   s = (1 + tan(phi/2) / tan(a/2)) / 2,  phi measured from the arc's middle.
  * Hyperbolic: one piece, the same with tanh and weights (1, cosh a, 1).
  */
-struct SMREADERSSTEP_EXPORT ParameterMap
+struct SMREADERSFACES_EXPORT ParameterMap
 {
   enum class Kind
   {

@@ -6,7 +6,7 @@
 #define smChebyshevFit_h
 
 #include "smPolynomialCurve.h"
-#include "smReadersSTEPModule.h"
+#include "smReadersFacesModule.h"
 #include "smUnitRoundoff.h"
 
 #include <algorithm>
@@ -22,13 +22,13 @@ constexpr int FitOrder = 16;
 using FitSamples = std::array<double, FitOrder + 1>;
 
 /// The sample points in [0,1], increasing; the first is 0, the last 1 and the middle one 1/2, exactly.
-SMREADERSSTEP_EXPORT const FitSamples& GetFitNodes();
+SMREADERSFACES_EXPORT const FitSamples& GetFitNodes();
 
 /// Chebyshev coefficients (in the argument 1 - 2x) of the polynomial through the samples.
-SMREADERSSTEP_EXPORT void ComputeChebyshevCoefficients(const FitSamples& samples, FitSamples& coefficients);
+SMREADERSFACES_EXPORT void ComputeChebyshevCoefficients(const FitSamples& samples, FitSamples& coefficients);
 
 /// Bernstein coefficients, `degree` + 1 of them, of the Chebyshev series cut off after `degree`.
-SMREADERSSTEP_EXPORT void ConvertToBernstein(const FitSamples& chebyshev, int degree, double* bernstein);
+SMREADERSFACES_EXPORT void ConvertToBernstein(const FitSamples& chebyshev, int degree, double* bernstein);
 
 /// When an interval is halved, the residual of a smooth function decreases by far more than this ratio, even across a kink. A residual that
 /// does not is the rounding of the function itself, which bisection cannot reduce.

@@ -1,0 +1,142 @@
+#include "smCurveFoot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sm
+{
+namespace
+{
+/// Number of parts into which each span is divided for the start of Newton's method.
+constexpr int StartParts = 8;
+constexpr int MostSteps = 60;
+
+template <int Dimension>
+double GetProduct(const std::array<double, Dimension>& a, const std::array<double, Dimension>& b)
+{
+  double sum = 0.0;
+  for (int c = 0; c < Dimension; ++c)
+  {
+    sum += a[c] * b[c];
+  }
+  return sum;
+}
+
+template <int Dimension>
+std::array<double, Dimension> GetDifference(
+  const std::array<double, Dimension>& a, const std::array<double, Dimension>& b)
+{
+  std::array<double, Dimension> result;
+  for (int c = 0; c < Dimension; ++c)
+  {
+    result[c] = a[c] - b[c];
+  }
+  return result;
+}
+
+/// The parameter on a conic from the coordinates of the point along its axes.
+template <int Dimension>
+double FindOnConic(const ConicCurve<Dimension>& conic, const std::array<double, Dimension>& point)
+{
+  const auto away = GetDifference<Dimension>(point, conic.Center);
+  const double xx = GetProduct<Dimension>(conic.X, conic.X);
+  const double xy = GetProduct<Dimension>(conic.X, conic.Y);
+  const double yy = GetProduct<Dimension>(conic.Y, conic.Y);
+  const double determinant = xx * yy - xy * xy;
+  const double p = GetProduct<Dimension>(away, conic.X);
+  const double q = GetProduct<Dimension>(away, conic.Y);
+  const double x = (yy * p - xy * q) / determinant;
+  const double y = (xx * q - xy * p) / determinant;
+  switch (conic.Kind)
+  {
+    case ConicCurve<Dimension>::Type::Ellipse:
+      return std::atan2(y / conic.Radii[1], x / conic.Radii[0]);
+    case ConicCurve<Dimension>::Type::Hyperbola:
+      return std::asinh(y / conic.Radii[1]);
+    default:
+      return y;
+  }
+}
+
+/// Improves a parameter by Newton's method within [low, high], as long as the distance decreases.
+template <int Dimension>
+double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array<double, Dimension>& point,
+  double t, double low, double high)
+{
+  typename GeometricCurve<Dimension>::Derivatives d;
+  const int order = std::min(2, curve.GetLargestOrder());
+  double least = std::numeric_limits<double>::infinity();
+  double best = t;
+  double step = 0.0;
+  for (int i = 0; i < MostSteps; ++i)
+  {
+    curve.Evaluate(t, order, d);
+    const auto gap = GetDifference<Dimension>(point, d[0]);
+    const double distance = GetProduct<Dimension>(gap, gap);
+    if (!(distance < least))
+    {
+      // A step that leads away is halved.
+      step *= 0.5;
+      if (std::abs(step) <= 1e-16 * std::max(std::abs(low), std::abs(high)))
+      {
+        break;
+      }
+      t = std::clamp(best + step, low, high);
+      continue;
+    }
+    least = distance;
+    best = t;
+    const double slope = GetProduct<Dimension>(gap, d[1]);
+    const double square = GetProduct<Dimension>(d[1], d[1]);
+    const double second = order > 1 ? GetProduct<Dimension>(gap, d[2]) : 0.0;
+    step = slope / (square - second > 0.1 * square ? square - second : square);
+    t = std::clamp(t + step, low, high);
+    if (!(square > 0.0) || t == best)
+    {
+      break;
+    }
+  }
+  return best;
+}
+}
+
+template <int Dimension>
+double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::array<double, Dimension>& point)
+{
+  if (const auto* line = curve.template GetIf<LineCurve<Dimension>>())
+  {
+    return GetProduct<Dimension>(GetDifference<Dimension>(point, line->Origin), line->Direction);
+  }
+  if (const auto* conic = curve.template GetIf<ConicCurve<Dimension>>())
+  {
+    return FindOnConic<Dimension>(*conic, point);
+  }
+  const ParameterRange& domain = curve.GetDomain();
+  if (!std::isfinite(domain.Low) || !std::isfinite(domain.High))
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const std::vector<double> breaks = curve.GetBreaks(domain.Low, domain.High);
+  double best = domain.Low;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    for (int i = 0; i <= StartParts; ++i)
+    {
+      const double t = breaks[k] + (breaks[k + 1] - breaks[k]) * i / StartParts;
+      const auto gap = GetDifference<Dimension>(point, curve.Evaluate(t));
+      const double distance = GetProduct<Dimension>(gap, gap);
+      if (distance < least)
+      {
+        least = distance;
+        best = t;
+      }
+    }
+  }
+  return ImproveParameter<Dimension>(curve, point, best, domain.Low, domain.High);
+}
+
+template double FindCurveParameter<2>(const GeometricCurve<2>&, const std::array<double, 2>&);
+template double FindCurveParameter<3>(const GeometricCurve<3>&, const std::array<double, 3>&);
+}

@@ -1,0 +1,37 @@
+/**
+ * @file smSTEPLedger.h
+ * @brief What became of the entities of a STEP file on which bodies depend: converted, or listed with a reason
+ */
+#ifndef smSTEPLedger_h
+#define smSTEPLedger_h
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sm
+{
+/// An entity that was not converted.
+struct LedgerRow
+{
+  std::uint64_t Id = 0;
+  /// Name of its type, in capitals.
+  std::string Type;
+  /// Why it was not converted, as the end of the sentence "It is left out: ...".
+  std::string Reason;
+  /// What is missing for that, as a clause: "faces on it are missing".
+  std::string Consequence;
+};
+
+/// One account of a file: every entity that a reader asks for is either counted as converted or has a row.
+struct STEPLedger
+{
+  /// Number of converted entities of each type.
+  std::map<std::string, std::size_t> Converted;
+  std::vector<LedgerRow> Rows;
+};
+}
+
+#endif
