@@ -79,6 +79,14 @@ void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyDa
   totals->SetPoints(points);
 }
 
+/// Returns the number of pieces of the update.
+int GetNumberOfPieces(vtkInformation* request, vtkInformationVector* outputVector)
+{
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  return outputVector->GetInformationObject(port)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+}
+
 void AppendText(const std::string& text, vtkTable* table)
 {
   auto* summary = vtkStringArray::SafeDownCast(table->GetRowData()->GetAbstractArray(sm::names::Text));
@@ -238,9 +246,7 @@ void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
 int vtkSurfaceIntegralBase::Run(
   vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector)
 {
-  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  const int pieces = outputVector->GetInformationObject(port)->Get(
-    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  const int pieces = GetNumberOfPieces(request, outputVector);
   Input found;
   std::exception_ptr failure;
   try
@@ -353,6 +359,8 @@ int vtkSurfaceIntegralBase::RequestData(
   {
     this->Fail(failure, outputVector);
   }
+  this->Engine->ShareStructure(GetNumberOfPieces(request, outputVector),
+    vtkPartitionedDataSetCollection::GetData(outputVector, 5));
   if (this->GetReleaseDataFlag())
   {
     this->ReleaseMemory();
