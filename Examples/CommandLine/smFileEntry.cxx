@@ -89,6 +89,7 @@ Json GetSolids(vtkTable* table, vtkTable* edges)
     Json solid;
     solid["name"] = GetText(columns, row, names::Name);
     solid["id"] = GetText(columns, row, names::Id);
+    solid["path"] = GetText(columns, row, names::Path);
     solid["status"] = GetText(columns, row, names::Status);
     solid.update(GetRow(columns, row));
     solid["worst_edges"] = worst[static_cast<size_t>(row)];

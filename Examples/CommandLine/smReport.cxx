@@ -154,6 +154,14 @@ std::string Results(const Json& file)
       nullptr);
 }
 
+/// Returns a path of at most 23 characters, with its end, where single instances differ.
+std::string ShortenPath(const std::string& path)
+{
+  const size_t slash = path.rfind('/');
+  return path.size() <= 23 || slash == std::string::npos ? sm::Shorten(path, 23)
+                                                         : sm::Shorten("..." + path.substr(slash), 23);
+}
+
 std::string SolidRows(const Json& file)
 {
   const Json& solids = file["solids"];
@@ -179,9 +187,9 @@ std::string SolidRows(const Json& file)
   {
     const Json& solid = solids[i];
     const Json& bounds = solid["bounds"];
-    std::string name = sm::Plain(solid["name"]);
+    std::string name = sm::Plain(solid["path"]);
     name = name.empty() ? sm::Plain(solid["id"]) : name;
-    text += "  " + sm::Pad(sm::Shorten(name, 23), 24) +
+    text += "  " + sm::Pad(ShortenPath(name), 24) +
       sm::Pad(sm::FormatBrief(solid["volume"], bounds["volume"]), 18, true) +
       sm::Pad(sm::FormatBrief(solid["area"], bounds["area"]), 18, true) +
       massCells(sm::FormatValue(solid["density"], nullptr, 9), sm::FormatBrief(solid["mass"], bounds["mass"]),

@@ -194,6 +194,7 @@ Columns CsvRow(const Json& file, const Json& row, bool isTotal, const Extras& ex
   columns.Add("row", isTotal ? "total" : "solid");
   columns.Add("name", isTotal ? Json() : row["name"]);
   columns.Add("id", isTotal ? Json() : row["id"]);
+  columns.Add("path", isTotal ? Json() : row["path"]);
   columns.Add("status", isTotal ? file["status"] : row["status"]);
   columns.Add("scheme", file["scheme"]);
   columns.Add("length_unit", file["length_unit"]);
