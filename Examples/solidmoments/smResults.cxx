@@ -257,6 +257,7 @@ void FileResult::VisitSolid(Fields& fields, SolidResult& solid)
 {
   fields.Text("name", solid.Name);
   fields.Text("id", solid.Id);
+  fields.Text("path", solid.Path);
   fields.Text("status", solid.Status);
   this->VisitBody(fields, solid);
   fields.List("worst_edges", solid.WorstEdges, [&](EdgeResult& edge) { sm::Visit(fields, edge); });
@@ -361,6 +362,7 @@ void ReadSolids(vtkTable* table, vtkTable* edges, FileResult& file)
     Scheme::ReadBody(columns, row, solid);
     solid.Name = GetText(columns, row, names::Name);
     solid.Id = GetText(columns, row, names::Id);
+    solid.Path = GetText(columns, row, names::Path);
     solid.Status = GetText(columns, row, names::Status);
     file.Solids.push_back(std::move(solid));
   }
