@@ -30,8 +30,8 @@ enum class Part21Defect : unsigned char
   DuplicateId,        ///< a second instance with the same number; Find() gives the first
   UndefinedReference, ///< a reference to an instance that the file does not have
   ControlCharacters,  ///< bytes below 32 that are no tabs or line ends; they are read as blanks
-  UnreadInstance,     ///< text with numbers of instances that is skipped, between instances or in a section that is not read
-  BehindEnd,          ///< an instance behind END-ISO-10303-21; it is not read
+  UnreadInstance, ///< text with numbers of instances that is skipped, between instances or in a section that is not read
+  BehindEnd, ///< an instance behind END-ISO-10303-21; it is not read
   Count
 };
 
@@ -139,6 +139,10 @@ public:
   /// The names in FILE_SCHEMA, as in the file.
   const std::vector<std::string>& GetSchemas() const { return this->Schemas; }
 
+  /// Returns true if the file has what the first edition of the standard has not: several or named DATA sections, and sections of other
+  /// kinds.
+  bool HasLaterSections() const { return this->LaterSections; }
+
   const std::vector<Part21Problem>& GetProblems() const { return this->Problems; }
   /// Returns the number of defects of a kind, including those that are not listed.
   std::size_t GetNumberOfProblems(Part21Defect defect) const
@@ -197,6 +201,7 @@ private:
   std::vector<SparseId> SparseIds;
   std::vector<std::string> TypeNames;
   std::vector<std::string> Schemas;
+  bool LaterSections = false;
   std::vector<Part21Problem> Problems;
   std::array<std::size_t, static_cast<std::size_t>(Part21Defect::Count)> Counts{};
 };

@@ -14,9 +14,9 @@ namespace
 bool IsBroken(const Part21File& file, bool isUnparsable)
 {
   const auto has = [&file](Part21Defect defect) { return file.GetNumberOfProblems(defect) > 0; };
-  return (isUnparsable || has(Part21Defect::Syntax) || has(Part21Defect::NotAnInstance) ||
-           has(Part21Defect::UnterminatedText) || has(Part21Defect::NumberTooLarge) ||
-           has(Part21Defect::ControlCharacters)) &&
+  return (isUnparsable || file.HasLaterSections() || has(Part21Defect::Syntax) ||
+           has(Part21Defect::NotAnInstance) || has(Part21Defect::UnterminatedText) ||
+           has(Part21Defect::NumberTooLarge) || has(Part21Defect::ControlCharacters)) &&
     !has(Part21Defect::Truncated) && !has(Part21Defect::NoData) && !has(Part21Defect::BehindEnd) &&
     file.GetNumberOfInstances() > 0;
 }

@@ -10,7 +10,7 @@ namespace sm
 {
 namespace
 {
-/// Types with a list that must have members. Real files have empty lists in others, which the parser accepts.
+/// Types of which every list must have members. Empty lists in others, which real files have, are accepted.
 constexpr std::string_view TypesWithLists[] = { "CAMERA_MODEL_D3_MULTI_CLIPPING",
   "CONTEXT_DEPENDENT_OVER_RIDING_STYLED_ITEM", "CURVE_BOUNDED_SURFACE", "DATUM_REFERENCE_COMPARTMENT",
   "DATUM_REFERENCE_ELEMENT", "DERIVED_UNIT", "DIRECTION", "EDGE_LOOP", "INVISIBILITY",

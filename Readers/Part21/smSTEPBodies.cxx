@@ -222,7 +222,9 @@ std::uint32_t STEPCensusTaker::AddShell(Index entity)
   Part21Values values(this->Entities.Get(entity, FacesOfShell).Text);
   for (Part21Value value; values.Next(value);)
   {
-    const Index face = this->Unwrap(this->Entities.Follow(value), OrientedFace, FacesOfShell.Name);
+    const Index used = this->Entities.Follow(value);
+    const Index face = this->Unwrap(used, OrientedFace, FacesOfShell.Name);
+    this->Census.HasOrientedFaces = this->Census.HasOrientedFaces || face != used;
     if (this->Entities.Has(face, STEPRole::Face))
     {
       faces.push_back(this->AddFace(face));

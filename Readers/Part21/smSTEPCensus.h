@@ -150,6 +150,8 @@ struct CensusOccurrence
   /// Entity numbers of the CONTEXT_DEPENDENT_SHAPE_REPRESENTATION and its transformation; 0: none.
   std::uint64_t Placement = 0;
   std::uint64_t Transformation = 0;
+  /// True if it has no placement, and a mapped item of the shape of the child into that of the parent places it.
+  bool IsMapped = false;
   /// Number of instances, that of its parent.
   CensusCount Instances = 0;
   /// True if the product or one below it has a solid.
@@ -266,8 +268,9 @@ enum Bit : unsigned char
  * - Bodies: items of representations. A product uses a representation by SHAPE_DEFINITION_REPRESENTATION of a
  * PRODUCT_DEFINITION; representations that a SHAPE_REPRESENTATION_RELATIONSHIP without transformation relates are one shape. A
  * NEXT_ASSEMBLY_USAGE_OCCURRENCE places a product in another one; a MAPPED_ITEM, and a relationship with a transformation that belongs to
- * no occurrence, place a representation in another one. Products that no occurrence has as its child are roots and occur once; a product
- *   occurs as often as all its parents together. In a file without a SHAPE_DEFINITION_REPRESENTATION representations that no other
+ * no occurrence, place a representation in another one. Products that no occurrence has as its child, and whose
+ *   shapes are not mapped into those of other products, are roots and occur once; a product occurs as often as all its parents together.
+ *   An occurrence without a placement and a mapped item of its shape are one. In a file without a SHAPE_DEFINITION_REPRESENTATION representations that no other
  *   uses are the roots.
  * - Problems, only at entities that bodies, structure or units depend on: damage elsewhere, for example in text annotations, is not
  * reported. The
@@ -289,6 +292,8 @@ struct SMREADERSPART21_EXPORT STEPCensus
   /// Indices into Faces.
   std::vector<std::uint32_t> FaceUses;
   std::vector<CensusFace> Faces;
+  /// True if a shell has an ORIENTED_FACE.
+  bool HasOrientedFaces = false;
   std::vector<std::uint64_t> Bounds;
   std::vector<CensusOccurrence> Occurrences;
   std::vector<CensusMappedItem> MappedItems;

@@ -7,6 +7,7 @@
 
 #include "smSTEPAttributes.h"
 #include "smSTEPCensus.h"
+#include "smSTEPFrames.h"
 
 #include <array>
 #include <set>
@@ -71,13 +72,17 @@ private:
   void AddShapes(Index i);
   void AddItems(Index representation);
   void AddPlacedShapes();
+  std::vector<Index> GetShapes(Index product) const;
   void MarkStructure();
   void CheckFrame(Index user, Index placement);
   void ReportDamagedStructure();
 
   // smSTEPInstances.cxx: numbers of instances of products and shapes
   void CountAll();
+  void JoinMappedOccurrences();
+  void FindMappedProducts();
   void PassDensity(Index from, Index to);
+  const STEPDensity* FindDensity(Index product) const;
   /// Marks groups with a body of one of these kinds, and what they are part of; `intoAssemblies`: assemblies, too.
   std::vector<bool> FindAbove(const std::vector<CensusBodyKind>& kinds, bool intoAssemblies) const;
   void ReportCycles();
@@ -135,7 +140,10 @@ private:
   bool ReadNumbers(Index entity, const STEPAttribute& attribute, Point3& numbers) const;
   bool ReadLine(Index line, Point3& point, Point3& direction) const;
   bool IsAgainstSpline(Index spline, bool isForward, const Point3 ends[2], double limit) const;
+  bool ReadConic(Index conic, STEPFrame& frame, double radii[2]) const;
+  bool IsClosedEdge(Index edge) const;
   double GetConicDistance(Index conic, const Point3& point) const;
+  void AddEdgeExtent(const VertexPair& edge, Point3& low, Point3& high) const;
 
   // smSTEPDependence.cxx: the entities on which bodies depend, and their damage
   void WalkBodies();
@@ -197,6 +205,9 @@ private:
   std::set<Index> ExactGroups;
   std::vector<std::pair<Index, std::uint32_t>> MappedFrom;
   std::vector<bool> SolidsBelow;
+  /// Products that are parts by mapped items alone, and the product of each of their shapes; empty if there are no mapped items.
+  std::vector<bool> IsMapped;
+  std::unordered_map<Index, Index> MappedOwners;
 
   std::unordered_map<Index, std::uint32_t> BodyIndices;
   std::unordered_map<Index, std::uint32_t> ShellIndices;

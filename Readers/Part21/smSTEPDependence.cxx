@@ -1,5 +1,6 @@
 // The entities that the bodies of a census depend on, and their damage.
 #include "smSTEPCensusTaker.h"
+#include "smSTEPKnownForms.h"
 #include "smSTEPTopologyAttributes.h"
 
 #include <algorithm>
@@ -144,7 +145,9 @@ void STEPCensusTaker::Visit(Index i, bool flat)
     this->Add(undefined ? CensusDefect::UndefinedReference : CensusDefect::DamagedEntity, i);
   }
   const bool complex = this->File.IsComplex(i);
-  for (std::size_t k = 0; k < this->File.GetNumberOfRecords(i); ++k)
+  // Some systems write solder balls so, against the standard; the meaning is certain.
+  const bool isWhole = this->Entities.Has(i, STEPRole::Face) && IsWholeSurface(this->Entities, i);
+  for (std::size_t k = 0; k < this->File.GetNumberOfRecords(i) && !isWhole; ++k)
   {
     const STEPEntityType* type = this->Entities.GetType(i, k);
     const char* signature = !type ? nullptr : complex ? type->Own : type->Simple;

@@ -26,6 +26,9 @@ constexpr STEPAttribute RadiiOfEllipse[] = { { "ELLIPSE", 0, 2, "first radius" }
 /// Distance of a vertex from its edge's curve, relative to the extent of the body's vertices, above which the two contradict each other. It
 /// is twice the default limit of gaps; real files have up to 1.3e-3.
 constexpr double VertexLimit = 2e-3;
+/// The same for a closed circle or ellipse, relative to its smaller radius: its vertex only says where the edge begins, which no area and no
+/// volume depends on. A wrong curve lies off the faces that it bounds, which is found there.
+constexpr double ClosedCurveLimit = 0.1;
 /// The same in units of the file's stated uncertainty, which is added.
 constexpr double UncertaintyLimit = 2.0;
 
@@ -74,14 +77,11 @@ bool STEPCensusTaker::ReadLine(Index line, Point3& point, Point3& direction) con
       this->Entities, this->Entities.Follow(this->Entities.Get(vector, DirectionOfVector)), direction);
 }
 
-/**
- * Returns the distance of a point from a circle, a lower bound of that from an ellipse, and -1 if the curve is neither, or cannot be read. The
- * bound: f = sqrt((x/a)^2 + (y/b)^2) is 1 on the ellipse, and its slope is at most 1 / min(a, b).
- */
-double STEPCensusTaker::GetConicDistance(Index conic, const Point3& point) const
+/// Reads place and radii of a circle or an ellipse; returns false if the curve is neither, or cannot be read.
+bool STEPCensusTaker::ReadConic(Index conic, STEPFrame& frame, double radii[2]) const
 {
   std::string_view record;
-  double radii[2] = { 0.0, 0.0 };
+  radii[0] = radii[1] = 0.0;
   if (this->Entities.FindRecord(conic, "CIRCLE", record))
   {
     this->Entities.Get(conic, RadiusOfCircle).GetNumber(radii[0]);
@@ -92,9 +92,26 @@ double STEPCensusTaker::GetConicDistance(Index conic, const Point3& point) const
     this->Entities.Get(conic, RadiiOfEllipse[0]).GetNumber(radii[0]);
     this->Entities.Get(conic, RadiiOfEllipse[1]).GetNumber(radii[1]);
   }
+  return radii[0] > 0.0 && radii[1] > 0.0 &&
+    ReadSTEPFrame(this->Entities, this->Entities.Follow(this->Entities.Get(conic, PositionOfConic)), frame);
+}
+
+/// Returns true for an edge that begins and ends at one vertex.
+bool STEPCensusTaker::IsClosedEdge(Index edge) const
+{
+  const Part21Value start = this->Entities.Get(edge, StartOfEdge);
+  return start.IsReference() && start.Id == this->Entities.Get(edge, EndOfEdge).Id;
+}
+
+/**
+ * Returns the distance of a point from a circle, a lower bound of that from an ellipse, and -1 if the curve is neither, or cannot be read. The
+ * bound: f = sqrt((x/a)^2 + (y/b)^2) is 1 on the ellipse, and its slope is at most 1 / min(a, b).
+ */
+double STEPCensusTaker::GetConicDistance(Index conic, const Point3& point) const
+{
+  double radii[2];
   STEPFrame frame;
-  if (!(radii[0] > 0.0) || !(radii[1] > 0.0) ||
-    !ReadSTEPFrame(this->Entities, this->Entities.Follow(this->Entities.Get(conic, PositionOfConic)), frame))
+  if (!this->ReadConic(conic, frame, radii))
   {
     return -1.0;
   }
@@ -172,11 +189,43 @@ void STEPCensusTaker::CheckEdge(Index edge, const Point3 ends[2], double limit)
     this->Entities.FindRecord(curve, "ELLIPSE", record))
   {
     distance = std::max(this->GetConicDistance(curve, ends[0]), this->GetConicDistance(curve, ends[1]));
+    double radii[2];
+    STEPFrame frame;
+    if (this->IsClosedEdge(edge) && this->ReadConic(curve, frame, radii))
+    {
+      limit = std::max(limit, ClosedCurveLimit * std::min(radii[0], radii[1]));
+    }
   }
   if (distance > limit)
   {
     this->GeometricDamage[edge] = true;
     this->Add(CensusDefect::CurveOffVertex, edge, this->File.GetId(curve), "curve");
+  }
+}
+
+/// Extends a box by the vertices of an edge, and by a circle or an ellipse that begins and ends at one.
+void STEPCensusTaker::AddEdgeExtent(const VertexPair& edge, Point3& low, Point3& high) const
+{
+  const auto add = [&low, &high](const Point& point, const Point& reach)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      low[c] = std::min(low[c], point[c] - reach[c]);
+      high[c] = std::max(high[c], point[c] + reach[c]);
+    }
+  };
+  add(edge.Ends[0], {});
+  add(edge.Ends[1], {});
+  double radii[2];
+  STEPFrame frame;
+  if (this->IsClosedEdge(edge.Edge) && this->ReadConic(this->FindSpatialCurve(edge.Edge), frame, radii))
+  {
+    Point reach;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      reach[c] = std::hypot(radii[0] * frame.Axes[0][c], radii[1] * frame.Axes[1][c]);
+    }
+    add(frame.Origin, reach);
   }
 }
 
@@ -197,14 +246,7 @@ void STEPCensusTaker::CheckEdges(const CensusBody& body)
       for (std::size_t k = this->FirstEdges[face]; k < this->FirstEdges[face + 1]; ++k)
       {
         found.push_back(k);
-        for (const Point& point : this->Edges[k].Ends)
-        {
-          for (std::size_t c = 0; c < 3; ++c)
-          {
-            low[c] = std::min(low[c], point[c]);
-            high[c] = std::max(high[c], point[c]);
-          }
-        }
+        this->AddEdgeExtent(this->Edges[k], low, high);
       }
     }
   }

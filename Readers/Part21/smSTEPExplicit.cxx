@@ -2,6 +2,7 @@
 
 #include "smPart21Changes.h"
 #include "smSTEPFrames.h"
+#include "smSTEPKnownForms.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPStructureAttributes.h"
 #include "smSTEPUnits.h"
@@ -85,6 +86,7 @@ public:
       this->PlaceMapped(mapped);
     }
     this->ReportParallel();
+    UseKnownForms(this->Entities, this->Changes);
     this->Result.Text = this->Changes.Apply();
     return std::move(this->Result);
   }

@@ -41,6 +41,7 @@ struct STEPExplicit
  * - An omitted reference direction of AXIS2_PLACEMENT_3D is the x axis, or for an axis that is parallel to x the y axis (ISO 10303-42,
  *   first_proj_axis). OpenCASCADE takes another one.
  * - NEXT_ASSEMBLY_USAGE_OCCURRENCE as a complex instance of its own types becomes a simple one. OpenCASCADE knows no other.
+ * - Valid forms that OpenCASCADE does not read are replaced (smSTEPKnownForms.h).
  * - Omitted axes of CARTESIAN_TRANSFORMATION_OPERATOR_3D are those of ISO 10303-42, base_axis.
  *
  * Time and memory are linear in the file.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <unordered_set>
 
 namespace sm
 {
@@ -22,15 +24,137 @@ void JoinDensity(double passed, double& density)
 /// A product's own density takes precedence over those of the assemblies that contain it.
 void STEPCensusTaker::PassDensity(Index from, Index to)
 {
-  const std::vector<STEPDensity>& stated = this->Census.Densities;
-  const std::uint64_t product = this->File.GetId(from);
-  const auto own = std::lower_bound(stated.begin(), stated.end(), product,
-    [](const STEPDensity& density, std::uint64_t id) { return density.Product < id; });
-  const bool states = own != stated.end() && own->Product == product;
-  const bool hasOwn = states && (own->Density > 0.0 || own->Contradicted);
+  // That of a product whose shape is mapped, too.
+  const auto mapped = this->MappedOwners.find(to);
+  const STEPDensity* own = mapped == this->MappedOwners.end() ? nullptr : this->FindDensity(mapped->second);
+  own = own ? own : this->FindDensity(from);
   // std::max with NaN as its first argument returns NaN.
-  const double passed = hasOwn ? own->Density : std::max(this->DensitiesOfEntities[from], 0.0);
+  const double passed = own ? own->Density : std::max(this->DensitiesOfEntities[from], 0.0);
   JoinDensity(passed, this->DensitiesOfEntities[to]);
+}
+
+/// Returns what the file states about the density of a product; null if it states nothing that counts.
+const STEPDensity* STEPCensusTaker::FindDensity(Index product) const
+{
+  const std::vector<STEPDensity>& stated = this->Census.Densities;
+  const auto own = std::lower_bound(stated.begin(), stated.end(), this->File.GetId(product),
+    [](const STEPDensity& density, std::uint64_t id) { return density.Product < id; });
+  const bool states = own != stated.end() && own->Product == this->File.GetId(product);
+  return states && (own->Density > 0.0 || own->Contradicted) ? &*own : nullptr;
+}
+
+/**
+ * Finds the products without occurrences of others whose shapes are mapped into those of other products: they are parts of these, although
+ * no occurrence says so. Each shape gets at most two of the products whose shapes it is mapped into, directly or through others.
+ */
+void STEPCensusTaker::FindMappedProducts()
+{
+  std::vector<Arc> mapped;
+  std::unordered_set<Index> assemblies;
+  for (const Arc& arc : this->Arcs)
+  {
+    if (this->Entities.Has(arc.By, STEPRole::MappedItem) && arc.From != arc.To)
+    {
+      mapped.push_back(arc);
+    }
+    if (this->IsOfAssembly(arc))
+    {
+      assemblies.insert(arc.From);
+    }
+  }
+  this->IsMapped.assign(mapped.empty() ? 0 : this->File.GetNumberOfInstances(), false);
+  if (mapped.empty())
+  {
+    return;
+  }
+  std::sort(mapped.begin(), mapped.end());
+  std::unordered_map<Index, std::array<Index, 2>> wholes;
+  std::vector<std::pair<Index, Index>> open;
+  const auto pass = [&](Index shape, Index product)
+  {
+    for (auto arc = std::lower_bound(mapped.begin(), mapped.end(), Arc{ shape, 0, 0 });
+         arc != mapped.end() && arc->From == shape; ++arc)
+    {
+      std::array<Index, 2>& found =
+        wholes.try_emplace(arc->To, std::array<Index, 2>{ None, None }).first->second;
+      Index& place = found[0] == None || found[0] == product ? found[0] : found[1];
+      if (place == None)
+      {
+        place = product;
+        open.emplace_back(arc->To, product);
+      }
+    }
+  };
+  for (const auto& [product, shape] : this->ShapesOfProducts)
+  {
+    pass(shape, product);
+    while (!open.empty())
+    {
+      const auto [part, whole] = open.back();
+      open.pop_back();
+      pass(part, whole);
+    }
+  }
+  for (const auto& [product, shape] : this->ShapesOfProducts)
+  {
+    const auto found = wholes.find(shape);
+    const bool isPart = found != wholes.end() &&
+      ((found->second[0] != None && found->second[0] != product) ||
+        (found->second[1] != None && found->second[1] != product));
+    if (isPart && assemblies.count(product) == 0)
+    {
+      this->IsMapped[product] = true;
+      this->MappedOwners.emplace(shape, product);
+    }
+  }
+}
+
+/// Joins occurrences without a placement with the mapped items that place them: those of the shape of the part into the shape of the assembly.
+void STEPCensusTaker::JoinMappedOccurrences()
+{
+  std::map<std::pair<Index, Index>, std::vector<std::size_t>> mapped;
+  for (std::size_t k = 0; k < this->Arcs.size(); ++k)
+  {
+    if (this->Entities.Has(this->Arcs[k].By, STEPRole::MappedItem))
+    {
+      mapped[{ this->Arcs[k].From, this->Arcs[k].To }].push_back(k);
+    }
+  }
+  std::vector<bool> isJoined(this->Arcs.size(), false);
+  const auto join = [&](const CensusOccurrence& occurrence)
+  {
+    const std::vector<Index> wholes = this->GetShapes(this->File.Find(occurrence.Parent));
+    const std::vector<Index> parts = this->GetShapes(this->File.Find(occurrence.Child));
+    for (const Index whole : wholes)
+    {
+      for (const Index part : parts)
+      {
+        const auto found = mapped.find({ whole, part });
+        if (found != mapped.end() && !found->second.empty())
+        {
+          isJoined[found->second.back()] = true;
+          found->second.pop_back();
+          return true;
+        }
+      }
+    }
+    return false;
+  };
+  for (std::size_t k = 0; k < this->Census.Occurrences.size() && !mapped.empty(); ++k)
+  {
+    CensusOccurrence& occurrence = this->Census.Occurrences[k];
+    occurrence.IsMapped =
+      occurrence.Placement == 0 && occurrence.Parent != 0 && occurrence.Child != 0 && join(occurrence);
+  }
+  std::vector<Arc> arcs;
+  for (std::size_t k = 0; k < this->Arcs.size(); ++k)
+  {
+    if (!isJoined[k])
+    {
+      arcs.push_back(this->Arcs[k]);
+    }
+  }
+  this->Arcs = std::move(arcs);
 }
 
 void STEPCensusTaker::CountAll()
@@ -54,7 +178,8 @@ void STEPCensusTaker::CountAll()
       !this->Entities.Has(i, STEPRole::DefinitionalRepresentation);
     if ((product || shape) && incoming[i] == 0)
     {
-      this->Counts[i] = product || this->Census.WithoutProducts ? 1 : 0;
+      const bool isMapped = product && !this->IsMapped.empty() && this->IsMapped[i];
+      this->Counts[i] = (product && !isMapped) || this->Census.WithoutProducts ? 1 : 0;
       open.push_back(i);
     }
   }
@@ -108,8 +233,8 @@ std::vector<bool> STEPCensusTaker::FindRead() const
   return isRead;
 }
 
-/// Reports the cycles of the product structure. OpenCASCADE follows mapped items in a cycle for ever. So it
-/// does with a product that an occurrence does not name but places.
+/// Reports the cycles of the product structure. Those of mapped items, and of products that an occurrence places but does not name, are
+/// perils: OpenCASCADE relies on their absence.
 void STEPCensusTaker::ReportCycles()
 {
   std::vector<Arc> arcs = this->Arcs;
@@ -246,7 +371,7 @@ void STEPCensusTaker::SetInstances()
       occurrence.Instances = this->Counts[this->File.Find(occurrence.Parent)];
       occurrence.HasSolids = this->SolidsBelow[this->File.Find(occurrence.Child)];
     }
-    if (occurrence.HasSolids && occurrence.Placement == 0)
+    if (occurrence.HasSolids && occurrence.Placement == 0 && !occurrence.IsMapped)
     {
       this->Add(CensusDefect::MissingPlacement, i, 0, "no placement");
     }

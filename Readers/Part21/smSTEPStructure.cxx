@@ -219,6 +219,19 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
   }
 }
 
+/// Returns the shapes of a product.
+std::vector<STEPCensusTaker::Index> STEPCensusTaker::GetShapes(Index product) const
+{
+  std::vector<Index> shapes;
+  for (auto found = std::lower_bound(
+         this->ShapesOfProducts.begin(), this->ShapesOfProducts.end(), std::make_pair(product, Index{ 0 }));
+       found != this->ShapesOfProducts.end() && found->first == product; ++found)
+  {
+    shapes.push_back(found->second);
+  }
+  return shapes;
+}
+
 void STEPCensusTaker::AddItems(Index representation)
 {
   Part21Values items(this->Entities.Get(representation, ItemsOfRepresentation).Text);
@@ -279,6 +292,8 @@ void STEPCensusTaker::AddArcs()
     this->AddItems(i);
   }
   this->AddPlacedShapes();
+  this->JoinMappedOccurrences();
+  this->FindMappedProducts();
   std::sort(this->Arcs.begin(), this->Arcs.end());
 }
 

@@ -40,10 +40,6 @@ std::string Label(const char* kind, int fileId, std::size_t index)
                     : std::string(kind) + " number " + std::to_string(index + 1) + " of its body";
 }
 
-/// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
-/// distances of up to 1.3e-3.
-constexpr double EndTolerance = 2e-3;
-
 class BodyConverter
 {
 public:
@@ -411,7 +407,7 @@ private:
         continue;
       }
       const double gap = GetVertexGap(*edge);
-      if (!(gap <= EndTolerance * this->Size))
+      if (!(gap <= GetVertexLimit(*edge, this->Size)))
       {
         ++this->Result.Defects;
         this->Result.Messages.push_back(Label("Edge", edge->FileId, i) + " ends " + FormatDistance(gap) +

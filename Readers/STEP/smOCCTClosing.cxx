@@ -1,6 +1,7 @@
 #include "smOCCTClosing.h"
 
 #include "smFormat.h"
+#include "smVector.h"
 
 #include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
@@ -11,6 +12,15 @@
 
 namespace sm
 {
+namespace
+{
+/// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
+/// distances of up to 1.3e-3.
+constexpr double EndTolerance = 2e-3;
+/// The same for an edge that is closed, relative to its own size: where it begins changes no area and no volume.
+constexpr double ClosedEndTolerance = 0.05;
+}
+
 double MeasureSize(const std::vector<std::shared_ptr<const Edge>>& edges)
 {
   Vector3 low{ 1e300, 1e300, 1e300 };
@@ -35,6 +45,14 @@ double GetVertexGap(const Edge& edge)
   { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); };
   return std::max(distance(edge.StartVertex, edge.Curve.GetStartPoint()),
     distance(edge.EndVertex, edge.Curve.GetEndPoint()));
+}
+
+double GetVertexLimit(const Edge& edge, double size)
+{
+  const bool isClosed = edge.StartVertex == edge.EndVertex &&
+    Norm(Subtract(edge.Curve.GetStartPoint(), edge.Curve.GetEndPoint())) <= LoopTolerance * size;
+  const double own = isClosed ? MeasureSize({ std::make_shared<const Edge>(edge) }) : 0.0;
+  return std::max(EndTolerance * size, ClosedEndTolerance * own);
 }
 
 void CheckClosing(double unit, double size, DraftFace& draft, Face& face)

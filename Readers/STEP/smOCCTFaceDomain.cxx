@@ -686,7 +686,8 @@ bool TakeOtherPart(DraftFace& face)
 
 bool LeavesDomain(const DraftFace& face, const NativeBox& box)
 {
-  const double slack = BeyondDomain * face.FormulaPeriod[1];
+  // A part of a profile that is not periodic ends at its pole to rounding.
+  const double slack = BeyondDomain * std::max(face.FormulaPeriod[1], face.High[1] - face.Low[1]);
   return (face.EndsAtPole[0] && !(box.Low[1] >= face.Low[1] - slack)) ||
     (face.EndsAtPole[1] && !(box.High[1] <= face.High[1] + slack));
 }

@@ -5,6 +5,7 @@
 #include "smOCCTNaturalBoundary.h"
 
 #include <BRep_Tool.hxx>
+#include <Geom_ElementarySurface.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopExp.hxx>
@@ -16,14 +17,23 @@ namespace sm
 {
 namespace
 {
-/// Cosine of the angle between normals that are opposite: within 0.8 degrees. Smooth edges of real files deviate by less; a ball on a plate folds
-/// so if the rim between them is narrower than 0.014 of its radius.
+/// Cosine of the angle between normals that are opposite: within 0.8 degrees. Smooth edges of real files deviate by less.
 constexpr double Opposite = -0.9999;
+/// The same between planes and surfaces of the second order, and tori, whose edges are smooth to the digits of their radii and places: within
+/// 0.1 degrees. A cap that is flatter than 1e-6 of its radius, and a ball on a plate with a rim narrower than 1e-3 of its radius, have such edges.
+constexpr double OppositeOfElementary = -0.999999;
 
 /// Returns true if the direction of its loops has decided on which part of a closed surface the face is.
 bool IsDecidedByLoops(const DraftFace& face)
 {
   return face.IsOutside() || (face.AddedEdges > 0 && IsOnClosedSurface(face));
+}
+
+bool IsElementary(const TopoDS_Shape& face)
+{
+  TopLoc_Location location;
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(face), location);
+  return !surface.IsNull() && surface->IsKind(STANDARD_TYPE(Geom_ElementarySurface));
 }
 
 /// Finds the foot of a point on the surface of a face. A surface of revolution may have its points twice, with opposite normals: the surface
@@ -79,8 +89,8 @@ bool FoldsBack(const TopoDS_Shape& face, const SoundFaceTable& faces,
     const gp_Pnt middle = curve->Value(0.5 * (first + last));
     for (const TopoDS_Shape& other : neighbours.FindFromKey(it.Current()))
     {
-      if (!other.IsSame(face) &&
-        GetNormal(face, faces, middle).Dot(GetNormal(other, faces, middle)) < Opposite)
+      const double limit = IsElementary(face) && IsElementary(other) ? OppositeOfElementary : Opposite;
+      if (!other.IsSame(face) && GetNormal(face, faces, middle).Dot(GetNormal(other, faces, middle)) < limit)
       {
         return true;
       }

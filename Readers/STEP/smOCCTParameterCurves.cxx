@@ -10,6 +10,7 @@
 #include <Bnd_Box.hxx>
 #include <Geom2dAPI_ProjectPointOnCurve.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom2d_Ellipse.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <GeomConvert_Units.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -18,9 +19,15 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
+#include <StepGeom_Axis2Placement.hxx>
+#include <StepGeom_Axis2Placement2d.hxx>
+#include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_Direction.hxx>
+#include <StepGeom_Ellipse.hxx>
 #include <StepGeom_Pcurve.hxx>
 #include <StepGeom_PcurveOrSurface.hxx>
 #include <StepGeom_SurfaceCurve.hxx>
+#include <StepGeom_TrimmedCurve.hxx>
 #include <StepRepr_DefinitionalRepresentation.hxx>
 #include <StepShape_EdgeCurve.hxx>
 #include <StepShape_EdgeLoop.hxx>
@@ -243,6 +250,32 @@ bool IsExamined(const Handle(Geom_Surface) & surface)
       surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)));
 }
 
+/// Returns the whole ellipse of a curve, or of a part of one, whose first axis is the shorter one: OpenCASCADE makes another ellipse of it.
+/// Null for other curves.
+Handle(Geom2d_Curve) MakeTallEllipse(Handle(StepGeom_Curve) entity)
+{
+  const auto part = Handle(StepGeom_TrimmedCurve)::DownCast(entity);
+  const auto ellipse = Handle(StepGeom_Ellipse)::DownCast(part.IsNull() ? entity : part->BasisCurve());
+  const Handle(StepGeom_Axis2Placement2d) place =
+    ellipse.IsNull() ? nullptr : ellipse->Position().Axis2Placement2d();
+  if (place.IsNull() || place->Location().IsNull() || !(ellipse->SemiAxis1() < ellipse->SemiAxis2()))
+  {
+    return nullptr;
+  }
+  const Handle(StepGeom_CartesianPoint) center = place->Location();
+  const Handle(StepGeom_Direction) axis = place->HasRefDirection() ? place->RefDirection() : nullptr;
+  if (center->NbCoordinates() != 2 || (!axis.IsNull() && axis->NbDirectionRatios() != 2))
+  {
+    return nullptr;
+  }
+  const gp_Dir2d first = axis.IsNull()
+    ? gp_Dir2d(1.0, 0.0)
+    : gp_Dir2d(axis->DirectionRatiosValue(1), axis->DirectionRatiosValue(2));
+  const gp_Ax2d longer(
+    gp_Pnt2d(center->CoordinatesValue(1), center->CoordinatesValue(2)), gp_Dir2d(-first.Y(), first.X()));
+  return new Geom2d_Ellipse(longer, ellipse->SemiAxis2(), ellipse->SemiAxis1());
+}
+
 class ParameterCurveCheck
 {
 public:
@@ -343,7 +376,8 @@ private:
       return 0.0;
     }
     const auto entity = Handle(StepGeom_Curve)::DownCast(representation->ItemsValue(1));
-    const Handle(Geom2d_Curve) plane = entity.IsNull() ? nullptr : this->Geometry.MakePlaneCurve(entity);
+    Handle(Geom2d_Curve) plane = MakeTallEllipse(entity);
+    plane = plane.IsNull() && !entity.IsNull() ? this->Geometry.MakePlaneCurve(entity) : plane;
     if (plane.IsNull())
     {
       return 0.0;

@@ -27,6 +27,7 @@ constexpr STEPAttribute RadiusOfStatedSphere = { "SPHERICAL_SURFACE", 0, 2, "rad
 constexpr STEPAttribute RadiiOfStatedTorus[] = { { "TOROIDAL_SURFACE", 0, 2, "major radius" },
   { "TOROIDAL_SURFACE", 1, 3, "minor radius" } };
 constexpr STEPAttribute ElementOfOrientedFace = { "ORIENTED_FACE", 0, 2, "face" };
+constexpr STEPAttribute SenseOfOrientedFace = { "ORIENTED_FACE", 1, 3, "orientation" };
 
 /// Vertices of a loop that are closer than this, relative to its extent, are one, as in smSTEPLoops.cxx.
 constexpr double SameLoopVertex = 1e-3;
@@ -81,7 +82,7 @@ public:
   }
 
 private:
-  /// The normal of an oriented face may be that of its element or the opposite one: such faces are not known.
+  /// Finds the faces whose shell uses them with the opposite normal. Faces that are used with both, or several times, are not known.
   void FindOrientedFaces()
   {
     const std::vector<std::string>& names = this->File.GetTypeNames();
@@ -89,13 +90,24 @@ private:
     {
       return;
     }
+    std::unordered_map<std::uint64_t, int> uses;
+    for (const std::uint32_t use : this->Census.FaceUses)
+    {
+      ++uses[this->Census.Faces[use].Id];
+    }
     for (Index i = 0; i < this->File.GetNumberOfInstances(); ++i)
     {
       std::string_view record;
-      if (this->Entities.FindRecord(i, ElementOfOrientedFace.Record, record))
+      if (!this->Entities.FindRecord(i, ElementOfOrientedFace.Record, record))
       {
-        const Index face = this->Entities.Follow(this->Entities.Get(i, ElementOfOrientedFace));
-        this->Result[face == Part21File::None ? 0 : this->File.GetId(face)].Id = 0;
+        continue;
+      }
+      const Index face = this->Entities.Follow(this->Entities.Get(i, ElementOfOrientedFace));
+      const std::uint64_t id = face == Part21File::None ? 0 : this->File.GetId(face);
+      const bool isReversed = this->Entities.Get(i, SenseOfOrientedFace).Text == "F";
+      if (uses[id] != 1 || !this->Oriented.emplace(id, isReversed).second)
+      {
+        this->Result[id].Id = 0;
       }
     }
   }
@@ -111,7 +123,9 @@ private:
     FaceStatement& statement = found->second;
     statement.Id = census.Id;
     statement.IsShellForward = isShellForward;
-    statement.IsForward = this->Entities.Get(face, SenseOfFace).Text != "F";
+    const auto oriented = this->Oriented.find(census.Id);
+    const bool isReversed = oriented != this->Oriented.end() && oriented->second;
+    statement.IsForward = (this->Entities.Get(face, SenseOfFace).Text != "F") != isReversed;
     this->ReadSurface(this->Entities.Follow(this->Entities.Get(face, SurfaceOfStatedFace)), unit, statement);
     this->Vertices.clear();
     this->Parts.clear();
@@ -120,7 +134,7 @@ private:
     for (std::uint32_t b = 0; b < census.NumberOfBounds && statement.IsKnown; ++b)
     {
       const Index bound = this->File.Find(this->Census.Bounds[census.FirstBound + b]);
-      statement.IsKnown = bound != Part21File::None && this->ReadBound(bound, statement);
+      statement.IsKnown = bound != Part21File::None && this->ReadBound(bound, isReversed, statement);
     }
     if (statement.IsKnown && std::isfinite(unit))
     {
@@ -209,9 +223,9 @@ private:
       this->Entities, this->Entities.Follow(this->Entities.Get(vertex, PointOfVertex)), point);
   }
 
-  bool ReadBound(Index bound, FaceStatement& statement)
+  bool ReadBound(Index bound, bool isReversed, FaceStatement& statement)
   {
-    const double sense = this->Entities.Get(bound, SenseOfBound).Text == "F" ? -1.0 : 1.0;
+    const double sense = (this->Entities.Get(bound, SenseOfBound).Text == "F") != isReversed ? -1.0 : 1.0;
     const Index loop = this->Entities.Follow(this->Entities.Get(bound, LoopOfBound));
     std::string_view record;
     if (this->Entities.FindRecord(loop, VertexOfStatedLoop.Record, record))
@@ -401,6 +415,8 @@ private:
   const STEPCensus& Census;
   STEPAttributes Entities;
   std::unordered_map<Index, StatedEdge> Edges;
+  /// Faces by their numbers that a shell uses as an oriented face, and whether this reverses them.
+  std::unordered_map<std::uint64_t, bool> Oriented;
   FaceStatements Result;
   /// Of the face that is being read.
   std::vector<Vector3> Vertices;
