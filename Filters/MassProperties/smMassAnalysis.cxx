@@ -238,6 +238,20 @@ void FlagNegativeAreas(BodyIntegrals& body)
   }
 }
 
+/// Returns the end of a message about wide bounds of a body that lies so far from the origin that the roundings of its coordinates are a
+/// part of them worth mentioning; empty for others.
+std::string DescribeDistance(const MassRow& row, double distance, double size, const std::string& unit)
+{
+  constexpr double farAway = 1e4;
+  constexpr double share = 0.01;
+  const bool isFar = size > 0.0 && distance > farAway * size &&
+    UnitRoundoff * distance * row.Area > share * row.Properties.VolumeBound;
+  return isFar ? "; the reason is its distance to the origin, " + FormatDigits(distance, 3) + " " + unit +
+      " for a size of " + FormatDigits(size, 3) + " " + unit +
+      ", which coordinates lose digits at: move it to the origin, or ask for less (--tolerance)"
+               : std::string();
+}
+
 /// Computes the row of a body. `moments` receives its moments in the world if it has a volume.
 MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Moments& moments)
 {
@@ -257,6 +271,13 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   row.MeasuredBounds[1] = std::min(body.MeasuredBound[MassArea] + stretched, row.AreaBound);
   if (!body.Faces)
   {
+    return row;
+  }
+  if (body.Faces->empty() && body.Model->GetNumberOfMissingFaces() == 0)
+  {
+    // It encloses nothing, and the total of the others is complete.
+    body.Flag(Status::Suspect, "it has no faces and no values, and adds nothing to the total");
+    row.Area = row.AreaBound = row.GapSquared = row.MaxGap = row.GapArea = row.MeasuredBounds[1] = 0.0;
     return row;
   }
   if (IsLeftOut(body))
@@ -289,7 +310,11 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   const std::string unmet = FindUnmet(row, options.Tolerance, GetRadius(*body.Model));
   if (!unmet.empty())
   {
-    body.Flag(Status::ToleranceNotMet, "bounds above the tolerance, relative: " + unmet);
+    const double* origin = body.Model->GetOrigin();
+    body.Flag(Status::ToleranceNotMet,
+      "bounds above the tolerance, relative: " + unmet +
+        DescribeDistance(
+          row, vtkMath::Norm(origin), 2.0 * GetRadius(*body.Model), body.Model->GetLengthUnit()));
   }
   return row;
 }
@@ -497,7 +522,10 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   if (isOk && !unmet.empty())
   {
     analysis.TotalStatus = Status::ToleranceNotMet;
-    analysis.Messages.push_back("bounds of the total above the tolerance, relative: " + unmet);
+    const double far =
+      std::isfinite(total.Properties.Center[0]) ? vtkMath::Norm(total.Properties.Center.data()) : 0.0;
+    analysis.Messages.push_back("bounds of the total above the tolerance, relative: " + unmet +
+      DescribeDistance(total, far, box.IsValid() ? box.GetDiagonalLength() : 0.0, analysis.Unit));
   }
   return analysis;
 }

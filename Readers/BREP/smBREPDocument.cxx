@@ -31,6 +31,9 @@ namespace
 {
 constexpr std::string_view TextMagic = "CASCADE Topology V";
 constexpr std::string_view BinaryMagic = "Open CASCADE Topology V";
+constexpr const char* FreeCADProblem = "it is a binary BREP of FreeCAD (exportBinary), which ends otherwise "
+                                       "than OpenCASCADE's; export the shape as STEP, or as a BREP of text "
+                                       "(exportBrep)";
 /// First word of files that OpenCASCADE's test harness (DRAW) wrote.
 constexpr std::string_view HarnessMagic = "DBRep_DrawableShape";
 
@@ -85,6 +88,39 @@ bool IsWhole(std::string_view text)
     std::string_view("+-ie").find(reference.front()) != std::string_view::npos &&
     isNumber(reference.substr(1, blank - 1)) && isNumber(reference.substr(blank + 1)) &&
     (isFollowed || reference.substr(blank) == " 0");
+}
+
+/// Returns a number of four bytes, least significant first, `fromEnd` bytes before the end; -1 if there is none.
+std::int64_t GetInteger(std::string_view bytes, std::size_t fromEnd)
+{
+  if (bytes.size() < fromEnd)
+  {
+    return -1;
+  }
+  std::int64_t value = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    value += static_cast<std::int64_t>(static_cast<unsigned char>(bytes[bytes.size() - fromEnd + k]))
+      << (8 * k);
+  }
+  return value;
+}
+
+/// Returns true for the binary form that FreeCAD's exportBinary() writes: OpenCASCADE's, but at the end the last shape is referred to by the
+/// numbers of shape, location and orientation, of four bytes each, instead of OpenCASCADE's nine bytes in another order.
+bool IsOfFreeCAD(std::string_view bytes)
+{
+  constexpr std::string_view table = "\nTShapes ";
+  const std::size_t at = bytes.rfind(table);
+  std::int64_t shapes = 0;
+  for (std::size_t k = at + table.size();
+       at != std::string_view::npos && k < bytes.size() && std::isdigit(static_cast<unsigned char>(bytes[k]));
+       ++k)
+  {
+    shapes = std::min<std::int64_t>(10 * shapes + (bytes[k] - '0'), std::int64_t{ 1 } << 32);
+  }
+  return shapes > 0 && GetInteger(bytes, 12) == shapes && GetInteger(bytes, 8) >= 0 &&
+    GetInteger(bytes, 8) <= shapes && GetInteger(bytes, 4) >= 0 && GetInteger(bytes, 4) <= TopAbs_EXTERNAL;
 }
 
 /// Counts the sub-shapes of a shape, with repetitions.
@@ -256,6 +292,13 @@ void Read(std::string_view bytes, const ProgressCallback& progress, Document& do
     document.Status = ReadStatus::Aborted;
     return;
   }
+  // Of FreeCAD's file three bytes are left, and the shape may be any of its parts.
+  if (!IsText(bytes) && stream.good() && stream.peek() != std::istream::traits_type::eof() &&
+    IsOfFreeCAD(bytes))
+  {
+    document.Problem = FreeCADProblem;
+    return;
+  }
   if (shape.IsNull() || stream.fail())
   {
     document.Problem = "OpenCASCADE cannot parse it: it is damaged, or of a newer version; save it again";
@@ -303,7 +346,13 @@ Document ReadBREP(std::string_view bytes, const ProgressCallback& progress)
     return document;
   }
   const std::string failure = CatchFailure([&]() { Read(bytes, progress, document); });
-  if (!failure.empty())
+  const bool isFailed = !failure.empty() || document.Status == ReadStatus::Unreadable;
+  if (isFailed && !IsText(bytes) && IsOfFreeCAD(bytes))
+  {
+    document.Status = ReadStatus::Unreadable;
+    document.Problem = FreeCADProblem;
+  }
+  else if (!failure.empty())
   {
     document.Status = ReadStatus::Unreadable;
     document.Problem = "it could not be read (" + failure + "); save it again";

@@ -147,6 +147,21 @@ void CheckProducts()
   CheckEqual("children of the top", 4, tree->GetNumberOfChildren(tree->GetChild(0, 0)));
 }
 
+/// A solid without faces encloses nothing: the total is that of the others, with its bound, and suspect.
+void CheckEmptySolid()
+{
+  TopoDS_Solid empty;
+  BRep_Builder().MakeSolid(empty);
+  vtkNew<vtkBREPReader> reader;
+  reader->SetFileName(WriteText("brep_empty_solid.brep", Join({ MakePlate(), empty })).c_str());
+  reader->Update();
+  const Properties found = Weigh(reader->GetOutput(), 1e-11);
+  CheckEqual("an empty solid: result", "suspect", found.Status);
+  Check("  volume", PlateVolume, found.Volume, found.Bounds[0] + 1e-13 * PlateVolume);
+  CheckTrue("  its bound", found.Bounds[0] > 0.0 && found.Bounds[0] < 1e-10 * PlateVolume,
+    std::to_string(found.Bounds[0]));
+}
+
 /// The uses of the seams of a whole torus meet at one vertex, so that their order in the wire is free.
 void CheckTorus()
 {
@@ -271,6 +286,7 @@ int TestBREPReader(int argc, char** argv)
   Folder = argv[2];
   CheckProducts();
   CheckTorus();
+  CheckEmptySolid();
   CheckFaces();
   CheckWays();
   CheckRoundTrip(argv[1]);

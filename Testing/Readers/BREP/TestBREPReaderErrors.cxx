@@ -11,6 +11,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
+#include <BinTools_ShapeSet.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 
@@ -65,6 +66,37 @@ void CheckBinary()
   reader->SetMaximumSeconds(0.0);
   reader->Update();
   CheckEqual("a binary file", "ok", reader->GetStatusAsString());
+}
+
+/// What FreeCAD's exportBinary() writes: the shapes as OpenCASCADE does, and then three numbers of four bytes.
+std::string WriteAsFreeCAD(const TopoDS_Shape& shape)
+{
+  std::ostringstream stream;
+  BinTools_ShapeSet shapes;
+  const int number = shapes.Add(shape);
+  const int location = shapes.Locations().Index(shape.Location());
+  shapes.Write(stream);
+  for (const int value : { number, location, static_cast<int>(shape.Orientation()) })
+  {
+    BinTools::PutInteger(stream, value);
+  }
+  return stream.str();
+}
+
+/// Files of few and of many shapes, of which OpenCASCADE reads another one.
+void CheckFreeCAD(vtkBREPReader* reader)
+{
+  TopoDS_Compound many;
+  BRep_Builder().MakeCompound(many);
+  for (int count = 0; count < 100; ++count)
+  {
+    BRep_Builder().Add(many, BRepPrimAPI_MakeCylinder(5.0, 12.0).Shape());
+    if (count % 9 == 0)
+    {
+      reader->SetFileName(Make("brep_freecad.brep", WriteAsFreeCAD(many)).c_str());
+      CheckProblem(reader, "a binary file of FreeCAD, " + std::to_string(count), "a binary BREP of FreeCAD");
+    }
+  }
 }
 
 TopoDS_Shape Nest(TopoDS_Shape shape, int levels, int copies)
@@ -187,6 +219,7 @@ int TestBREPReaderErrors(int argc, char** argv)
   reader->SetFileName(Make("brep_numbered.brep", sound + "\n0\n").c_str());
   CheckProblem(reader, "a number behind a file that is not of DRAW", "it ends in the middle");
   CheckBinary();
+  CheckFreeCAD(reader);
   CheckExcess(reader);
   reader->SetFileName(Make("brep_sound.txt", sound).c_str());
   CheckEqual("a BREP file of another name", 1, vtkBREPReader::CanReadFile(reader->GetFileName()));
