@@ -85,21 +85,21 @@ std::string ExtendBall(const std::string& from, const std::string& to, const std
   return MakeStepText(Replace(GetBallText(), from, to) + more);
 }
 
-std::string MakeBomb(int levels)
+std::string MakeLevels(int levels, int occurrences)
 {
   std::string text = Ball;
   int product = 44;
   int shape = 32;
   for (int level = 0; level < levels; ++level)
   {
-    const int base = 100 + 20 * level;
+    const int base = 100 + (4 + 8 * occurrences) * level;
     const auto id = [base](int k) { return "#" + std::to_string(base + k); };
     const std::string below = "#" + std::to_string(product);
     const std::string shapeBelow = "#" + std::to_string(shape);
     text += id(0) + "=PRODUCT_DEFINITION('','',#42,#43);\n" + id(1) + "=PRODUCT_DEFINITION_SHAPE('',''," +
       id(0) + ");\n" + id(2) + "=SHAPE_REPRESENTATION('',(#23),#6);\n" + id(3) +
       "=SHAPE_DEFINITION_REPRESENTATION(" + id(1) + "," + id(2) + ");\n";
-    for (int k = 4; k <= 12; k += 8)
+    for (int k = 4; k < 4 + 8 * occurrences; k += 8)
     {
       text += id(k) + "=NEXT_ASSEMBLY_USAGE_OCCURRENCE('','',''," + id(0) + "," + below + ",$);\n" +
         id(k + 1) + "=PRODUCT_DEFINITION_SHAPE('',''," + id(k) + ");\n" + id(k + 2) +

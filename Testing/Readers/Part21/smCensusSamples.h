@@ -24,8 +24,8 @@ std::string Replace(std::string text, const std::string& from, const std::string
 std::string ChangeBall(const std::string& from, const std::string& to);
 std::string ExtendBall(const std::string& from, const std::string& to, const std::string& more);
 
-/// Returns a file with a ball in `levels` levels of assemblies, each with two of the one below: 2^levels instances.
-std::string MakeBomb(int levels);
+/// Returns a file with a ball in levels of assemblies, each with one or two occurrences of the one below.
+std::string MakeLevels(int levels, int occurrences);
 }
 
 #endif

@@ -99,7 +99,7 @@ void CheckJunk(const std::string& text)
   CheckEqual("CanReadFile of nothing", 0, vtkSTEPReader::CanReadFile(nullptr));
 }
 
-/// A reference to an entity that is not there crashes OpenCASCADE: the one face that has it is left out.
+/// The one face with a reference to an entity that is not there is left out. OpenCASCADE alone reads the file without it, too.
 void CheckDamage(const std::string& text)
 {
   vtkNew<vtkSTEPReader> reader;
