@@ -21,6 +21,23 @@
  * | a lost corner, an additional loop                         | yes         | yes     | "square without a side", "additional" |
  * | a face of a repair in two parts of which one is lost      | yes         | yes     | "of which one is lost"                |
  * | a loop beside its edges on the surface                    | yes         | yes     | "a loop beside its edges"             |
+ *
+ * What is integrated afterwards are these loops, and the integrals are not compared with the statement again:
+ *
+ * | kind of fault between loops and numbers     | found by                                                |
+ * |---------------------------------------------|---------------------------------------------------------|
+ * | a panel, patch or face lost, or added       | the vector area of the closed chain as integrated, 0    |
+ * |                                             | for a solid: above 1e-9 it is suspect                   |
+ * |                                             | (smMassAnalysis.cxx, "the faces do not close")          |
+ * | a part covered twice, or against the others | the multiplicities of the coverage (smLoopCrossings.h)  |
+ * | all panels of a face of vector area 0       | nothing; they lie in several knot spans, and each is    |
+ * |                                             | cut and integrated by itself                            |
+ *
+ * The edges' part of the chain cancels between the faces, so that what vanishes is the sum over the faces of
+ * what is integrated less what the loops bound: nothing is gained by the comparison of each face but its name.
+ * The moments x_i n_j are not among the fourteen integrands, and nine more would cost more than all checks.
+ * None of the integrals of mass properties could take their place: the flux of a field is that of the
+ * boundary alone only if its divergence is 0, and theirs are r g(r).
  */
 #ifndef smFaceCheck_h
 #define smFaceCheck_h
