@@ -444,7 +444,9 @@ std::vector<CensusCase> GetAssemblyCases()
         "23);\n#83=REPRESENTATION_MAP(#23,#32);\n"),
       Count(1, 2, 1, 0, 2), "" },
     { "a damaged occurrence", ChangeBox("'first','',#52", "'first'?,'',#52"), OneInBox,
-      "damaged entity: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE)" },
+      "damaged entity: 1 (#60 NEXT_ASSEMBLY_USAGE_OCCURRENCE); wrong parameter: 2 (#60 "
+      "NEXT_ASSEMBLY_USAGE_OCCURRENCE relating product, #60 NEXT_ASSEMBLY_USAGE_OCCURRENCE related "
+      "product)" },
     { "the shape of a feature",
       ExtendBall("ball", "ball",
         "#80=SHAPE_ASPECT('','',#45,.T.);\n#81=PROPERTY_DEFINITION('','',#80);\n#82=SHAPE_DEFINITION_"
