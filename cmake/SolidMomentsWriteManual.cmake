@@ -16,5 +16,5 @@ ${NAME} \\- ${SUMMARY}
 .nf
 ${help}.fi
 .SH SEE ALSO
-The user guide, Documentation/UserGuide.md of the sources: status of results, keys of the JSON, columns of the CSV.
+Documentation/UserGuide.md of the sources: status of results; Documentation/Reference.md: keys of the JSON, columns of the CSV.
 ")

@@ -40,6 +40,8 @@ class Fields
 {
 public:
   virtual ~Fields() = default;
+  /// Unit and meaning of the next key, in Markdown, for the reference; the unit of a bound is that of its quantity.
+  virtual Fields& Note(const char*, const char*) { return *this; }
   /// Not known if it is not finite.
   virtual void Number(const char* key, double& value) = 0;
   /// Numbers in rows, a flat list if there is one row; not known if the first is NaN.

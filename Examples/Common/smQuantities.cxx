@@ -79,13 +79,15 @@ FrameQuantities ReadFrame(vtkFieldData* data, vtkIdType row)
 
 void Visit(Fields& fields, FrameQuantities& about)
 {
-  fields.Point("center_of_mass", about.Center.Value);
-  fields.Matrix("inertia", about.Inertia.Value);
-  fields.Point("mass_center", about.MassCenter.Value);
-  fields.Matrix("mass_inertia", about.MassInertia.Value);
-  fields.Matrix("central_inertia", about.CentralInertia.Value);
-  fields.Matrix("mass_central_inertia", about.MassCentralInertia.Value);
-  fields.Begin("bounds");
+  fields.Note("L", "").Point("center_of_mass", about.Center.Value);
+  fields.Note("L^5", "about the origin of the frame").Matrix("inertia", about.Inertia.Value);
+  fields.Note("L", "").Point("mass_center", about.MassCenter.Value);
+  fields.Note("kg L^2", "about the origin of the frame").Matrix("mass_inertia", about.MassInertia.Value);
+  fields.Note("L^5", "about the centre of mass, along the axes of the frame")
+    .Matrix("central_inertia", about.CentralInertia.Value);
+  fields.Note("kg L^2", "about the centre of the masses, along the axes of the frame")
+    .Matrix("mass_central_inertia", about.MassCentralInertia.Value);
+  fields.Note("", "of the quantities with the same names").Begin("bounds");
   fields.Number("central_inertia", about.CentralInertia.Bound);
   fields.Number("mass_central_inertia", about.MassCentralInertia.Bound);
   fields.Number("center_of_mass", about.Center.Bound);
@@ -148,15 +150,18 @@ Quantities ReadQuantities(vtkFieldData* data, vtkIdType row)
 
 void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
 {
-  fields.Number("volume", this->Volume);
-  fields.Number("area", this->Area);
-  fields.Point("center_of_mass", this->Center.Value);
-  fields.Matrix("inertia", this->Inertia.Value);
-  fields.Point("principal_moments", this->PrincipalMoments.Value);
-  fields.Matrix("principal_axes", this->PrincipalAxes.Value);
-  fields.Flag("principal_axes_degenerate", this->PrincipalAxesDegenerate);
-  fields.Number("mass", this->Mass);
-  fields.Begin("bounds");
+  fields.Note("L^3", "").Number("volume", this->Volume);
+  fields.Note("L^2", "").Number("area", this->Area);
+  fields.Note("L", "").Point("center_of_mass", this->Center.Value);
+  fields.Note("L^5", "about the centre of mass, at unit density; off-diagonals are negative products")
+    .Matrix("inertia", this->Inertia.Value);
+  fields.Note("L^5", "ascending").Point("principal_moments", this->PrincipalMoments.Value);
+  fields.Note("1", "rows are unit vectors").Matrix("principal_axes", this->PrincipalAxes.Value);
+  fields.Note("", "true: moments coincide, the axes are not unique")
+    .Flag("principal_axes_degenerate", this->PrincipalAxesDegenerate);
+  fields.Note("kg", "with a density").Number("mass", this->Mass);
+  fields.Note("", "of the quantities with the same names; of a vector or matrix that of its largest entry")
+    .Begin("bounds");
   fields.Number("volume", this->Volume.Bound);
   fields.Number("area", this->Area.Bound);
   fields.Number("center_of_mass", this->Center.Bound);
@@ -172,28 +177,42 @@ void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
     inBounds();
   }
   fields.End();
-  fields.Number("closure_correction", this->ClosureCorrection);
-  fields.Number("gap_squared", this->GapSquared);
-  fields.Number("max_gap", this->MaxGap);
-  fields.Number("gap_area", this->GapArea);
-  fields.Count("open_edges", this->OpenEdges);
-  fields.Number("closure_residual", this->ClosureResidual);
-  fields.Count("flipped_shells", this->FlippedShells);
-  fields.Begin("stability", false); // that of a solid is set by its analysis
+  fields.Note("L^3", "volume change by closing the gaps between faces")
+    .Number("closure_correction", this->ClosureCorrection);
+  fields.Note("L^3", "integral of the squared gap").Number("gap_squared", this->GapSquared);
+  fields.Note("L", "widest gap").Number("max_gap", this->MaxGap);
+  fields.Note("L^2", "area of the gaps").Number("gap_area", this->GapArea);
+  fields.Note("", "number of edges whose uses do not cancel").Count("open_edges", this->OpenEdges);
+  fields.Note("1", "relative volume change under a shift of the origin")
+    .Number("closure_residual", this->ClosureResidual);
+  fields.Note("", "shells that were inside out in the file and were reversed")
+    .Count("flipped_shells", this->FlippedShells);
+  if (fields.Note("", "with `--stability`")
+        .Begin("stability", false)) // that of a solid is set by its analysis
+  {
+    fields.End();
+  }
+  VisitFour(fields.Note("",
+              "the part of the bound that rests on measured constants and residuals, an estimate; the rest "
+              "is a theorem"),
+    "bounds_measured", this->BoundsMeasured, { "volume", "area", "center_of_mass", "inertia" });
+  fields.Note("", "true: some bound is an estimate").Flag("bounds_estimated", this->BoundsEstimated);
+  fields.Note("kg/m^3", "of the solid; of the total if all solids have the same")
+    .Number("density", this->Density);
+  fields.Note("", "as `density`").Name("material", this->Material);
   VisitFour(
-    fields, "bounds_measured", this->BoundsMeasured, { "volume", "area", "center_of_mass", "inertia" });
-  fields.Flag("bounds_estimated", this->BoundsEstimated);
-  fields.Number("density", this->Density);
-  fields.Name("material", this->Material);
-  VisitFour(fields, "mass_uncertainty", this->MassUncertainty, { "total", "density", "gaps", "numerical" });
-  fields.Point("mass_center", this->MassCenter.Value);
-  fields.Matrix("mass_inertia", this->MassInertia.Value);
-  fields.Point("mass_principal_moments", this->MassPrincipalMoments.Value);
-  fields.Matrix("mass_principal_axes", this->MassPrincipalAxes.Value);
-  fields.Point("mass_radii_of_gyration", this->MassRadiiOfGyration.Value);
-  fields.Point("radii_of_gyration", this->RadiiOfGyration.Value);
-  fields.Matrix("inertia_at_origin", this->InertiaAtOrigin.Value);
-  if (fields.Begin("about", this->About.has_value()))
+    fields.Note("kg", "what is in doubt of the mass: the sum, and its shares by densities, gaps and bound"),
+    "mass_uncertainty", this->MassUncertainty, { "total", "density", "gaps", "numerical" });
+  fields.Note("L", "centre of mass with the densities as weight")
+    .Point("mass_center", this->MassCenter.Value);
+  fields.Note("kg L^2", "about `mass_center`").Matrix("mass_inertia", this->MassInertia.Value);
+  fields.Note("kg L^2", "ascending").Point("mass_principal_moments", this->MassPrincipalMoments.Value);
+  fields.Note("1", "rows are unit vectors").Matrix("mass_principal_axes", this->MassPrincipalAxes.Value);
+  fields.Note("L", "about the principal axes")
+    .Point("mass_radii_of_gyration", this->MassRadiiOfGyration.Value);
+  fields.Note("L", "about the principal axes").Point("radii_of_gyration", this->RadiiOfGyration.Value);
+  fields.Note("L^5", "about the origin").Matrix("inertia_at_origin", this->InertiaAtOrigin.Value);
+  if (fields.Note("", "with `--about`: in that frame").Begin("about", this->About.has_value()))
   {
     this->About = this->About.value_or(FrameQuantities());
     sm::Visit(fields, *this->About);
@@ -203,9 +222,9 @@ void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
 
 void VisitFileName(Fields& fields, std::string& name)
 {
-  fields.Text("file", name);
+  fields.Note("", "name of the file").Text("file", name);
   std::optional<std::string> bytes =
     MakeUtf8(name) == name ? std::nullopt : std::optional(PercentEncode(name));
-  fields.Text("file_bytes", bytes);
+  fields.Note("", "the percent-encoded name of a file whose name is not UTF-8").Text("file_bytes", bytes);
 }
 }

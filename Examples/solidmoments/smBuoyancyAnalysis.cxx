@@ -18,18 +18,19 @@ std::string CheckHeight(const std::string& text)
 
 void WaterlineResult::Visit(Fields& fields, const char* key)
 {
-  fields.List(key, this->Waterlines,
-    [&](WaterlineEntry& waterline)
-    {
-      fields.Number("height", waterline.Height);
-      fields.Point("up", this->Up);
-      fields.Number("volume", waterline.Volume);
-      fields.Point("center", waterline.Center.Value);
-      fields.Begin("bounds");
-      fields.Number("volume", waterline.Volume.Bound);
-      fields.Number("center", waterline.Center.Bound);
-      fields.End();
-    });
+  fields.Note("", "with `--waterline`")
+    .List(key, this->Waterlines,
+      [&](WaterlineEntry& waterline)
+      {
+        fields.Note("L", "").Number("height", waterline.Height);
+        fields.Note("1", "").Point("up", this->Up);
+        fields.Note("L^3", "below the waterline").Number("volume", waterline.Volume);
+        fields.Note("L", "centre of buoyancy").Point("center", waterline.Center.Value);
+        fields.Note("", "of the quantities with the same names").Begin("bounds");
+        fields.Number("volume", waterline.Volume.Bound);
+        fields.Number("center", waterline.Center.Bound);
+        fields.End();
+      });
 }
 
 void WaterlineResult::AddColumns(Columns& columns) const
@@ -38,6 +39,7 @@ void WaterlineResult::AddColumns(Columns& columns) const
   {
     const WaterlineEntry& waterline = this->Waterlines[i];
     const std::string stem = "waterline" + std::to_string(i + 1);
+    columns.Note("of the first waterline, `waterline2_height` and so on of the next");
     columns.Add(stem + "_height", waterline.Height);
     columns.Add(stem + "_volume", waterline.Volume.Get());
     columns.Add(stem + "_volume_bound", waterline.Volume.Bound);

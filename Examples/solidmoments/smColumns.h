@@ -33,6 +33,9 @@ public:
   /// Adds the six different entries of a symmetric matrix.
   void AddMatrix(const std::string& stem, const std::array<double, 9>& matrix);
   bool Has(const std::string& head) const;
+  /// Meaning of the columns from here to the next note, in Markdown, for the reference.
+  void Note(const char* meaning) { this->Notes.emplace_back(this->Cells.size(), meaning); }
+  const std::vector<std::pair<std::size_t, const char*>>& GetNotes() const { return this->Notes; }
   const std::vector<std::pair<std::string, std::optional<std::string>>>& GetCells() const
   {
     return this->Cells;
@@ -40,6 +43,7 @@ public:
 
 private:
   std::vector<std::pair<std::string, std::optional<std::string>>> Cells;
+  std::vector<std::pair<std::size_t, const char*>> Notes; ///< with the number of cells before each
 };
 }
 

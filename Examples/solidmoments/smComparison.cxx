@@ -73,7 +73,7 @@ void Visit(Fields& fields, const char* key, QuantityDifference<N>& difference)
       fields.Numbers(name, values.data(), N / 3, 3);
     }
   };
-  fields.Begin(key);
+  fields.Note("", "new minus old, with the sum of both bounds").Begin(key);
   visit("old", difference.Old.Value);
   visit("new", difference.New.Value);
   visit("difference", difference.Change.Value);
@@ -94,12 +94,12 @@ void Visit(Fields& fields, Differences& differences)
 
 void Visit(Fields& fields, ComparedBody& body)
 {
-  fields.Name("old_id", body.OldId);
-  fields.Name("new_id", body.NewId);
-  fields.Point("translation", body.Translation);
-  fields.Number("distance", body.Distance);
-  fields.Number("rotation_angle", body.RotationAngle);
-  fields.Point("rotation_axis", body.RotationAxis);
+  fields.Note("", "`id` of the solid in the old file").Name("old_id", body.OldId);
+  fields.Note("", "`id` of the solid in the new file").Name("new_id", body.NewId);
+  fields.Note("L", "of two equal shapes").Point("translation", body.Translation);
+  fields.Note("L", "length of the translation").Number("distance", body.Distance);
+  fields.Note("degrees", "").Number("rotation_angle", body.RotationAngle);
+  fields.Note("1", "").Point("rotation_axis", body.RotationAxis);
 }
 
 void Visit(Fields& fields, ComparedPart& part)
@@ -107,19 +107,21 @@ void Visit(Fields& fields, ComparedPart& part)
   auto count = static_cast<long long>(part.Bodies.size());
   auto inOld = static_cast<long long>(part.InOld);
   auto inNew = static_cast<long long>(part.InNew);
-  fields.Text("state", part.State);
+  fields.Note("", "`unchanged`, `moved`, `changed`, `added` or `removed`").Text("state", part.State);
   fields.Text("name", part.Name);
   fields.Text("old_name", part.OldName);
-  fields.Count("count", count);
-  fields.Count("in_old", inOld);
-  fields.Count("in_new", inNew);
-  fields.Texts("notes", part.Notes);
-  if (fields.Begin("difference", part.Difference.has_value()))
+  fields.Note("", "number of its solids").Count("count", count);
+  fields.Note("", "solids of this name in the old file").Count("in_old", inOld);
+  fields.Note("", "solids of this name in the new file").Count("in_new", inNew);
+  fields.Note("", "changes other than that of the place").Texts("notes", part.Notes);
+  if (fields.Note("", "of the first of its solids").Begin("difference", part.Difference.has_value()))
   {
+    part.Difference = part.Difference.value_or(Differences());
     Visit(fields, *part.Difference);
     fields.End();
   }
-  fields.List("bodies", part.Bodies, [&fields](ComparedBody& body) { Visit(fields, body); });
+  fields.Note("", "its solids")
+    .List("bodies", part.Bodies, [&fields](ComparedBody& body) { Visit(fields, body); });
 }
 
 /// Returns true if material, density or mass of two equal shapes differ: the mass by more than the bounds and the limit. Densities are no
@@ -462,20 +464,21 @@ std::vector<ComparedPart> MakeParts(const std::vector<Outcome>& outcomes)
 void ProductDifference::Visit(Fields& fields)
 {
   std::optional<bool> isEqual = this->IsEqual;
-  fields.Flag("equal", isEqual);
-  fields.Number("limit", this->Limit);
+  fields.Note("", "true: all solids are unchanged").Flag("equal", isEqual);
+  fields.Note("1", "of `--compare-limit`").Number("limit", this->Limit);
   fields.Text("length_unit", this->LengthUnit);
-  fields.Begin("counts");
+  fields.Note("", "number of solids by their state").Begin("counts");
   for (const auto& [state, number] : this->Counts)
   {
     auto count = static_cast<long long>(number);
     fields.Count(state, count);
   }
   fields.End();
-  fields.Begin("total");
+  fields.Note("", "differences of all solids together").Begin("total");
   sm::Visit(fields, this->Total);
   fields.End();
-  fields.List("parts", this->Parts, [&fields](ComparedPart& part) { sm::Visit(fields, part); });
+  fields.Note("", "a part has all solids of one state, name and shape")
+    .List("parts", this->Parts, [&fields](ComparedPart& part) { sm::Visit(fields, part); });
 }
 
 std::optional<ProductDifference> CompareProducts(const FileResult& oldFile, const FileResult& newFile,

@@ -150,7 +150,7 @@ void IntegralResult::Set(const std::string& name, double value, double bound)
 
 void IntegralResult::Visit(Fields& fields, const char* key)
 {
-  fields.Begin(key);
+  fields.Note("", "with `--moments` and `--integral`: by name, `value` and `bound`").Begin(key);
   for (Entry& entry : this->Entries)
   {
     fields.Begin(entry.Name.c_str());

@@ -42,6 +42,8 @@ std::string FormatJson(const DocumentHead& head, const std::vector<FileResult>& 
 std::string FormatCsv(const std::vector<FileResult>& files, const std::vector<std::string>& fields = {});
 /// Returns the columns of the CSV of a file.
 std::vector<std::string> ListColumns(const FileResult& file);
+/// Returns a table in Markdown of the columns of a file, with their meanings.
+std::string FormatColumnReference(const FileResult& file);
 /// Returns a line with the columns `fields` of a file's total, separated by blanks; "nan" for a value that does not exist.
 std::string FormatFields(const FileResult& file, const std::vector<std::string>& fields);
 /// Returns the parts lists of all files as CSV, a row per entry with its level.

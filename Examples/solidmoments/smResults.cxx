@@ -19,30 +19,31 @@ namespace
 {
 void Visit(Fields& fields, EdgeResult& edge)
 {
-  fields.Count("id", edge.Id);
+  fields.Note("", "entity number").Count("id", edge.Id);
   fields.Text("name", edge.Name);
-  fields.Count("uses", edge.Uses);
-  fields.Flag("open", edge.IsOpen);
-  fields.Number("max_gap", edge.MaxGap);
-  fields.Number("gap_area", edge.GapArea);
-  fields.Number("gap_squared", edge.GapSquared);
+  fields.Note("", "number of faces that use it").Count("uses", edge.Uses);
+  fields.Note("", "true: its uses do not cancel").Flag("open", edge.IsOpen);
+  fields.Note("L", "widest gap").Number("max_gap", edge.MaxGap);
+  fields.Note("L^2", "area of the gap").Number("gap_area", edge.GapArea);
+  fields.Note("L^3", "integral of the squared gap").Number("gap_squared", edge.GapSquared);
 }
 
 void Visit(Fields& fields, StageSeconds& seconds)
 {
-  fields.Number("start", seconds.Start);
-  fields.Number("read", seconds.Read);
-  fields.Number("parse", seconds.Parse);
-  fields.Number("transfer", seconds.Transfer);
-  fields.Number("trims", seconds.Trims);
-  fields.Number("prepare", seconds.Prepare);
-  fields.Number("mesh", seconds.Mesh);
-  fields.Number("convert", seconds.Convert);
-  fields.Number("cut", seconds.Cut);
-  fields.Number("plan", seconds.Plan);
-  fields.Number("upload", seconds.Upload);
-  fields.Number("integrate", seconds.Integrate);
-  fields.Number("analyse", seconds.Analyse);
+  fields.Note("s", "context and shaders").Number("start", seconds.Start);
+  fields.Note("s", "sum of `parse`, `transfer` and `trims`").Number("read", seconds.Read);
+  fields.Note("s", "text to entities").Number("parse", seconds.Parse);
+  fields.Note("s", "entities to shapes").Number("transfer", seconds.Transfer);
+  fields.Note("s", "inspection of faces, with the trim curves that the file leaves out")
+    .Number("trims", seconds.Trims);
+  fields.Note("s", "sum of the five below").Number("prepare", seconds.Prepare);
+  fields.Note("s", "display mesh").Number("mesh", seconds.Mesh);
+  fields.Note("s", "exact conversion").Number("convert", seconds.Convert);
+  fields.Note("s", "faces into panels").Number("cut", seconds.Cut);
+  fields.Note("s", "orders of the rules").Number("plan", seconds.Plan);
+  fields.Note("s", "to the GPU").Number("upload", seconds.Upload);
+  fields.Note("s", "").Number("integrate", seconds.Integrate);
+  fields.Note("s", "checks of shells, plausibility, tables").Number("analyse", seconds.Analyse);
 }
 
 Status FindStatus(const std::string& text)
@@ -65,13 +66,13 @@ void Visit(Fields& fields, PartsSums& sums)
   double known = sums.Mass.GetValue(), knownBound = sums.Mass.GetBound();
   double mass = isWhole ? known : Unknown, massBound = isWhole ? knownBound : Unknown;
   long long withMass = sums.Mass.Terms, withVolume = sums.Volume.Terms;
-  fields.Number("volume", volume);
-  fields.Number("area", area);
-  fields.Number("mass", mass);
-  fields.Number("known_mass", known);
+  fields.Note("L^3", "").Number("volume", volume);
+  fields.Note("L^2", "").Number("area", area);
+  fields.Note("kg", "if all solids have a density").Number("mass", mass);
+  fields.Note("kg", "of the solids that have a density").Number("known_mass", known);
   fields.Count("solids_with_mass", withMass);
   fields.Count("solids_with_volume", withVolume);
-  fields.Begin("bounds");
+  fields.Note("", "of the quantities with the same names").Begin("bounds");
   fields.Number("volume", volumeBound);
   fields.Number("area", areaBound);
   fields.Number("mass", massBound);
@@ -94,21 +95,22 @@ void Visit(Fields& fields, PartsListEntry& part)
   std::string kind = part.IsAssembly ? "assembly" : "part";
   std::string status = GetText(part.Status);
   fields.Text("name", part.Name);
-  fields.Text("kind", kind);
+  fields.Note("", "`part` or `assembly`").Text("kind", kind);
   VisitNumber(fields, "count", part.Count);
   VisitNumber(fields, "count_in_all", part.CountInAll);
   VisitNumber(fields, "solids", part.Solids);
-  fields.Text("status", status);
-  fields.Name("layer", part.Layer);
-  fields.Name("material", part.Material);
-  fields.Number("density", part.Density);
-  fields.Begin("each");
+  fields.Note("", "the worst of its solids").Text("status", status);
+  fields.Note("", "of the first product").Name("layer", part.Layer);
+  fields.Note("", "as `density`").Name("material", part.Material);
+  fields.Note("kg/m^3", "if all solids have the same").Number("density", part.Density);
+  fields.Note("", "sums of one product").Begin("each");
   Visit(fields, part.Each);
   fields.End();
-  fields.Begin("in_all");
+  fields.Note("", "sums of all these products").Begin("in_all");
   Visit(fields, part.InAll);
   fields.End();
-  fields.List("children", part.Children, [&](PartsListEntry& child) { Visit(fields, child); });
+  fields.Note("", "the products that it consists of, with the same keys")
+    .List("children", part.Children, [&](PartsListEntry& child) { Visit(fields, child); });
   part.IsAssembly = kind == "assembly";
   part.Status = FindStatus(status);
 }
@@ -206,7 +208,7 @@ void FileResult::AddColumns(const AnalysisResults& results, Columns& columns) co
   }
 }
 
-void FileResult::VisitAnalyses(Fields& fields, AnalysisResults& results, bool ofBodies)
+void FileResult::VisitAnalyses(Fields& fields, AnalysisResults& results, bool ofBodies, bool ofFiles)
 {
   std::vector<std::size_t> order(this->Known.size());
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -219,7 +221,7 @@ void FileResult::VisitAnalyses(Fields& fields, AnalysisResults& results, bool of
   for (const std::size_t i : order)
   {
     const Analysis& analysis = *this->Known[i];
-    if ((!ofBodies && analysis.IsOfBodies()) || !fields.Has(results.Get(i) != nullptr))
+    if (!(analysis.IsOfBodies() ? ofBodies : ofFiles) || !fields.Has(results.Get(i) != nullptr))
     {
       continue;
     }
@@ -227,7 +229,10 @@ void FileResult::VisitAnalyses(Fields& fields, AnalysisResults& results, bool of
     {
       results.Set(i, analysis.MakeResult());
     }
-    results.Get(i)->Visit(fields, analysis.GetKey());
+    if (AnalysisResult* result = results.Get(i))
+    {
+      result->Visit(fields, analysis.GetKey());
+    }
   }
 }
 
@@ -236,38 +241,43 @@ void FileResult::VisitBody(Fields& fields, BodyResult& body, const std::function
   body.Visit(fields,
     [&]()
     {
-      fields.Number("bounding_box", body.LowCorner.Bound);
+      fields.Note("L", "").Number("bounding_box", body.LowCorner.Bound);
       if (inBounds)
       {
         inBounds();
       }
     });
-  fields.Number("paper_error_estimate", body.PaperErrorEstimate);
-  fields.Number("paper_error_estimate_with_boundary", body.PaperErrorEstimateWithBoundary);
-  fields.Count("sub_patches", body.SubPatches);
+  fields.Note("L^3", "with a scheme of the paper: its estimate of the volume's error, no bound")
+    .Number("paper_error_estimate", body.PaperErrorEstimate);
+  fields.Note("L^3", "as above, with the boundary")
+    .Number("paper_error_estimate_with_boundary", body.PaperErrorEstimateWithBoundary);
+  fields.Note("", "with a scheme of the paper").Count("sub_patches", body.SubPatches);
   std::array<double, 6> box;
   std::copy(body.LowCorner.Value.begin(), body.LowCorner.Value.end(), box.begin());
   std::copy(body.HighCorner.Value.begin(), body.HighCorner.Value.end(), box.begin() + 3);
-  fields.Numbers("bounding_box", box.data(), 2, 3);
+  fields.Note("L", "with `--box`: its lowest and its highest corner")
+    .Numbers("bounding_box", box.data(), 2, 3);
   std::copy_n(box.begin(), 3, body.LowCorner.Value.begin());
   std::copy_n(box.begin() + 3, 3, body.HighCorner.Value.begin());
 }
 
 void FileResult::VisitSolid(Fields& fields, SolidResult& solid)
 {
-  fields.Text("name", solid.Name);
-  fields.Text("id", solid.Id);
-  fields.Text("path", solid.Path);
-  fields.Text("status", solid.Status);
+  fields.Note("", "").Text("name", solid.Name);
+  fields.Note("", "unique in the file").Text("id", solid.Id);
+  fields.Note("", "with the assemblies above, where single instances differ").Text("path", solid.Path);
+  fields.Note("", "").Text("status", solid.Status);
   this->VisitBody(fields, solid);
-  fields.List("worst_edges", solid.WorstEdges, [&](EdgeResult& edge) { sm::Visit(fields, edge); });
-  this->VisitAnalyses(fields, solid.Analyses, true);
+  fields.Note("", "at most five edges with a gap, the widest first")
+    .List("worst_edges", solid.WorstEdges, [&](EdgeResult& edge) { sm::Visit(fields, edge); });
+  this->VisitAnalyses(fields, solid.Analyses, true, true);
 }
 
 void FileResult::VisitRun(Fields& fields)
 {
-  fields.Text("scheme", this->Scheme);
-  if (fields.Begin("scheme_options", this->SchemeOptions.has_value()))
+  fields.Note("", "`adaptive`, or a scheme of the paper").Text("scheme", this->Scheme);
+  if (fields.Note("", "options of a scheme of the paper")
+        .Begin("scheme_options", this->SchemeOptions.has_value()))
   {
     this->SchemeOptions = this->SchemeOptions.value_or(SchemeResult());
     fields.Count("sub_patch_factor", this->SchemeOptions->SubPatchFactor);
@@ -276,15 +286,15 @@ void FileResult::VisitRun(Fields& fields)
     fields.Text("deviation", this->SchemeOptions->Deviation);
     fields.End();
   }
-  fields.Text("backend", this->Backend);
-  fields.Text("renderer", this->Renderer);
-  fields.Text("backend_reason", this->BackendReason);
-  fields.Begin("estimate");
+  fields.Note("", "`opengl`, `cpu` or `none`").Text("backend", this->Backend);
+  fields.Note("", "name of the OpenGL driver, or number of threads").Text("renderer", this->Renderer);
+  fields.Note("", "why `auto` took this backend").Text("backend_reason", this->BackendReason);
+  fields.Note("", "what the program expected of the mass properties").Begin("estimate");
   fields.Count("evaluations", this->EstimatedEvaluations);
   fields.Number("cpu_seconds", this->EstimatedCPUSeconds);
   fields.Number("opengl_seconds", this->EstimatedOpenGLSeconds);
   fields.End();
-  if (fields.Begin("frame", !this->Frame.empty()))
+  if (fields.Note("", "with `--about`").Begin("frame", !this->Frame.empty()))
   {
     this->Frame.resize(9);
     fields.Numbers("origin", this->Frame.data(), 1, 3);
@@ -297,18 +307,20 @@ void FileResult::VisitRun(Fields& fields)
 void FileResult::Visit(Fields& fields)
 {
   VisitFileName(fields, this->File);
-  fields.Text("length_unit", this->LengthUnit);
-  fields.Text("status", this->Status);
-  fields.Texts("messages", this->Messages);
+  fields.Note("", "L, for example `mm`").Text("length_unit", this->LengthUnit);
+  fields.Note("", "the worst of its solids").Text("status", this->Status);
+  fields.Note("", "sentences for the user").Texts("messages", this->Messages);
   this->VisitRun(fields);
-  fields.Begin("total");
+  fields.Note("", "quantities of all solids together").Begin("total");
   this->VisitBody(fields, this->Total, [&]() { fields.Number("known_mass", this->Total.KnownMass.Bound); });
-  fields.Number("known_mass", this->Total.KnownMass);
-  fields.Count("solids_with_mass", this->Total.SolidsWithMass);
-  fields.Count("solids_with_volume", this->Total.SolidsWithVolume);
-  this->VisitAnalyses(fields, this->Total.Analyses, true);
+  fields.Note("kg", "of the total only: mass of the solids that have a density")
+    .Number("known_mass", this->Total.KnownMass);
+  fields.Note("", "of the total only").Count("solids_with_mass", this->Total.SolidsWithMass);
+  fields.Note("", "of the total only").Count("solids_with_volume", this->Total.SolidsWithVolume);
+  this->VisitAnalyses(fields, this->Total.Analyses, true, false);
   fields.End();
-  fields.List("solids", this->Solids, [&](SolidResult& solid) { this->VisitSolid(fields, solid); });
+  fields.Note("", "of each solid the quantities of `total`, and the keys below")
+    .List("solids", this->Solids, [&](SolidResult& solid) { this->VisitSolid(fields, solid); });
   // These keys exist without a request, too, and in every build.
   fields.Begin("integrals");
   fields.End();
@@ -317,25 +329,27 @@ void FileResult::Visit(Fields& fields)
     fields.BeginList(key, 0);
     fields.EndList();
   }
-  fields.Count("faces", this->Faces);
-  fields.Count("free_faces", this->FreeFaces);
-  fields.Number("diagonal", this->Diagonal);
-  fields.Count("evaluations", this->Evaluations);
-  fields.Count("dispatches", this->Dispatches);
-  fields.Begin("seconds");
+  fields.Note("", "number of faces of the solids").Count("faces", this->Faces);
+  fields.Note("", "number of faces that belong to no solid").Count("free_faces", this->FreeFaces);
+  fields.Note("L", "of the bounding box").Number("diagonal", this->Diagonal);
+  fields.Note("", "evaluations of surfaces").Count("evaluations", this->Evaluations);
+  fields.Note("", "dispatches of compute shaders").Count("dispatches", this->Dispatches);
+  fields.Note("", "time of each stage").Begin("seconds");
   sm::Visit(fields, this->Seconds);
   fields.End();
   if (fields.Has(this->Parts.has_value()))
   {
     this->Parts = this->Parts.value_or(std::vector<PartsListEntry>());
-    fields.List("parts", *this->Parts, [&](PartsListEntry& part) { sm::Visit(fields, part); });
+    fields.Note("", "with `--bom`: the parts list")
+      .List("parts", *this->Parts, [&](PartsListEntry& part) { sm::Visit(fields, part); });
   }
   if (fields.Has(this->Validation.has_value()))
   {
     this->Validation = this->Validation.value_or(std::vector<ValidationEntry>());
-    fields.List("validation", *this->Validation, [&](ValidationEntry& entry) { entry.Visit(fields); });
+    fields.Note("", "with `--validate`: an entry for each property that the file states")
+      .List("validation", *this->Validation, [&](ValidationEntry& entry) { entry.Visit(fields); });
   }
-  this->VisitAnalyses(fields, this->Analyses, false);
+  this->VisitAnalyses(fields, this->Analyses, false, true);
 }
 
 bool HasMixedDensities(const Quantities& total)

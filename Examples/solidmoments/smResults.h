@@ -108,7 +108,8 @@ struct FileResult
   void AddColumns(const AnalysisResults& results, Columns& columns) const;
 
 private:
-  void VisitAnalyses(Fields& fields, AnalysisResults& results, bool ofBodies);
+  /// Visits the results of the analyses of bodies, of files, or of both, which a solid has.
+  void VisitAnalyses(Fields& fields, AnalysisResults& results, bool ofBodies, bool ofFiles);
   void VisitSolid(Fields& fields, SolidResult& solid);
   void VisitRun(Fields& fields);
 

@@ -20,19 +20,20 @@ std::string CheckPlane(const std::string& text)
 
 void VisitSection(Fields& fields, SectionEntry& section)
 {
-  fields.Numbers("point", section.Plane.data(), 1, 3);
-  fields.Numbers("normal", section.Plane.data() + 3, 1, 3);
-  fields.Numbers("principal_directions", section.PrincipalDirections.Value.data(), 2, 3);
-  fields.Number("area", section.Area);
-  fields.Point("centroid", section.Centroid.Value);
-  fields.Matrix("second_moments", section.SecondMoments.Value);
-  fields.Numbers("principal_moments", section.PrincipalMoments.Value.data(), 1, 2);
-  fields.Number("volume_below", section.VolumeBelow);
-  fields.Point("center_below", section.CenterBelow.Value);
-  fields.Number("mass_below", section.MassBelow);
-  fields.Number("volume_above", section.VolumeAbove);
-  fields.Point("center_above", section.CenterAbove.Value);
-  fields.Number("mass_above", section.MassAbove);
+  fields.Note("L", "of the plane").Numbers("point", section.Plane.data(), 1, 3);
+  fields.Note("", "of the plane").Numbers("normal", section.Plane.data() + 3, 1, 3);
+  fields.Note("1", "of the principal moments")
+    .Numbers("principal_directions", section.PrincipalDirections.Value.data(), 2, 3);
+  fields.Note("L^2", "").Number("area", section.Area);
+  fields.Note("L", "").Point("centroid", section.Centroid.Value);
+  fields.Note("L^4", "about the centroid").Matrix("second_moments", section.SecondMoments.Value);
+  fields.Note("L^4", "ascending").Numbers("principal_moments", section.PrincipalMoments.Value.data(), 1, 2);
+  fields.Note("L^3", "against the normal").Number("volume_below", section.VolumeBelow);
+  fields.Note("L", "").Point("center_below", section.CenterBelow.Value);
+  fields.Note("kg", "with one density for all solids").Number("mass_below", section.MassBelow);
+  fields.Note("L^3", "").Number("volume_above", section.VolumeAbove);
+  fields.Note("L", "").Point("center_above", section.CenterAbove.Value);
+  fields.Note("kg", "").Number("mass_above", section.MassAbove);
 }
 
 /// Adds the columns of what lies on one side, each with its bound.
@@ -61,23 +62,24 @@ std::string KnownRow(const char* label, const Quantity<N>& quantity, const std::
 
 void SectionResult::Visit(Fields& fields, const char* key)
 {
-  fields.List(key, this->Sections,
-    [&](SectionEntry& section)
-    {
-      VisitSection(fields, section);
-      fields.Begin("bounds");
-      fields.Number("area", section.Area.Bound);
-      fields.Number("centroid", section.Centroid.Bound);
-      fields.Number("second_moments", section.SecondMoments.Bound);
-      fields.Number("principal_moments", section.PrincipalMoments.Bound);
-      fields.Number("volume_below", section.VolumeBelow.Bound);
-      fields.Number("center_below", section.CenterBelow.Bound);
-      fields.Number("volume_above", section.VolumeAbove.Bound);
-      fields.Number("center_above", section.CenterAbove.Bound);
-      fields.Number("mass_below", section.MassBelow.Bound);
-      fields.Number("mass_above", section.MassAbove.Bound);
-      fields.End();
-    });
+  fields.Note("", "with `--section`")
+    .List(key, this->Sections,
+      [&](SectionEntry& section)
+      {
+        VisitSection(fields, section);
+        fields.Note("", "of the quantities with the same names").Begin("bounds");
+        fields.Number("area", section.Area.Bound);
+        fields.Number("centroid", section.Centroid.Bound);
+        fields.Number("second_moments", section.SecondMoments.Bound);
+        fields.Number("principal_moments", section.PrincipalMoments.Bound);
+        fields.Number("volume_below", section.VolumeBelow.Bound);
+        fields.Number("center_below", section.CenterBelow.Bound);
+        fields.Number("volume_above", section.VolumeAbove.Bound);
+        fields.Number("center_above", section.CenterAbove.Bound);
+        fields.Number("mass_below", section.MassBelow.Bound);
+        fields.Number("mass_above", section.MassAbove.Bound);
+        fields.End();
+      });
 }
 
 void SectionResult::AddColumns(Columns& columns) const
@@ -86,6 +88,7 @@ void SectionResult::AddColumns(Columns& columns) const
   {
     const SectionEntry& section = this->Sections[i];
     const std::string stem = "section" + std::to_string(i + 1);
+    columns.Note("of the first section, `section2_point_x` and so on of the next");
     columns.Add(stem + "_point", section.Plane.data(), { "x", "y", "z" });
     columns.Add(stem + "_normal", section.Plane.data() + 3, { "x", "y", "z" });
     columns.Add(stem + "_area", section.Area.Get());

@@ -10,36 +10,39 @@ namespace sm
 {
 void StabilityResult::Visit(Fields& fields, const char* key)
 {
-  fields.Begin(key);
-  fields.Text("verdict", this->Verdict);
-  fields.Text("support", this->Support);
-  fields.Text("decided_by", this->DecidedBy);
-  fields.Number("stability_margin", this->Margin);
-  fields.Number("tip_angle", this->TipAngle);
-  fields.Number("center_of_mass_rise", this->Rise);
-  fields.Number("center_height", this->CenterHeight);
-  fields.Number("rolling_margin", this->RollingMargin);
-  fields.Begin("bounds");
+  fields.Note("", "with `--stability`").Begin(key);
+  fields.Note("", "`stable`, `unstable`, `too-close`, `no-contact`, `below-ground` or `unknown`")
+    .Text("verdict", this->Verdict);
+  fields.Note("", "`area`, `line`, `point` or `none`").Text("support", this->Support);
+  fields.Note("", "`margin`, `rolling` or `none`").Text("decided_by", this->DecidedBy);
+  fields.Note("L", "signed distance of the projected centre of mass to the nearest side")
+    .Number("stability_margin", this->Margin);
+  fields.Note("degrees", "smallest").Number("tip_angle", this->TipAngle);
+  fields.Note("L", "before tipping").Number("center_of_mass_rise", this->Rise);
+  fields.Note("L", "of the centre of mass above the ground").Number("center_height", this->CenterHeight);
+  fields.Note("L", "where curvature decides").Number("rolling_margin", this->RollingMargin);
+  fields.Note("", "of the quantities with the same names").Begin("bounds");
   fields.Number("stability_margin", this->Margin.Bound);
   fields.Number("tip_angle", this->TipAngle.Bound);
   fields.Number("center_of_mass_rise", this->Rise.Bound);
   fields.Number("center_height", this->CenterHeight.Bound);
   fields.Number("rolling_margin", this->RollingMargin.Bound);
   fields.End();
-  fields.Number("tip_energy", this->TipEnergy);
-  fields.Number("rolling_radius", this->RollingRadius);
-  fields.Point("projected_center_of_mass", this->ProjectedCenter.Value);
-  fields.Count("contact_faces", this->ContactFaces);
-  fields.Count("contact_edges", this->ContactEdges);
-  fields.List("sides", this->Sides,
-    [&fields](StabilitySide& side)
-    {
-      fields.Point("from", side.From);
-      fields.Point("to", side.To);
-      fields.Number("stability_margin", side.Margin);
-      fields.Number("tip_angle", side.TipAngle);
-      fields.Number("center_of_mass_rise", side.Rise);
-    });
+  fields.Note("J", "with a mass").Number("tip_energy", this->TipEnergy);
+  fields.Note("L", "").Number("rolling_radius", this->RollingRadius);
+  fields.Note("L", "on the ground").Point("projected_center_of_mass", this->ProjectedCenter.Value);
+  fields.Note("", "that touch the ground").Count("contact_faces", this->ContactFaces);
+  fields.Note("", "that touch the ground").Count("contact_edges", this->ContactEdges);
+  fields.Note("", "of the support polygon")
+    .List("sides", this->Sides,
+      [&fields](StabilitySide& side)
+      {
+        fields.Point("from", side.From);
+        fields.Point("to", side.To);
+        fields.Number("stability_margin", side.Margin);
+        fields.Number("tip_angle", side.TipAngle);
+        fields.Number("center_of_mass_rise", side.Rise);
+      });
   fields.End();
 }
 

@@ -274,16 +274,16 @@ void ValidationEntry::Visit(Fields& fields)
     values.assign(numbers.begin(), numbers.begin() + (this->Quantity == "centroid" ? 3 : 1));
     values.resize(std::isnan(values[0]) ? 0 : values.size());
   };
-  fields.Text("product", this->Product);
-  fields.Count("definition", this->Definition);
-  fields.Text("quantity", this->Quantity);
+  fields.Note("", "its name").Text("product", this->Product);
+  fields.Note("", "entity number").Count("definition", this->Definition);
+  fields.Note("", "`volume`, `area` or `centroid`").Text("quantity", this->Quantity);
   visit("stated", this->Stated);
   visit("computed", this->Computed);
   fields.Number("bound", this->Bound);
   fields.Number("difference", this->Difference);
-  fields.Number("limit", this->Limit);
-  fields.Text("result", this->Result);
-  fields.Name("reason", this->Reason);
+  fields.Note("", "largest difference that passes, with the bound").Number("limit", this->Limit);
+  fields.Note("", "`pass`, `fail` or `not-comparable`").Text("result", this->Result);
+  fields.Note("", "why it is not comparable").Name("reason", this->Reason);
 }
 
 std::vector<ValidationEntry> CompareValidation(
