@@ -68,6 +68,8 @@ struct FaceStatement
   double LargestGap = 0.0;
   int EdgeLoops = 0;
   int VertexLoops = 0;
+  /// Two edges that follow each other in a bound and cover the same part of one curve; 0: there are none.
+  std::uint64_t Overlap[2] = { 0, 0 };
   std::vector<EdgeUseStatement> Uses;
 };
 

@@ -9,6 +9,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
@@ -406,6 +407,69 @@ private:
   std::vector<std::pair<double, gp_XYZ>> Profile;
 };
 
+/// Finds seeds on extrusions and revolutions of a line that has no ends: planes, cylinders, cones and hyperboloids.
+class RuledFinder : public NewtonFinder
+{
+public:
+  RuledFinder(const Handle(Geom_SweptSurface) & surface, const gp_Lin& line)
+    : NewtonFinder(surface)
+    , Revolution(Handle(Geom_SurfaceOfRevolution)::DownCast(surface))
+    , Start(line.Location().XYZ())
+    , Along(line.Direction().XYZ())
+  {
+    this->Rounding = 1e-12 * std::max(1.0, this->Start.Modulus());
+    if (!this->Revolution.IsNull())
+    {
+      this->Origin = this->Revolution->Axis().Location().XYZ();
+      this->Axis = this->Revolution->Axis().Direction().XYZ();
+      const gp_XYZ slope = this->GetRadius(this->Origin + this->Along);
+      const double square = slope.SquareModulus();
+      const double nearest = square > 1e-20 ? -slope.Dot(this->GetRadius(this->Start)) / square : 0.0;
+      if (square > 1e-20 && this->GetRadius(this->Start + nearest * this->Along).Modulus() <= this->Rounding)
+      {
+        this->Poles.push_back({ 1, nearest });
+      }
+    }
+  }
+
+  /// Returns false for the revolution of a line that is perpendicular to its axis: it has points twice.
+  static bool IsSupported(const Handle(Geom_SweptSurface) & surface, const gp_Lin& line)
+  {
+    const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface);
+    return revolution.IsNull() ||
+      std::abs(revolution->Axis().Direction().XYZ().Dot(line.Direction().XYZ())) >= 1e-3;
+  }
+
+protected:
+  /// One Newton step from the origin of a plane is exact; the height of a point on a revolution decides about the place on the line.
+  bool FindSeed(const gp_Pnt& point, double uv[2]) const override
+  {
+    uv[0] = uv[1] = 0.0;
+    if (!this->Revolution.IsNull())
+    {
+      uv[1] = (point.XYZ() - this->Start).Dot(this->Axis) / this->Along.Dot(this->Axis);
+      const gp_XYZ from = this->GetRadius(this->Start + uv[1] * this->Along);
+      const gp_XYZ to = this->GetRadius(point.XYZ());
+      uv[0] = std::atan2(from.Crossed(to).Dot(this->Axis), from.Dot(to));
+    }
+    return true;
+  }
+
+private:
+  /// Returns the vector from the axis to the point, perpendicular to the axis.
+  gp_XYZ GetRadius(const gp_XYZ& point) const
+  {
+    const gp_XYZ difference = point - this->Origin;
+    return difference - difference.Dot(this->Axis) * this->Axis;
+  }
+
+  Handle(Geom_SurfaceOfRevolution) Revolution;
+  gp_XYZ Start;
+  gp_XYZ Along;
+  gp_XYZ Origin;
+  gp_XYZ Axis;
+};
+
 /// Returns the interior knots; of a periodic direction also those of one more period on both sides.
 template <class GetKnot>
 std::vector<double> CopyKnots(int count, double period, const GetKnot& knot)
@@ -464,6 +528,12 @@ std::shared_ptr<const FootPointFinder> FootPointFinder::Make(const Handle(Geom_S
   }
   if (const auto swept = Handle(Geom_SweptSurface)::DownCast(surface))
   {
+    const auto line = Handle(Geom_Line)::DownCast(swept->BasisCurve());
+    if (!line.IsNull())
+    {
+      return RuledFinder::IsSupported(swept, line->Lin()) ? std::make_shared<RuledFinder>(swept, line->Lin())
+                                                          : nullptr;
+    }
     const double first = swept->BasisCurve()->FirstParameter();
     const double last = swept->BasisCurve()->LastParameter();
     return Precision::IsInfinite(first) || Precision::IsInfinite(last)

@@ -66,6 +66,14 @@ std::string DescribeDifference(const StatedFace& face)
     " mm^3. Area and volume are in doubt; export the file again, or correct the face.";
 }
 
+std::string DescribeOverlap(const FaceStatement& statement)
+{
+  return "Face #" + std::to_string(statement.Id) + " of the file: edges #" +
+    std::to_string(statement.Overlap[0]) + " and #" + std::to_string(statement.Overlap[1]) +
+    " follow each other and cover the same part of one curve, which the boundary of a face does not: the "
+    "rest of the curve may be meant. Correct the senses of the edges, or export the file again.";
+}
+
 std::vector<StatedFace> CollectStatedFaces(const FaceStatements& statements, const ConvertedBody& body)
 {
   std::vector<StatedFace> faces;
@@ -244,6 +252,10 @@ void CheckFaces(const FaceStatements& statements, const CheckedBody& checked, Co
     if (face.Finding.Verdict == FaceVerdict::Differs)
     {
       messages.push_back(DescribeDifference(face));
+    }
+    if (face.Statement->Overlap[0] != 0)
+    {
+      messages.push_back(DescribeOverlap(*face.Statement));
     }
   }
   // For other surfaces than spheres and tori this takes time.

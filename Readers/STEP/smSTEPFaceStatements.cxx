@@ -44,7 +44,58 @@ struct StatedEdge
   bool IsArc = false;
   /// Vector area of the whole curve of an arc, in the direction of the arc.
   Vector3 WholeCurve{};
+  /// The curve of an arc, and the parameters between which it lies, in ascending order.
+  SpaceCurve Curve;
+  double Range[2] = { 0.0, 0.0 };
+
+  double GetRadius() const { return std::max(this->Curve.Radii[0], this->Curve.Radii[1]); }
 };
+
+/// Points within this of a curve, relative to its size, are on it.
+constexpr double SameCurve = 1e-6;
+
+/// An arc covers what is farther from its ends than this part of it.
+constexpr double InnerPart = 1e-2;
+
+double GetParameter(const SpaceCurve& curve, const Vector3& point)
+{
+  const Vector3 away = Subtract(point, curve.Origin);
+  return std::atan2(Dot(away, curve.Axes[1]) / curve.Radii[1], Dot(away, curve.Axes[0]) / curve.Radii[0]);
+}
+
+/// Fills in the curve of an arc; `isForward`: the arc has the curve's direction.
+void SetArc(const SpaceCurve& curve, bool isForward, StatedEdge& edge)
+{
+  edge.Curve = curve;
+  edge.Range[0] = GetParameter(curve, edge.Ends[isForward ? 0 : 1]);
+  edge.Range[1] = GetParameter(curve, edge.Ends[isForward ? 1 : 0]);
+  edge.Range[1] += edge.Range[1] <= edge.Range[0] ? Pi2 : 0.0;
+}
+
+/// Returns true if `arc` covers a point.
+bool IsCovered(const StatedEdge& arc, const Vector3& point)
+{
+  double t = GetParameter(arc.Curve, point);
+  t += Pi2 * std::ceil((arc.Range[0] - t) / Pi2);
+  const double margin = InnerPart * (arc.Range[1] - arc.Range[0]);
+  return t > arc.Range[0] + margin && t < arc.Range[1] - margin &&
+    Norm(Subtract(arc.Curve.Evaluate(t), point)) <= SameCurve * arc.GetRadius();
+}
+
+/// Returns true if two arcs of one curve that follow each other in a loop cover the same part of it, and only
+/// one of them ends there: the longer one passes a vertex of the other one.
+bool Overlap(const StatedEdge& a, const StatedEdge& b)
+{
+  if (!a.IsArc || !b.IsArc || a.Curve.Radii[0] <= 0.0 || a.Curve.Radii[1] <= 0.0)
+  {
+    return false;
+  }
+  const bool isFirstLonger = a.Range[1] - a.Range[0] >= b.Range[1] - b.Range[0];
+  const StatedEdge& longer = isFirstLonger ? a : b;
+  const StatedEdge& shorter = isFirstLonger ? b : a;
+  return IsCovered(longer, shorter.Curve.Evaluate(0.5 * (shorter.Range[0] + shorter.Range[1]))) &&
+    (IsCovered(longer, shorter.Ends[0]) || IsCovered(longer, shorter.Ends[1]));
+}
 
 class StatementReader
 {
@@ -206,6 +257,10 @@ private:
       result.IsStraight = curve.Kind == SpaceCurve::Type::Line || curve.Points.size() == 2;
       result.IsArc =
         curve.Kind == SpaceCurve::Type::Ellipse && start != end && result.Ends[0] != result.Ends[1];
+      if (result.IsKnown && result.IsArc)
+      {
+        SetArc(curve, isForward != isReversed, result);
+      }
       const Vector3 normal = Cross(curve.Axes[0], curve.Axes[1]);
       const double area =
         0.5 * Pi2 * curve.Radii[0] * curve.Radii[1] * (isForward != isReversed ? 1.0 : -1.0);
@@ -294,9 +349,14 @@ private:
       {
         statement.OtherArcs[c] -= sign * use.Edge->WholeCurve[c];
       }
-      const Vector3& next = this->Loop[k + 1 < this->Loop.size() ? k + 1 : 0].GetStart();
-      statement.LargestGap = std::max(statement.LargestGap, Norm(Subtract(next, use.GetEnd())));
-      this->AddGap(use.GetEnd(), next, sense);
+      const LoopUse& next = this->Loop[k + 1 < this->Loop.size() ? k + 1 : 0];
+      statement.LargestGap = std::max(statement.LargestGap, Norm(Subtract(next.GetStart(), use.GetEnd())));
+      this->AddGap(use.GetEnd(), next.GetStart(), sense);
+      if (use.Id != next.Id && Overlap(*use.Edge, *next.Edge))
+      {
+        statement.Overlap[0] = use.Id;
+        statement.Overlap[1] = next.Id;
+      }
     }
     return !this->Loop.empty();
   }

@@ -18,6 +18,15 @@ class Reference(int):
     """The id that a parameter refers to."""
 
 
+class Number(float):
+    """A number with the text that it has in the file."""
+
+    def __new__(cls, text):
+        number = super().__new__(cls, text)
+        number.text = text
+        return number
+
+
 def parse(text, start):
     """Nested lists of parameters from start: (keyword, parameters) for what has a keyword."""
     root, pending = [], None
@@ -43,7 +52,7 @@ def parse(text, start):
         elif word[0].isalpha() or word[0] == "_":
             pending = word.upper()
         elif word[0] in "+-0123456789":
-            stack[-1].append(float(word))
+            stack[-1].append(Number(word))
         elif word not in "=,":
             stack[-1].append(word)
     return root

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Damages STEP files and judges what solidmoments says of them.
+"""Damages or rewrites STEP files and judges what solidmoments says of them.
 
-A mutant is (file, kind of damage, seed); the seed chooses file and kind, too. Whatever the program calls ok must be all that
-the mutated text declares (MutantOracle.py), and hold together. Exit status 1 if a mutant violates that, crashes the program
-or makes it hang. One mutant again, with all that is said of it, and kept in --keep:
+A mutant is (file, kind, seed); the seed chooses file and kind, too. Of --mutants damage, whatever the program calls ok must be all that
+the mutated text declares (MutantOracle.py), and hold together. --mutants rewrites mean the same, and must get the same status and
+numbers within both bounds; --mutants flags have one flag of a face turned, and must not be ok with other numbers (MutantRewrites.py). Exit
+status 1 if a mutant violates that, crashes the program or makes it hang. One mutant again, with all that is said of it, and kept in --keep:
 
   MutantSweep.py --program solidmoments --solids FOLDER --seed 4711 --keep .
 """
@@ -23,6 +24,7 @@ import time
 
 from MutantJudge import Baseline, integrals, judge, judge_other
 from MutantKinds import KINDS, Source
+from MutantRewrites import FLAG_MODE, REWRITE_MODE
 
 SOLIDS = ("bicylinder-plain block_4_3_2-plain box-plain box-inch cone-plain cylinder-plain ellipsoid-plain hollow_sphere-plain "
           "moebius_1000-plain rational_block-plain rational_graph-plain slanted_hole-plain sphere-plain spline_ring-plain "
@@ -34,38 +36,70 @@ LOAD = 10
 Finding = collections.namedtuple("Finding", "seed file kind status violation name text")
 
 
+class Damage(Source):
+    """A file that is damaged, and what is known of it."""
+
+    def __init__(self, name, text, entry):
+        super().__init__(name, text)
+        self.original = text
+        self.baseline = Baseline(text, entry)
+
+
+class DamageMode:
+    """Makes damaged files and judges them; the modes of MutantRewrites.py have the same members."""
+
+    kinds = list(KINDS)
+
+    def source(self, name, text, entry):
+        return Damage(name, text, entry)
+
+    def mutate(self, kind, seed, source):
+        text = KINDS[kind](random.Random(seed), source)
+        return (text, True) if text and text != source.text else None
+
+    def judge(self, source, mutant, entry):
+        """(what came of the independent integrals, findings)"""
+        if entry["status"] != "ok":
+            return "", []
+        found = judge(source.baseline, mutant[0], entry)
+        compared, differing = integrals(source.baseline, mutant[0], entry)
+        return compared, found + differing
+
+
+MODES = {"damage": DamageMode(), "rewrites": REWRITE_MODE, "flags": FLAG_MODE}
+
+
 class Sweep:
     """Sources with their baselines, and the programs."""
 
     def __init__(self, options):
-        self.options = options
-        self.sources, self.baselines, self.skipped = {}, {}, []
+        self.options, self.mode = options, MODES[options.mutants]
+        self.sources, self.skipped = {}, []
         solids = [s for s in SOLIDS if s not in (options.without or [])] if options.solids else []
         paths = [os.path.join(options.solids, s + ".step") for s in solids]
         for folder in options.models or []:
             paths += sorted(os.path.join(folder, n) for n in os.listdir(folder) if n.endswith((".step", ".stp"))
                             and os.path.getsize(os.path.join(folder, n)) <= options.max_bytes)
-        for path in paths:
+        for path, (code, entries) in zip(paths, self.weigh_each(paths)):
             with open(path, encoding="latin-1", newline="") as file:
                 text = file.read()
-            code, entries = self.weigh([path], LOAD * options.limit)
             name = os.path.basename(path)
-            if code != 0 or entries[0]["status"] != "ok":
+            source = self.mode.source(name, text, entries[0]) if code in FINE and entries and entries[0]["status"] == "ok" else None
+            if source:
+                self.sources[name] = source
+            else:
                 self.skipped.append(name)
-                continue
-            self.sources[name] = Source(name, text)
-            self.baselines[name] = Baseline(text, entries[0])
         self.names = sorted(self.sources)
 
     def mutate(self, seed):
-        """(file, kind, text) of a seed; another kind where the file has nothing of the first."""
+        """(file, kind, (text, what is to be known of it)) of a seed; another kind where the file has nothing of the first."""
         chooser = random.Random(seed)
         name = self.options.file or chooser.choice(self.names)
         for _ in range(100):
-            kind = self.options.kind or chooser.choice(sorted(KINDS))
-            text = KINDS[kind](random.Random(f"{name} {kind} {seed} {chooser.random()}"), self.sources[name])
-            if text and text != self.sources[name].text:
-                return name, kind, text
+            kind = self.options.kind or chooser.choice(sorted(self.mode.kinds))
+            mutant = self.mode.mutate(kind, f"{name} {kind} {seed} {chooser.random()}", self.sources[name])
+            if mutant:
+                return name, kind, mutant
         raise ValueError(f"seed {seed}: nothing of this kind in {name}")
 
     def weigh(self, paths, limit):
@@ -121,11 +155,11 @@ class Sweep:
             paths = [os.path.join(folder, f"{seed}.step") for seed in seeds]
             for path, mutant in zip(paths, mutants):
                 with open(path, "w", encoding="latin-1", newline="") as file:
-                    file.write(mutant[3])
+                    file.write(mutant[3][0])
             return [self.result(m, p, *run) for m, p, run in zip(mutants, paths, self.weigh_each(paths))]
 
     def result(self, mutant, path, code, entries):
-        seed, name, kind, text = mutant
+        seed, name, kind, made = mutant
         if code not in FINE:
             return seed, name, kind, code.split()[0], [Finding(seed, name, kind, code, True, code.split()[0], code)], ""
         entry = entries[0]
@@ -137,12 +171,10 @@ class Sweep:
             found.append(("child", False, signals[0][-120:] + (self.classify(path) if self.options.classify else "")))
             if "in our code" in found[0][2]:
                 found[0] = ("child", True, found[0][2])
-        elif entry["status"] == "ok":
-            found = judge(self.baselines[name], text, entry)
-            compared, differing = integrals(self.baselines[name], text, entry)
-            found += differing
-            if self.options.occt:
-                found += judge_other(self.baselines[name], entry, self.other_volume(path))
+        else:
+            compared, found = self.mode.judge(self.sources[name], made, entry)
+            if self.options.occt and entry["status"] == "ok" and self.options.mutants == "damage":
+                found += judge_other(self.sources[name].baseline, entry, self.other_volume(path))
         status = "crashed" if signals else entry["status"]
         if self.options.seed is not None:
             print(json.dumps({k: entry[k] for k in ("status", "messages", "faces", "total")}, indent=1))
@@ -189,14 +221,18 @@ def report(options, results):
     """Prints the table and the findings; the number of violations."""
     statuses = sorted({r[3] for r in results})
     table = collections.Counter((r[2], r[3]) for r in results)
-    width = max(map(len, KINDS)) + 1
+    width = max(map(len, SWEEP.mode.kinds)) + 1
     print("kind".ljust(width) + "".join(s.rjust(len(s) + 3) for s in statuses) + "   all")
     for kind in [*sorted({r[2] for r in results}), "all"]:
         row = [sum(n for (k, s), n in table.items() if s == status and kind in (k, "all")) for status in statuses]
         print(kind.ljust(width) + "".join(str(n).rjust(len(s) + 3) for n, s in zip(row, statuses)) + str(sum(row)).rjust(6))
     compared = collections.Counter(re.sub(r"[-+.\d]+(e[-+]?\d+)?", "0", r[5]) for r in results if r[5])
-    print(f"\nIndependent integrals: {compared['agrees'] + compared['differs']} of {sum(compared.values())} compared " +
-          str(dict(compared.most_common())))
+    if options.mutants == "damage":
+        print(f"\nIndependent integrals: {compared['agrees'] + compared['differs']} of {sum(compared.values())} compared " +
+              str(dict(compared.most_common())))
+    else:
+        print(f"\nNumbers: {compared['same']} the same, {compared['differs']} other ones, {compared['flagged']} flagged, "
+              f"{compared['wider']} the same with a bound above the tolerance")
     known = set(options.known or [])
     findings = [f for r in results for f in r[4]]
     violations = [f for f in findings if f.violation and f.seed not in known]
@@ -233,6 +269,7 @@ def read_options():
     parser.add_argument("--occt", help="occt_mass_properties, for a second value of what changed")
     parser.add_argument("--solids", help="folder of the test solids")
     parser.add_argument("--models", action="append", help="folder of real files, unpacked; may be given several times")
+    parser.add_argument("--mutants", choices=sorted(MODES), default="damage", help="what is done to the files (default damage)")
     parser.add_argument("--without", nargs="*", choices=SOLIDS, help="test solids to leave out; a seed means another mutant then")
     parser.add_argument("--max-bytes", type=int, default=300000, help="largest real file (default 300000)")
     parser.add_argument("--first", type=int, default=1, help="first seed")
@@ -242,7 +279,7 @@ def read_options():
     parser.add_argument("--limit", type=float, default=60, help="seconds of the processor a mutant may take (default 60)")
     parser.add_argument("--seed", type=int, help="this mutant alone")
     parser.add_argument("--file", help="mutate this file only")
-    parser.add_argument("--kind", choices=sorted(KINDS), help="this kind only")
+    parser.add_argument("--kind", choices=sorted({k for m in MODES.values() for k in m.kinds}), help="this kind only")
     parser.add_argument("--keep", help="folder for the mutant of --seed")
     parser.add_argument("--known", type=int, nargs="*", help="seeds of known violations")
     parser.add_argument("--classify", action="store_true", help="run crashes of the reading process again in gdb")
@@ -260,14 +297,16 @@ def main():
         print("No file to mutate.")
         return 1
     if options.seed is not None:
-        name, kind, text = SWEEP.mutate(options.seed)
-        show_changes(SWEEP.sources[name].text, text, name, kind, options.seed, options.keep)
+        name, kind, made = SWEEP.mutate(options.seed)
+        show_changes(SWEEP.sources[name].original, made[0], name, kind, options.seed, options.keep)
         options.verbose = True
-    uncounted = [n for n in SWEEP.names if not SWEEP.baselines[n].counts]
-    bare = [f"{n} ({b.no_reference})" for n, b in sorted(SWEEP.baselines.items()) if b.no_reference is not None]
-    print(f"{len(SWEEP.names)} files; without independent integrals: {', '.join(bare) or 'none'}; not ok and left out: {', '.join(SWEEP.skipped) or 'none'}; solids and faces not "
-          f"comparable: {', '.join(uncounted) or 'none'}; polyhedra: "
-          f"{', '.join(n for n in SWEEP.names if SWEEP.baselines[n].is_polyhedral) or 'none'}")
+    print(f"{len(SWEEP.names)} files; not ok and left out: {', '.join(SWEEP.skipped) or 'none'}")
+    if options.mutants == "damage":
+        baselines = {n: SWEEP.sources[n].baseline for n in SWEEP.names}
+        bare = [f"{n} ({b.no_reference})" for n, b in baselines.items() if b.no_reference is not None]
+        for title, names in (("without independent integrals", bare), ("solids and faces not comparable", [n for n, b in baselines.items()
+                             if not b.counts]), ("polyhedra", [n for n, b in baselines.items() if b.is_polyhedral])):
+            print(f"{title}: {', '.join(names) or 'none'}")
     seeds = [options.seed] if options.seed is not None else list(range(options.first, options.first + options.count))
     return 1 if report(options, run_all(options, seeds)) else 0
 
