@@ -44,8 +44,7 @@ struct EdgeResult
 
 struct SolidResult : BodyResult
 {
-  /// The path has the names of the assemblies above, with which instances of one name differ.
-  std::string Name, Id, Path, Status;
+  std::string Name, Id, Status;
   std::vector<EdgeResult> WorstEdges;
 };
 

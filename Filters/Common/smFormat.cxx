@@ -97,17 +97,15 @@ std::string FormatBoundOfShown(double bound, int digits)
   return FormatBound((1.0 + RoundingShare) * bound, digits);
 }
 
-std::string FormatBoundNote(double bound, double gaps)
+std::string FormatBoundNote(double bound)
 {
-  const std::string note = gaps > bound ? ", gaps " + FormatBound(gaps) + ")" : std::string(")");
-  return std::isfinite(bound) ? " (+- " + FormatBoundOfShown(bound) + note
-                              : std::string(" (bound not known)");
+  return std::isfinite(bound) ? " (+- " + FormatBoundOfShown(bound) + ")" : std::string(" (bound not known)");
 }
 
-std::string FormatWithBound(double value, double bound, const std::string& unit, double gaps)
+std::string FormatWithBound(double value, double bound, const std::string& unit)
 {
   return std::isfinite(value)
-    ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + FormatBoundNote(bound, gaps)
+    ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + FormatBoundNote(bound)
     : std::string("not known");
 }
 

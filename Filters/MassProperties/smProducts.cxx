@@ -1,7 +1,5 @@
 #include "smProducts.h"
 
-#include "smInstanceNames.h"
-
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataAssembly.h"
 #include "vtkNURBSDataSet.h"
@@ -65,7 +63,7 @@ void AddNode(
       continue;
     }
     ProductTreeNode below;
-    below.Name = GetFileName(*assembly, child);
+    below.Name = assembly->GetAttributeOrDefault(child, "label", "");
     below.Layer = assembly->GetAttributeOrDefault(child, "layer", "");
     AddNode(assembly, child, level + 1, groups, below);
     if (!below.Bodies.empty() || !below.Children.empty())

@@ -62,7 +62,6 @@ class vtkTable;
 namespace sm
 {
 struct BodyIntegrals;
-struct RejectedInput;
 struct IntegralLimits;
 struct IntegralRequest;
 struct MeshArray;
@@ -288,7 +287,7 @@ protected:
   /** Returns the limits of a run, with progress and abort of this algorithm between the fractions `begin` and `end`. */
   sm::IntegralLimits MakeLimits(double begin = 0.0, double end = 1.0);
 
-  /** Returns a sentence with the reason for the status of these bodies; empty if none is known, and for the status `ok`. */
+  /** Returns a sentence with the reason for the status of these bodies; empty if none is known. */
   std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies) const;
 
   /** Returns the first lines of a summary: sm::FormatStatus(), and that bounds are estimated where they are. */
@@ -345,8 +344,7 @@ private:
   /** Reports that the input has no exact geometry, and returns 0. */
   int RejectInput(bool isWithheld);
   /** Removes the bodies that no selector matches, and adds messages about unmatched selectors. */
-  void ChooseBodies(
-    vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies, sm::RejectedInput& rejected);
+  void ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
   /** Adds the row of TotalRow to the table of port 1; `all` is the number of bodies of the input. */
   void WriteTotalRow(std::size_t bodies, std::size_t all, vtkInformationVector* outputVector) const;
   /** Adds the messages of the bodies to the report, and issues at most one warning. */

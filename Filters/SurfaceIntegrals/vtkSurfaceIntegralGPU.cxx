@@ -160,7 +160,7 @@ void vtkSurfaceIntegralGPU::WriteOutputs(
     }
     totals.SetDouble(name, total);
     totals.SetDouble(name + sm::names::BoundSuffix, bound);
-    summary += name + " = " + sm::FormatWithBound(total, bound, "", sm::SumClosing(bodies, k)) + "\n";
+    summary += name + " = " + sm::FormatWithBound(total, bound, "") + "\n";
   }
   sm::columns::Writer(outputs.Arrays, outputs.Text->GetRowData()).SetString(sm::names::Text, summary);
   std::vector<int> all(integrands.size());
