@@ -106,10 +106,10 @@ check_equal("a test took too long", 1, status)
 check_true("its reason", "FAILED Endless (status no end after 1 s" in text)
 
 slow = [(f"Slow{i}", "import time; time.sleep(100)") for i in range(3)]
-status, text, report = run(slow, {"cube": {"volume": 8.0}}, "--seconds", "6", "--jobs", "1", "--no-compare")
+status, text, report = run(slow, {"cube": {"volume": 8.0}}, "--seconds", "20", "--jobs", "1", "--no-compare")
 check_equal("the time was over", 1, status)
 check_true("what was not run", "not run: Slow0, Slow1, Slow2" in text and "3 not run" in text)
-check_true("within the time", report["seconds"] < 9, str(report["seconds"]))
+check_true("within the time", report["seconds"] < 60, str(report["seconds"]))
 check_true("models were measured all the same", "| cube.step | 6" in text)
 
 status, text, report = run([("Needs", "pass", ("made",))], {}, "--no-speed", "--no-compare",
