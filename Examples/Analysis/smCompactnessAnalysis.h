@@ -1,8 +1,10 @@
 /**
  * @file smCompactnessAnalysis.h
- * @brief An analysis to start from: how compact a solid is, 36 pi V^2 / A^3, 1 for a ball and less for any other solid
+ * @brief An analysis to start from: how compact a solid is, 36 pi V^2 / A^3, 1 for a ball and less for any
+ * other solid
  *
- * It is not registered in the program; a test adds it to the list. The page "Add an analysis" of the developer guide explains it.
+ * It is not registered in the program; a test adds it to the list. The page "Add an analysis" of the
+ * developer guide explains it.
  */
 #ifndef smCompactnessAnalysis_h
 #define smCompactnessAnalysis_h
@@ -77,8 +79,9 @@ public:
   }
 
 private:
-  /// The bound holds for every volume and area within their bounds: the quotient grows with the volume and falls with the area. 10
-  /// operations round by 2^-53 each. Without a bound of the volume or the area there is none, as for an area that may be 0.
+  /// The bound holds for every volume and area within their bounds: the quotient grows with the volume and
+  /// falls with the area. 10 operations round by 2^-53 each. Without a bound of the volume or the area there
+  /// is none, as for an area that may be 0.
   static void Compute(const sm::Quantities& body, CompactnessResult& result)
   {
     const auto evaluate = [](double volume, double area)

@@ -2,8 +2,9 @@
  * @file smFields.h
  * @brief One list of the members of a result, for JSON, for the pipe between processes, and for the reference
  *
- * A result has one function Visit() that names its members in the order of the documents. What it visits with decides what becomes of
- * them: smJsonFields.h writes JSON, smByteFields.h writes bytes and sets the members from bytes.
+ * A result has one function Visit() that names its members in the order of the documents. What it visits with
+ * decides what becomes of them: smJsonFields.h writes JSON, smByteFields.h writes bytes and sets the members
+ * from bytes.
  */
 #ifndef smFields_h
 #define smFields_h
@@ -40,7 +41,8 @@ class Fields
 {
 public:
   virtual ~Fields() = default;
-  /// Unit and meaning of the next key, in Markdown, for the reference; the unit of a bound is that of its quantity.
+  /// Unit and meaning of the next key, in Markdown, for the reference; the unit of a bound is that of its
+  /// quantity.
   virtual Fields& Note(const char*, const char*) { return *this; }
   /// Not known if it is not finite.
   virtual void Number(const char* key, double& value) = 0;
@@ -51,7 +53,8 @@ public:
   virtual void Flag(const char* key, std::optional<bool>& value) = 0;
   virtual void Text(const char* key, std::optional<std::string>& value) = 0;
   virtual void Texts(const char* key, std::vector<std::string>& values) = 0;
-  /// Begins an object, or an entry of a list if there is no key. Returns false, and takes no End(), if the object does not exist.
+  /// Begins an object, or an entry of a list if there is no key. Returns false, and takes no End(), if the
+  /// object does not exist.
   virtual bool Begin(const char* key, bool exists = true) = 0;
   virtual void End() = 0;
   /// Returns the number of entries, each of which is an object without key.

@@ -5,7 +5,8 @@
 #ifndef smJson_h
 #define smJson_h
 
-// VTK's headers may include VTK's own copy, in another namespace, and two copies cannot be included in one file.
+// VTK's headers may include VTK's own copy, in another namespace, and two copies cannot be included in one
+// file.
 #if __has_include(<vtk_nlohmannjson.h>)
 #include <vtk_nlohmannjson.h>
 #include VTK_NLOHMANN_JSON(json.hpp)
@@ -26,7 +27,8 @@ inline Json MakeNumber(double value)
   return std::isfinite(value) ? Json(value) : Json();
 }
 
-/// Returns JSON as text, on one line or with `indent` blanks for every level; bytes that are not UTF-8 are replaced by U+FFFD.
+/// Returns JSON as text, on one line or with `indent` blanks for every level; bytes that are not UTF-8 are
+/// replaced by U+FFFD.
 inline std::string Dump(const Json& value, int indent = -1)
 {
   return value.dump(indent, ' ', false, Json::error_handler_t::replace);

@@ -25,7 +25,8 @@ enum ExitStatus
   Different = 4
 };
 
-/// Returns an error message if the value of an option that names a file looks like another option; empty otherwise. "-" is a file name.
+/// Returns an error message if the value of an option that names a file looks like another option; empty
+/// otherwise. "-" is a file name.
 inline std::string CheckFileName(const std::string& name)
 {
   return name.size() > 1 && name[0] == '-' ? "a file name is missing: " + name +
@@ -40,7 +41,8 @@ inline CLI::Option* AddFileOption(
   return app.add_option(option, name, help)->type_name("FILE")->check(CheckFileName);
 }
 
-/// Adds an option that takes a number. CLI11 itself reads numbers with the decimal sign of the locale. A check must refuse NaN.
+/// Adds an option that takes a number. CLI11 itself reads numbers with the decimal sign of the locale. A
+/// check must refuse NaN.
 inline CLI::Option* AddNumberOption(
   CLI::App& app, const std::string& option, double& number, const std::string& help)
 {

@@ -2,7 +2,8 @@
  * @file smQuantities.h
  * @brief The outputs of vtkMassPropertiesGPU as typed results
  *
- * `data` is the field data of port 0 (row 0) or the columns of a table. A value that is missing or not finite is not known.
+ * `data` is the field data of port 0 (row 0) or the columns of a table. A value that is missing or not finite
+ * is not known.
  */
 #ifndef smQuantities_h
 #define smQuantities_h
@@ -18,7 +19,8 @@ class vtkFieldData;
 
 namespace sm
 {
-/// Copies the components of a row; NaN in all of them if the array is missing, has another number of components, or one is not finite.
+/// Copies the components of a row; NaN in all of them if the array is missing, has another number of
+/// components, or one is not finite.
 void ReadNumbers(vtkFieldData* data, vtkIdType row, const std::string& name, double* values, int components);
 double GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name);
 std::array<double, 3> GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name);
@@ -68,8 +70,9 @@ struct Quantities
 
 Quantities ReadQuantities(vtkFieldData* data, vtkIdType row);
 
-/// Sets the keys "file" and "file_bytes". "file" is the name; Dump() replaces its bytes that are not UTF-8. When there are such
-/// bytes, "file_bytes" is the percent-encoded name, which gives them back; otherwise it is null.
+/// Sets the keys "file" and "file_bytes". "file" is the name; Dump() replaces its bytes that are not UTF-8.
+/// When there are such bytes, "file_bytes" is the percent-encoded name, which gives them back; otherwise it
+/// is null.
 void VisitFileName(Fields& fields, std::string& name);
 }
 

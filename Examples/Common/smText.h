@@ -10,12 +10,14 @@
 
 namespace sm
 {
-/// Returns the number of a text, with a decimal point in every locale and an optional sign; NaN if the text is not a number.
+/// Returns the number of a text, with a decimal point in every locale and an optional sign; NaN if the text
+/// is not a number.
 double ParseNumber(const std::string& text);
 /// Returns the numbers of a list such as "1,2.5,-3"; empty if one of them is not a number.
 std::vector<double> ParseNumbers(const std::string& text);
 
-/// Returns the number in the shortest form that reads back to the same bits, with a decimal point: "22160.0", "1e-09".
+/// Returns the number in the shortest form that reads back to the same bits, with a decimal point: "22160.0",
+/// "1e-09".
 std::string FormatExact(double number);
 
 /// Returns the text in lower case; letters beyond ASCII are not changed.

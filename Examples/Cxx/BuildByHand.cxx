@@ -1,6 +1,9 @@
-// A solid built by hand, without a file: half a ball, from a rational B-spline hemisphere and a plane trimmed by a circle.
-//   BuildByHand [RADIUS]    prints volume and area with their bounds beside the closed forms; the radius is 10 unless given
-// Exit status: 0 when the status is ok and both closed forms are within the bounds, 1 for a wrong argument, 3 otherwise.
+// A solid built by hand, without a file: half a ball, from a rational B-spline hemisphere and a plane trimmed
+// by a circle.
+//   BuildByHand [RADIUS]    prints volume and area with their bounds beside the closed forms; the radius is
+//   10 unless given
+// Exit status: 0 when the status is ok and both closed forms are within the bounds, 1 for a wrong argument, 3
+// otherwise.
 #include <smFace.h>
 #include <vtkMassPropertiesGPU.h>
 #include <vtkNURBSDataSet.h>
@@ -24,8 +27,8 @@ using EdgePointer = std::shared_ptr<const sm::Edge>;
 const double Pi = std::acos(-1.0);
 const int PiecesPerQuarter = 16;
 
-/// radius (cos(angle) a + sin(angle) b) in cubic pieces. The parameter is that of rational quarter arcs, one unit for a quarter:
-/// angle = pi/4 + 2 atan((2 t - 1) tan(pi/8)) in the first.
+/// radius (cos(angle) a + sin(angle) b) in cubic pieces. The parameter is that of rational quarter arcs, one
+/// unit for a quarter: angle = pi/4 + 2 atan((2 t - 1) tan(pi/8)) in the first.
 sm::EdgeCurve MakeArc(double radius, int quarters, const Point3& a, const Point3& b)
 {
   sm::EdgeCurve curve;
@@ -56,8 +59,8 @@ sm::EdgeCurve MakeArc(double radius, int quarters, const Point3& a, const Point3
   return curve;
 }
 
-/// Largest distance of MakeArc() from the circle: 4/27 sin^6(x/4) / cos^2(x/4) radii where a piece spans the angle x, here at most
-/// 1.1 times its mean.
+/// Largest distance of MakeArc() from the circle: 4/27 sin^6(x/4) / cos^2(x/4) radii where a piece spans the
+/// angle x, here at most 1.1 times its mean.
 double GetArcResidual(double radius)
 {
   const double x = 1.1 * Pi / 2.0 / PiecesPerQuarter;
@@ -121,7 +124,8 @@ sm::FacePointer MakeFace(const sm::NURBSSurface& surface, bool reversed, const s
 vtkSmartPointer<vtkNURBSDataSet> MakeHalfBall(double r)
 {
   // [half a ball]
-  // The hemisphere: u runs around the axis, one unit for a quarter, v from the equator to the pole. Weights are homogeneous.
+  // The hemisphere: u runs around the axis, one unit for a quarter, v from the equator to the pole. Weights
+  // are homogeneous.
   const double h = std::sqrt(0.5);
   const int x[9] = { 1, 1, 0, -1, -1, -1, 0, 1, 1 }, y[9] = { 0, 1, 1, 1, 0, -1, -1, -1, 0 };
   std::vector<std::array<double, 4>> points;
@@ -143,7 +147,8 @@ vtkSmartPointer<vtkNURBSDataSet> MakeHalfBall(double r)
   const EdgePointer equator = MakeEdge(MakeArc(r, 4, { 1, 0, 0 }, { 0, 1, 0 }));
   const EdgePointer seam = MakeEdge(MakeArc(r, 1, { 1, 0, 0 }, { 0, 0, 1 }));
   const EdgePointer pole = MakeEdge(MakePoint(4.0, { 0, 0, r }));
-  // Loops run counter-clockwise in (u,v). The outward normal of the disc is -z, against Su x Sv: that face is reversed.
+  // Loops run counter-clockwise in (u,v). The outward normal of the disc is -z, against Su x Sv: that face is
+  // reversed.
   const sm::Loop around{ { MakeStraightCoedge(equator, false, { 0, 0 }, { 4, 0 }),
     MakeStraightCoedge(seam, false, { 4, 0 }, { 4, 1 }), MakeStraightCoedge(pole, true, { 0, 1 }, { 4, 1 }),
     MakeStraightCoedge(seam, true, { 0, 0 }, { 0, 1 }) } };

@@ -45,7 +45,8 @@ void PrintMessages(vtkSTEPReader* reader)
   std::cerr << "There is nothing to show.\n";
 }
 
-/// Builds the pipeline of `fileName` in `window`, runs it by rendering, and prints the results. Returns the exit status.
+/// Builds the pipeline of `fileName` in `window`, runs it by rendering, and prints the results. Returns the
+/// exit status.
 int Show(const char* fileName, vtkRenderWindow* window)
 {
   // [twenty lines]

@@ -1,9 +1,10 @@
 // Models the part that Examples/edit_part edits, and writes it as STEP:
 //   make_free_form_part free_form_part.step
-// A closed pull handle in mm: a periodic bicubic B-spline surface over a lattice of 16 x 10 control points, smooth to the
-// second derivative, cut at every second knot line into 8 x 5 faces. Neighbours share their boundary rows bit for bit,
-// and no face is trimmed, so that the solid stays closed when control points move. (The free-form part of the paper,
-// Examples/Paper/smFreeForm.cxx, has trimmed faces, and moving their control points opens it.)
+// A closed pull handle in mm: a periodic bicubic B-spline surface over a lattice of 16 x 10 control points,
+// smooth to the second derivative, cut at every second knot line into 8 x 5 faces. Neighbours share their
+// boundary rows bit for bit, and no face is trimmed, so that the solid stays closed when control points move.
+// (The free-form part of the paper, Examples/Paper/smFreeForm.cxx, has trimmed faces, and moving their
+// control points opens it.)
 #include "smModelFile.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -31,7 +32,8 @@ const int PatchesAround = 5;
 const int Spans = 2; // of a patch, in each direction
 const int Degree = 3;
 
-/// Returns control point (i, j) of the periodic lattice: i along the handle, j around its section, from outside over the top.
+/// Returns control point (i, j) of the periodic lattice: i along the handle, j around its section, from
+/// outside over the top.
 gp_Pnt LatticePoint(int i, int j)
 {
   const double along = 2.0 * Pi * i / (PatchesAlong * Spans);
@@ -61,8 +63,9 @@ gp_Pnt Mean(double a, const gp_Pnt& p, double b, const gp_Pnt& q)
   return gp_Pnt((a * p.XYZ() + b * q.XYZ()) / (a + b));
 }
 
-/// Returns control point k of the spline over uniform knots with the control points `row`, after the insertion of every second knot up to
-/// the multiplicity 3: its blossoms at (0,0,0), (0,0,1), (0,1,2), (1,2,2) for k = 0 to 3, and so on for every two knots.
+/// Returns control point k of the spline over uniform knots with the control points `row`, after the
+/// insertion of every second knot up to the multiplicity 3: its blossoms at (0,0,0), (0,0,1), (0,1,2),
+/// (1,2,2) for k = 0 to 3, and so on for every two knots.
 gp_Pnt Refine(const Row& row, int k)
 {
   const int first = k / 4 * Spans;

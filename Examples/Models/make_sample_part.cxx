@@ -30,7 +30,8 @@ namespace
 {
 const double Pi = std::acos(-1.0);
 
-/// Makes a closed C2 spline around the arm's path at x: a super-ellipse, higher at the back than at the front.
+/// Makes a closed C2 spline around the arm's path at x: a super-ellipse, higher at the back than at the
+/// front.
 TopoDS_Wire Section(double x, double y, double z, double halfWidth, double halfHeight, double yaw)
 {
   const int n = 12;

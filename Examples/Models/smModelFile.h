@@ -21,9 +21,9 @@ struct ModelFile
   std::string Program;
 };
 
-/// The main function of a program that models a part: calls `make`, prints a summary, and writes the part to the file that the only
-/// argument names. Returns the exit status: 0, or 1 with a message on the standard error when the shape is not one valid solid or the file
-/// cannot be written.
+/// The main function of a program that models a part: calls `make`, prints a summary, and writes the part to
+/// the file that the only argument names. Returns the exit status: 0, or 1 with a message on the standard
+/// error when the shape is not one valid solid or the file cannot be written.
 int Run(int argc, char** argv, const ModelFile& file, const std::function<TopoDS_Shape()>& make);
 }
 

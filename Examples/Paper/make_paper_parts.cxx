@@ -1,4 +1,5 @@
-// Models the parts of Table 1 and writes them as STEP files, with parts.json: counts and exact values of each part.
+// Models the parts of Table 1 and writes them as STEP files, with parts.json: counts and exact values of each
+// part.
 #include "smJson.h"
 #include "smOptions.h"
 #include "smPaperParts.h"

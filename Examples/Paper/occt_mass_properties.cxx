@@ -39,7 +39,8 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-/// Returns a compound of every placement of every solid, without faces outside of solids, which belong to no body.
+/// Returns a compound of every placement of every solid, without faces outside of solids, which belong to no
+/// body.
 TopoDS_Compound ReadSolids(const std::string& path, int& count)
 {
   STEPControl_Reader reader;

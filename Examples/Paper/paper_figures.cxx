@@ -1,4 +1,5 @@
-// Draws the figures of "Accurate Moment Computation Using the GPU" (SPM 2010) with this program's own results.
+// Draws the figures of "Accurate Moment Computation Using the GPU" (SPM 2010) with this program's own
+// results.
 #include "smGraphFigures.h"
 #include "smModelPictures.h"
 #include "smOptions.h"

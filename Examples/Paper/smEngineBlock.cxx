@@ -120,7 +120,8 @@ void AddScrewHole(
   tools.push_back(Cone(mouth.Translated(in * -0.5), inwards, radius + 1.5, radius - 0.5, 2.0));
 }
 
-/// Cuts the bores with their chamfers, the screw holes of the heads, and the water and oil passages between them.
+/// Cuts the bores with their chamfers, the screw holes of the heads, and the water and oil passages between
+/// them.
 std::vector<TopoDS_Shape> Bank(double side)
 {
   const gp_Dir down = BankUp(side).Reversed();

@@ -49,7 +49,8 @@ TopoDS_Shape Rectangle(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const 
   return BRepBuilderAPI_MakeFace(wire.Wire(), true).Shape();
 }
 
-/// Makes the curved face of degree 2 x 1, with u along the quarter arc, v along the axis, and one knot interval in each direction.
+/// Makes the curved face of degree 2 x 1, with u along the quarter arc, v along the axis, and one knot
+/// interval in each direction.
 TopoDS_Shape QuarterRound(double radius, double length)
 {
   const double across[] = { radius, radius, 0.0 };

@@ -35,8 +35,8 @@ namespace
 /// The PNG is drawn larger by this factor and averaged, which smooths letters and markers on every driver.
 constexpr int Oversampling = 3;
 
-/// One axis of the plot as pixels of the window. The charts get pixels as their data, so that their transform is the
-/// identity: vtkSVGExporter applies a transform to clip paths, line widths and markers as well.
+/// One axis of the plot as pixels of the window. The charts get pixels as their data, so that their transform
+/// is the identity: vtkSVGExporter applies a transform to clip paths, line widths and markers as well.
 class PixelScale
 {
 public:

@@ -16,7 +16,8 @@ namespace smfigure
 {
 using Color = std::array<unsigned char, 3>;
 
-/// The palette of Okabe and Ito, which colour-blind readers can distinguish; in grey, lightness and markers differ.
+/// The palette of Okabe and Ito, which colour-blind readers can distinguish; in grey, lightness and markers
+/// differ.
 namespace colors
 {
 constexpr Color Black{ 0, 0, 0 };
@@ -80,8 +81,8 @@ struct Figure
   std::string Name;
   int Width = 800;
   int Height = 600;
-  /// Distances from the plot to the borders, in pixels. They are equal above and below, because vtkSVGExporter (9.1, 9.2) clips plots
-  /// upside down.
+  /// Distances from the plot to the borders, in pixels. They are equal above and below, because
+  /// vtkSVGExporter (9.1, 9.2) clips plots upside down.
   float Left = 105.0f;
   float Right = 30.0f;
   float AboveAndBelow = 78.0f;
@@ -111,7 +112,8 @@ std::vector<std::pair<double, std::string>> MakeDecadeTicks(int low, int high, i
 /// Writes CSV. Returns an error message, empty when it is written.
 std::string WriteTable(const FigureTable& table, const std::string& path);
 
-/// Draws into `window`, off screen, and writes FOLDER/NAME.png, .svg and .csv. Returns an error message, empty when all are written.
+/// Draws into `window`, off screen, and writes FOLDER/NAME.png, .svg and .csv. Returns an error message,
+/// empty when all are written.
 std::string WriteFigure(const Figure& figure, const std::string& folder, vtkRenderWindow* window);
 }
 

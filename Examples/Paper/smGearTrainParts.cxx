@@ -91,8 +91,9 @@ TopoDS_Wire Hexagon(double acrossFlats, double z)
   return wire.Wire();
 }
 
-/// Removes the parts of a body between z = low and high that are outside cones of 30 degrees, which shorten its ends by `rise` at radius
-/// `rim`. The seam of the cones is at an angle where the body has no edge, because OpenCASCADE straightens short curves that end at a seam.
+/// Removes the parts of a body between z = low and high that are outside cones of 30 degrees, which shorten
+/// its ends by `rise` at radius `rim`. The seam of the cones is at an angle where the body has no edge,
+/// because OpenCASCADE straightens short curves that end at a seam.
 TopoDS_Shape ChamferRims(
   const TopoDS_Shape& body, double rim, double rise, double low, double high, double seam)
 {

@@ -223,8 +223,8 @@ Figure MakeErrorFigure(
   return figure;
 }
 
-/// Adds the estimate of GAUSS2, as in the paper; the estimates of the other rules are nearly equal. A value of 0, if no sub-patch lies
-/// entirely in its face, has no logarithm and is left out.
+/// Adds the estimate of GAUSS2, as in the paper; the estimates of the other rules are nearly equal. A value
+/// of 0, if no sub-patch lies entirely in its face, has no logarithm and is left out.
 void AddEstimate(Figure& errors, const Study& study, const char* label, double PaperRun::*estimate)
 {
   Series series = MakeStyle(study.Runs[1].front().Used);
@@ -242,8 +242,8 @@ void AddEstimate(Figure& errors, const Study& study, const char* label, double P
   errors.Content.push_back(series);
 }
 
-/// Adds the paper's estimate over the sub-patches that lie entirely in their faces, which is how the paper reads, and that over all
-/// sub-patches.
+/// Adds the paper's estimate over the sub-patches that lie entirely in their faces, which is how the paper
+/// reads, and that over all sub-patches.
 void AddBothEstimates(Figure& errors, const Study& study)
 {
   AddEstimate(errors, study, "Eq. 36, whole", &PaperRun::Estimate);

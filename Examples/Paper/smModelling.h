@@ -51,13 +51,14 @@ EdgeTest OnCircle(const gp_Ax1& axis, double radius, double height);
 
 /// The cubic spline through points, parametrised by chord length.
 Handle(Geom_BSplineCurve) SplineThrough(const std::vector<gp_Pnt>& points);
-/// A wire of one spline, closed with two continuous derivatives; the first point is not repeated. Its knots are the
-/// points' numbers, so that wires through as many points can be lofted without new knots.
+/// A wire of one spline, closed with two continuous derivatives; the first point is not repeated. Its knots
+/// are the points' numbers, so that wires through as many points can be lofted without new knots.
 TopoDS_Wire ClosedSpline(const std::vector<gp_Pnt>& points);
 
-/// The tube of a radius round a closed spline: a surface through its sections that is closed and smooth in both directions. It is cut into
-/// a number of faces along the spline, because Boolean operations fail on a face that is closed in both directions. `reference` gives for
-/// every point a vector that is never tangent to the curve, so that the tube closes without a twist.
+/// The tube of a radius round a closed spline: a surface through its sections that is closed and smooth in
+/// both directions. It is cut into a number of faces along the spline, because Boolean operations fail on a
+/// face that is closed in both directions. `reference` gives for every point a vector that is never tangent
+/// to the curve, so that the tube closes without a twist.
 TopoDS_Shape ClosedTube(const std::vector<gp_Pnt>& points, double radius, int pieces,
   const std::function<gp_Vec(const gp_Pnt&)>& reference);
 

@@ -40,7 +40,8 @@ struct PaperPart
   std::optional<ExactValues> Exact;
 };
 
-/// A quarter of a cylinder that lies along y, its axis through the file's origin; its round face is one rational patch.
+/// A quarter of a cylinder that lies along y, its axis through the file's origin; its round face is one
+/// rational patch.
 PaperPart MakeQuarterCylinder();
 /// A block with a slanted cylindrical hole, after the paper's Figure 1(i).
 PaperPart MakeSlantedBlock();

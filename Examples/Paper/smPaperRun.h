@@ -36,8 +36,8 @@ struct PaperRun
   double Volume;
   /// The bound of ADAPTIVE; NaN with the other schemes.
   double Bound;
-  /// The paper's estimates (Eq. 36), NaN with ADAPTIVE: over the sub-patches entirely inside their faces, and over those and the
-  /// ones on a trim boundary, which count with their whole area.
+  /// The paper's estimates (Eq. 36), NaN with ADAPTIVE: over the sub-patches entirely inside their faces, and
+  /// over those and the ones on a trim boundary, which count with their whole area.
   double Estimate;
   double EstimateWithBoundary;
 };
@@ -58,7 +58,8 @@ public:
 
   /// Runs ADAPTIVE at a tolerance of 1e-12.
   PaperRun RunAdaptive();
-  /// Runs a scheme. The chords of planes are within 1e-9 of the box of their curves, so that the error is that of curved faces.
+  /// Runs a scheme. The chords of planes are within 1e-9 of the box of their curves, so that the error is
+  /// that of curved faces.
   PaperRun RunScheme(Scheme scheme, int factor);
   /// The trim texture of the first face that has one; empty when there is none.
   TexturePoints MakeTexture(int factor, int textureFactor);

@@ -72,8 +72,8 @@ NURBSSurface MakeSweptCircle(int quarters, double radius, const Point3& center, 
   return surface;
 }
 
-/// A block with the half sizes A, B, C and a hole of radius R. The axis of the hole is (Sine, 0, Cosine) v, its circle
-/// R (cos e1 + sin e2) with e1 = (Cosine, 0, -Sine) and e2 = y.
+/// A block with the half sizes A, B, C and a hole of radius R. The axis of the hole is (Sine, 0, Cosine) v,
+/// its circle R (cos e1 + sin e2) with e1 = (Cosine, 0, -Sine) and e2 = y.
 struct SlantedHole
 {
   double A = 30.0;

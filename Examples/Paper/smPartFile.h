@@ -24,14 +24,15 @@ struct PartCounts
 
 PartCounts Count(const PaperPart& part);
 
-/// Throws std::runtime_error unless every solid passes BRepCheck_Analyzer, has closed shells, and a volume above 0.
+/// Throws std::runtime_error unless every solid passes BRepCheck_Analyzer, has closed shells, and a volume
+/// above 0.
 void Check(const PaperPart& part);
 
 /// Turns off OpenCASCADE's messages on stdout.
 void QuietOpenCascade();
 
-/// Writes a part with its names, 17 digits per number and a fixed time stamp, so that the same part gives the same bytes.
-/// Throws std::runtime_error.
+/// Writes a part with its names, 17 digits per number and a fixed time stamp, so that the same part gives the
+/// same bytes. Throws std::runtime_error.
 void WriteStep(const PaperPart& part, const std::string& path);
 }
 

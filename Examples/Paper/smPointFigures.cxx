@@ -65,8 +65,8 @@ Series MakeQuadraturePoints(const sm::SubPatchGrid& grid, int n)
   return points;
 }
 
-/// Makes a figure of a square sub-patch, with the positions of the points below and to the left, and the intervals between them above and
-/// to the right.
+/// Makes a figure of a square sub-patch, with the positions of the points below and to the left, and the
+/// intervals between them above and to the right.
 Figure MakeSubPatchFigure(const std::string& name, int n)
 {
   Figure figure;

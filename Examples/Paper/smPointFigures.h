@@ -17,8 +17,8 @@ Figure MakeFigure3();
 Figure MakeFigure4();
 /// The 3 x 3 Gauss points, with areas in proportion to their weights.
 Figure MakeFigure5();
-/// The trim texture of a trimmed face, 4 x 4 texels per sub-patch, as the filter made it, over its 2 x 2 points. Returns an
-/// error message, empty when it succeeds.
+/// The trim texture of a trimmed face, 4 x 4 texels per sub-patch, as the filter made it, over its 2 x 2
+/// points. Returns an error message, empty when it succeeds.
 std::string MakeFigure6(Figure& figure);
 }
 

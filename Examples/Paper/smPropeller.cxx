@@ -11,7 +11,8 @@ namespace
 {
 const gp_Ax1 PropellerAxis(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
 
-/// Makes the section of a blade in the plane x = radius: thicker at the leading edge, cambered, pitched as a screw, and swept.
+/// Makes the section of a blade in the plane x = radius: thicker at the leading edge, cambered, pitched as a
+/// screw, and swept.
 TopoDS_Wire BladeSection(double radius, double chord, double thickness, double pitch, double sweep)
 {
   const int count = 16;

@@ -16,7 +16,8 @@ namespace
 constexpr int FitDegree = 9;
 constexpr int FitPoints = FitDegree + 1;
 
-/// Inverse of the matrix of Bernstein polynomials at the Chebyshev points of the second kind: values -> coefficients.
+/// Inverse of the matrix of Bernstein polynomials at the Chebyshev points of the second kind: values ->
+/// coefficients.
 struct BernsteinInterpolation
 {
   std::array<double, FitPoints> Nodes;

@@ -19,8 +19,8 @@ namespace smfigure
 using Point2 = std::array<double, 2>;
 using Point3 = std::array<double, 3>;
 
-/// Polynomial pieces that interpolate the function on `pieces` equal parts of [start, end]. The residual is the largest distance sampled
-/// between the interpolation points.
+/// Polynomial pieces that interpolate the function on `pieces` equal parts of [start, end]. The residual is
+/// the largest distance sampled between the interpolation points.
 template <int Dimension>
 sm::PolynomialCurve<Dimension> FitCurve(
   const std::function<std::array<double, Dimension>(double)>& function, double start, double end, int pieces);
@@ -40,14 +40,17 @@ public:
   EdgePointer GetStraightEdge(const Point3& from, const Point3& to);
 
   static sm::Coedge MakeCoedge(const EdgePointer& edge, bool reversed, const sm::TrimCurve& curve);
-  /// The coedge of the straight edge between two points that are at from2 and to2 on the face, in the direction from -> to.
+  /// The coedge of the straight edge between two points that are at from2 and to2 on the face, in the
+  /// direction from -> to.
   sm::Coedge MakeStraightCoedge(const Point3& from, const Point3& to, const Point2& from2, const Point2& to2);
 
   void AddFace(sm::NURBSSurface surface, std::vector<sm::Loop> loops, bool reversed = false);
-  /// A parallelogram with straight edges, corners counter-clockwise seen from outside, u from corner 0 to 1; holes as loops.
+  /// A parallelogram with straight edges, corners counter-clockwise seen from outside, u from corner 0 to 1;
+  /// holes as loops.
   void AddPlane(const Point3 (&corners)[4], std::vector<sm::Loop> holes = {});
 
-  /// The faces as one body about the origin, in a data set that has the corners of its box as points and no display mesh.
+  /// The faces as one body about the origin, in a data set that has the corners of its box as points and no
+  /// display mesh.
   vtkSmartPointer<vtkNURBSDataSet> Make(const char* name, bool solid, const double bounds[6]) const;
 
 private:

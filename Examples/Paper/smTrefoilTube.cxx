@@ -17,7 +17,8 @@ PaperPart MakeTrefoilTube()
     points.emplace_back(size * (std::sin(t) + 2.0 * std::sin(2.0 * t)),
       size * (std::cos(t) - 2.0 * std::cos(2.0 * t)), -size * std::sin(3.0 * t));
   }
-  // The knot lies on a torus about z. The direction away from the centre line of the torus is never tangent to the knot.
+  // The knot lies on a torus about z. The direction away from the centre line of the torus is never tangent
+  // to the knot.
   const auto outwards = [=](const gp_Pnt& p)
   {
     const double fromAxis = std::hypot(p.X(), p.Y());

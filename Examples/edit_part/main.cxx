@@ -122,7 +122,8 @@ bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
   return true;
 }
 
-/// Returns the minimum, median and maximum of one part of the times of all updates except the first one, which is not that of an edit.
+/// Returns the minimum, median and maximum of one part of the times of all updates except the first one,
+/// which is not that of an edit.
 Json Summarize(const std::vector<sm::UpdateTimes>& times, double (*get)(const sm::UpdateTimes&))
 {
   std::vector<double> values;
@@ -215,8 +216,8 @@ int WriteOutputs(const Arguments& arguments, const Json& first, vtkImageData* be
   return exitStatus;
 }
 
-/// Keeps the window's picture of the moment when the user ends the event loop: afterwards the interactor does not render any more, and the
-/// frame buffer is undefined.
+/// Keeps the window's picture of the moment when the user ends the event loop: afterwards the interactor does
+/// not render any more, and the frame buffer is undefined.
 class LastPicture
 {
 public:

@@ -1,6 +1,7 @@
 /**
  * @file smControlNet.h
- * @brief The control net of one face: its control points as spheres of constant size on the screen, joined by lines
+ * @brief The control net of one face: its control points as spheres of constant size on the screen, joined by
+ * lines
  */
 #ifndef smControlNet_h
 #define smControlNet_h
@@ -35,13 +36,14 @@ public:
   int GetBody() const { return this->Body; }
   int GetFace() const { return this->Face; }
 
-  /// Returns the control point nearest to a pixel, at most `radius` pixels away; if points cover each other, the one in front. -1: none.
+  /// Returns the control point nearest to a pixel, at most `radius` pixels away; if points cover each other,
+  /// the one in front. -1: none.
   int FindNear(double x, double y, double radius) const;
   Grip GetGrip(int point) const;
 
   ///@{
-  /// Sets the point under the mouse, which is drawn light, and the selected point, which was dragged last and is drawn orange. -1: none.
-  /// True when it changed.
+  /// Sets the point under the mouse, which is drawn light, and the selected point, which was dragged last and
+  /// is drawn orange. -1: none. True when it changed.
   bool SetHighlight(int point);
   bool SetSelection(int point);
   int GetSelection() const { return this->Selection; }

@@ -36,7 +36,8 @@ namespace
 {
 const int Margin = 20;
 const int FontSize = 17;
-// Layers of depth peeling. Parts like the shipped one have at most this many surfaces behind each other; each layer is another pass.
+// Layers of depth peeling. Parts like the shipped one have at most this many surfaces behind each other; each
+// layer is another pass.
 const int Peels = 8;
 const int FewPeels = 4;
 const double DarkColor[3] = { 0.12, 0.15, 0.20 };
@@ -143,7 +144,8 @@ void EditScene::ShowBodies()
     vtkNURBSDataSet* body = this->Part.GetBody(static_cast<int>(i));
     if (drawn.Mesh->GetPoints() != body->GetPoints())
     {
-      // A new vtkPolyData, because an old one keeps its computed bounds when it gets points that are older, as after an undo.
+      // A new vtkPolyData, because an old one keeps its computed bounds when it gets points that are older,
+      // as after an undo.
       drawn.Mesh = vtkSmartPointer<vtkPolyData>::New();
       drawn.Mesh->ShallowCopy(body);
       SetInput(drawn.Actor, drawn.Mesh);

@@ -1,8 +1,10 @@
 /**
  * @file smEditScene.h
- * @brief The picture of an edited part: translucent body, control net, centre of mass, principal axes, opened edges and results
+ * @brief The picture of an edited part: translucent body, control net, centre of mass, principal axes, opened
+ * edges and results
  *
- * The mass filter works in the window's own OpenGL context. The results are those of the bodies as they are drawn.
+ * The mass filter works in the window's own OpenGL context. The results are those of the bodies as they are
+ * drawn.
  */
 #ifndef smEditScene_h
 #define smEditScene_h
@@ -67,15 +69,16 @@ public:
   bool IsHelpShown() const { return this->Help; }
   /// Shows the times of the last update, which differ from run to run. Default: shown.
   void SetShowTimes(bool shown);
-  /// Draws fewer translucent layers, does not smooth edges and leaves out the check for a boundary that crosses itself, for pictures during
-  /// a drag; the numbers are the same. Default: off.
+  /// Draws fewer translucent layers, does not smooth edges and leaves out the check for a boundary that
+  /// crosses itself, for pictures during a drag; the numbers are the same. Default: off.
   void SetHurried(bool hurried);
   /// Shows a line about the last event; empty: none.
   void SetNotice(const std::string& notice);
   /// Sets the rule of edits that the picture names when it is "one face".
   void SetRule(EditRule rule);
 
-  /// Times of the updates: first that of the whole part, then one for each edit. Undo, redo and reset have none.
+  /// Times of the updates: first that of the whole part, then one for each edit. Undo, redo and reset have
+  /// none.
   const std::vector<UpdateTimes>& GetTimes() const { return this->Times; }
 
 private:

@@ -68,8 +68,8 @@ std::array<double, 3> smEditStyle::GetDisplacement()
   const int* position = this->Interactor->GetEventPosition();
   const double moved[2] = { static_cast<double>(position[0] - this->Pressed[0]),
     static_cast<double>(position[1] - this->Pressed[1]) };
-  // The motion starts at the point itself, which may be some pixels from the mouse. Its depth is computed again, because the clipping range
-  // changes with the body's size.
+  // The motion starts at the point itself, which may be some pixels from the mouse. Its depth is computed
+  // again, because the clipping range changes with the body's size.
   const std::array<double, 3> start = this->ToDisplay(this->Start);
   const std::array<double, 3> from = this->ToWorld(start[0], start[1], start[2]);
   const std::array<double, 3> to = this->ToWorld(start[0] + moved[0], start[1] + moved[1], start[2]);
@@ -79,8 +79,8 @@ std::array<double, 3> smEditStyle::GetDisplacement()
   {
     return displacement;
   }
-  // Computes the motion on the screen, in pixels, for a move along the normal by the length of a pixel. If the normal points at the viewer,
-  // a drag upwards moves the point outwards.
+  // Computes the motion on the screen, in pixels, for a move along the normal by the length of a pixel. If
+  // the normal points at the viewer, a drag upwards moves the point outwards.
   const std::array<double, 3> right = this->ToWorld(start[0] + 1.0, start[1], start[2]);
   const double pixel = std::hypot(right[0] - from[0], right[1] - from[1], right[2] - from[2]);
   const std::array<double, 3> tip = this->ToDisplay({ this->Start[0] + pixel * this->Normal[0],

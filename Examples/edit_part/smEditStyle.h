@@ -2,8 +2,8 @@
  * @class   smEditStyle
  * @brief   edits a part by mouse and keys; HelpText in smEditScene.cxx lists them
  *
- * Rotating, panning and zooming are those of the base class. The displacement of a drag is computed from its start, so that the path of
- * the mouse makes no difference.
+ * Rotating, panning and zooming are those of the base class. The displacement of a drag is computed from its
+ * start, so that the path of the mouse makes no difference.
  */
 #ifndef smEditStyle_h
 #define smEditStyle_h
@@ -23,7 +23,8 @@ public:
 
   /// Sets the scene, which is not owned and must outlive the style's events.
   void SetScene(sm::EditScene* scene);
-  /// Sets the stem of the pictures that the key s saves: "lever" gives lever_1.png, lever_2.png, ...; existing files are kept.
+  /// Sets the stem of the pictures that the key s saves: "lever" gives lever_1.png, lever_2.png, ...;
+  /// existing files are kept.
   void SetPictureStem(const std::string& stem) { this->PictureStem = stem; }
 
   void OnLeftButtonDown() override;

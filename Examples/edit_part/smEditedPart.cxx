@@ -14,7 +14,8 @@ namespace sm
 {
 namespace
 {
-/// The Greville abscissa of basis function `index`, the mean of its inner knots, near which the function is largest.
+/// The Greville abscissa of basis function `index`, the mean of its inner knots, near which the function is
+/// largest.
 double GetGreville(const NURBSSurface& surface, int direction, int index)
 {
   double sum = 0.0;

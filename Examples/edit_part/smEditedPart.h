@@ -2,8 +2,9 @@
  * @file smEditedPart.h
  * @brief A part with movable control points: its current bodies and those of earlier steps
  *
- * Every change gives new bodies that share all unchanged faces; bodies that were returned do not change. An undo takes the earlier bodies,
- * so that it has their bits. Positions are world coordinates; the stored faces have coordinates of their own.
+ * Every change gives new bodies that share all unchanged faces; bodies that were returned do not change. An
+ * undo takes the earlier bodies, so that it has their bits. Positions are world coordinates; the stored faces
+ * have coordinates of their own.
  */
 #ifndef smEditedPart_h
 #define smEditedPart_h
@@ -34,7 +35,8 @@ struct Grip
 class EditedPart
 {
 public:
-  /// Shares those bodies of a reader's output that have exact geometry, and gives their cells colours (smBodyScene.h).
+  /// Shares those bodies of a reader's output that have exact geometry, and gives their cells colours
+  /// (smBodyScene.h).
   explicit EditedPart(vtkPartitionedDataSetCollection* source);
   ~EditedPart();
   EditedPart(const EditedPart&) = delete;
@@ -46,18 +48,21 @@ public:
   vtkNURBSDataSet* GetBody(int body) const;
   const FacePointer& GetFace(int body, int face) const;
 
-  /// Returns the edges of the body that edits have opened, the widest first, with their gaps. Their curves are those of the current model.
+  /// Returns the edges of the body that edits have opened, the widest first, with their gaps. Their curves
+  /// are those of the current model.
   const std::vector<OpenedEdge>& GetOpened(int body) const;
 
   /// Gets the position of a control point. Returns false, without a change of `world`, if it does not exist.
   bool GetPosition(const Grip& grip, std::array<double, 3>& world) const;
   bool GetWeight(const Grip& grip, double& weight) const;
-  /// Returns the outward unit normal of the face where the control point has most influence, in world coordinates; zero if there is none.
+  /// Returns the outward unit normal of the face where the control point has most influence, in world
+  /// coordinates; zero if there is none.
   std::array<double, 3> GetNormal(const Grip& grip) const;
 
   ///@{
-  /// Move a control point by a displacement from its position at the last Commit(), or set its weight; several calls do not add up. Return
-  /// false, with GetMessage() and unchanged bodies, if the edit is refused.
+  /// Move a control point by a displacement from its position at the last Commit(), or set its weight;
+  /// several calls do not add up. Return false, with GetMessage() and unchanged bodies, if the edit is
+  /// refused.
   bool Move(const Grip& grip, const std::array<double, 3>& displacement, EditRule rule);
   bool SetWeight(const Grip& grip, double weight, EditRule rule);
   ///@}
@@ -76,7 +81,8 @@ public:
   bool Reset();
 
   ///@{
-  /// Seconds of the last Move() or SetWeight(): for new faces and opened edges, and for display points. 0 after an undo.
+  /// Seconds of the last Move() or SetWeight(): for new faces and opened edges, and for display points. 0
+  /// after an undo.
   double GetEditSeconds() const { return this->EditSeconds; }
   double GetDisplaySeconds() const { return this->DisplaySeconds; }
   ///@}

@@ -17,8 +17,8 @@ namespace
 const char* const SizeLabel = "# WindowSize ";
 const int LargestSize = 8192;
 
-/// Numbers have a decimal point in this thread from construction to destruction: vtkInteractorEventRecorder reads the version of the
-/// format, "1.2", in the current locale.
+/// Numbers have a decimal point in this thread from construction to destruction: vtkInteractorEventRecorder
+/// reads the version of the format, "1.2", in the current locale.
 class DecimalPoint
 {
 public:

@@ -55,8 +55,8 @@ private:
   bool Active;
 };
 
-/// Opens /dev/null, in the wrong direction, for every standard stream that the caller closed. Files and pipes cannot get its descriptor
-/// then, and writing to a closed standard output fails as it should.
+/// Opens /dev/null, in the wrong direction, for every standard stream that the caller closed. Files and pipes
+/// cannot get its descriptor then, and writing to a closed standard output fails as it should.
 void OccupyStandardStreams()
 {
   for (const auto& [stream, mode] : { std::pair(STDIN_FILENO, O_RDONLY), std::pair(STDOUT_FILENO, O_RDONLY),
@@ -90,7 +90,8 @@ std::string FindReason(const sm::FileResult& file)
   return reason;
 }
 
-/// Describes a status that is not ok by the first message, or by the one about bounds if these are what is wrong.
+/// Describes a status that is not ok by the first message, or by the one about bounds if these are what is
+/// wrong.
 std::string DescribeStatus(const sm::FileResult& file)
 {
   std::string said = file.Messages.empty() ? std::string() : file.Messages.front();
@@ -104,7 +105,8 @@ std::string DescribeStatus(const sm::FileResult& file)
     (file.Messages.size() < 2 ? "" : " (one of " + std::to_string(file.Messages.size()) + " messages)");
 }
 
-/// Describes what fails of a file that can be read, by the statuses and the requirements of the user; empty if nothing does.
+/// Describes what fails of a file that can be read, by the statuses and the requirements of the user; empty
+/// if nothing does.
 std::string FindFailures(const sm::FileResult& file, const sm::Arguments& arguments)
 {
   const auto has = [](const std::vector<std::string>& list, const std::string& word)
@@ -144,7 +146,8 @@ std::string ColorStatus(std::string table, const sm::FileResult& file)
   return table.replace(at - status.size(), status.size(), color + status + "\033[0m");
 }
 
-/// Prints the table of a finished file or, without tables, the reason why the file has no results, or what fails.
+/// Prints the table of a finished file or, without tables, the reason why the file has no results, or what
+/// fails.
 void Print(const sm::FileResult& file, const std::string& failures, bool showTable, bool isFirst)
 {
   if (showTable)
@@ -205,8 +208,9 @@ std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
   return jobs;
 }
 
-/// Ignores signals that would end this process, so that writing fails with an error instead: for a file above the limit of the shell
-/// (ulimit -f) and, if there are other outputs than the table, for a reader of the table that has ended.
+/// Ignores signals that would end this process, so that writing fails with an error instead: for a file above
+/// the limit of the shell (ulimit -f) and, if there are other outputs than the table, for a reader of the
+/// table that has ended.
 void IgnoreWriteSignals(const sm::Arguments& arguments)
 {
   std::signal(SIGXFSZ, SIG_IGN);
@@ -218,8 +222,8 @@ void IgnoreWriteSignals(const sm::Arguments& arguments)
   }
 }
 
-/// Compares two finished files, which still have their shapes, and prints the table. Returns the comparison; none where there is nothing
-/// to compare.
+/// Compares two finished files, which still have their shapes, and prints the table. Returns the comparison;
+/// none where there is nothing to compare.
 std::optional<sm::ProductDifference> Compare(
   const std::vector<sm::FileResult>& files, double limit, bool showTable, int& exitStatus)
 {

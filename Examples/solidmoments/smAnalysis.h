@@ -1,6 +1,7 @@
 /**
  * @file smAnalysis.h
- * @brief What every further analysis of a file has: options with their help, results, columns, rows of the table
+ * @brief What every further analysis of a file has: options with their help, results, columns, rows of the
+ * table
  *
  * smAnalyses.cxx lists all of them. The developer guide shows how one is added.
  */
@@ -76,7 +77,8 @@ class Analysis
 {
 public:
   virtual ~Analysis() = default;
-  /// Returns the key of its results in JSON, which is the name of its stage, too, unless GetStage() says otherwise.
+  /// Returns the key of its results in JSON, which is the name of its stage, too, unless GetStage() says
+  /// otherwise.
   virtual const char* GetKey() const = 0;
   virtual const char* GetStage() const { return this->GetKey(); }
   /// Returns whether the results are those of solids, and of all together, rather than of a file.
@@ -87,7 +89,8 @@ public:
   virtual void Declare(CLI::App& app) = 0;
   /// Returns an error message for a combination of options that is wrong; empty otherwise.
   virtual std::string FindProblem(const CLI::App&) const { return {}; }
-  /// Returns the option of CMake that this build was made without, and that GetOption() needs; null if it has all.
+  /// Returns the option of CMake that this build was made without, and that GetOption() needs; null if it has
+  /// all.
   virtual const char* GetMissingModule() const { return nullptr; }
   virtual const char* GetOption() const { return ""; }
   virtual bool IsWanted() const = 0;

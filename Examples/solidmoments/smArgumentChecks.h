@@ -1,6 +1,7 @@
 /**
  * @file smArgumentChecks.h
- * @brief Checks of single values on the command line: each returns an error message, empty for a value that can be taken
+ * @brief Checks of single values on the command line: each returns an error message, empty for a value that
+ * can be taken
  */
 #ifndef smArgumentChecks_h
 #define smArgumentChecks_h

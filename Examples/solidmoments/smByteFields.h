@@ -11,7 +11,8 @@
 
 namespace sm
 {
-/// Appends the members to a text. Bytes of texts that are not UTF-8 are replaced by U+FFFD: names in files may be in any encoding.
+/// Appends the members to a text. Bytes of texts that are not UTF-8 are replaced by U+FFFD: names in files
+/// may be in any encoding.
 class ByteWriter : public Fields
 {
 public:
@@ -35,7 +36,8 @@ private:
   std::string Bytes;
 };
 
-/// Sets the members from the bytes of a ByteWriter. Where these end too early, the rest is unknown and IsWhole() returns false.
+/// Sets the members from the bytes of a ByteWriter. Where these end too early, the rest is unknown and
+/// IsWhole() returns false.
 class ByteReader : public Fields
 {
 public:

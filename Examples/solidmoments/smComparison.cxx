@@ -124,8 +124,8 @@ void Visit(Fields& fields, ComparedPart& part)
     .List("bodies", part.Bodies, [&fields](ComparedBody& body) { Visit(fields, body); });
 }
 
-/// Returns true if material, density or mass of two equal shapes differ: the mass by more than the bounds and the limit. Densities are no
-/// results and have no bounds.
+/// Returns true if material, density or mass of two equal shapes differ: the mass by more than the bounds and
+/// the limit. Densities are no results and have no bounds.
 bool HasOtherMaterial(const Quantities& before, const Quantities& after, double limit)
 {
   const double a = before.Density;
@@ -293,7 +293,8 @@ private:
     return known->second;
   }
 
-  /// Returns the nearest solid of the new file for which `fits` is true and that has no match yet; null if there is none.
+  /// Returns the nearest solid of the new file for which `fits` is true and that has no match yet; null if
+  /// there is none.
   template <typename Fits>
   Body* FindNearest(const Body& before, const Fits& fits)
   {
@@ -328,7 +329,8 @@ private:
         });
       if (after)
       {
-        // FindRotation() tries a limited number of rotations, so that it may find none although the models are congruent.
+        // FindRotation() tries a limited number of rotations, so that it may find none although the models
+        // are congruent.
         const Rotation rotation =
           FindRotation(before.Shape.GetPlaced(), after->Shape.GetPlaced(), this->Limit);
         this->Add(before, *after, rotation.IsFound ? Moved : Changed, rotation.IsFound, rotation);

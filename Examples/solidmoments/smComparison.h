@@ -74,14 +74,17 @@ struct ProductDifference
 };
 
 /**
- * Compares the solids of two files by their geometry (smPartMatch.h), each solid of one with at most one of the other:
+ * Compares the solids of two files by their geometry (smPartMatch.h), each solid of one with at most one of
+ * the other:
  *   - unchanged: the same shape in the same place, and the same mass and material;
- *   - moved: the same shape at another place; of several shapes, those of the same name come first, then the nearest one;
- *   - changed: the same shape with another mass or material, or another shape of the same name, the nearest of these, or another shape
- *     where either file has one solid;
+ *   - moved: the same shape at another place; of several shapes, those of the same name come first, then the
+ * nearest one;
+ *   - changed: the same shape with another mass or material, or another shape of the same name, the nearest
+ * of these, or another shape where either file has one solid;
  *   - removed, added: all other solids.
- * The files have Shapes, and one length unit. `limit`: the largest relative difference, in addition to the bounds, that counts as equal;
- * that of places is relative to the diagonal of the larger product. There is no result if `shouldContinue` returned false.
+ * The files have Shapes, and one length unit. `limit`: the largest relative difference, in addition to the
+ * bounds, that counts as equal; that of places is relative to the diagonal of the larger product. There is no
+ * result if `shouldContinue` returned false.
  */
 std::optional<ProductDifference> CompareProducts(const FileResult& oldFile, const FileResult& newFile,
   double limit, const std::function<bool()>& shouldContinue);

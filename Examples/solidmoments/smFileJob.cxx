@@ -82,7 +82,8 @@ const std::string& GetSource(const sm::JobOptions& options)
   return options.SourceName.empty() ? options.FileName : options.SourceName;
 }
 
-/// Reads the file. Returns false if there is nothing to integrate; status and messages of the entry then have the reason.
+/// Reads the file. Returns false if there is nothing to integrate; status and messages of the entry then have
+/// the reason.
 bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, FileResult& file,
   sm::MessageList& messages)
 {
@@ -249,7 +250,8 @@ std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase*
                         : "there is no OpenGL context to draw in: " + context->GetReason();
 }
 
-/// Runs the requested analyses, those of bodies first. Sends the results before each. Returns what the picture shows in addition.
+/// Runs the requested analyses, those of bodies first. Sends the results before each. Returns what the
+/// picture shows in addition.
 vtkSmartPointer<vtkPolyData> RunAnalyses(vtkCADReader* reader, const sm::JobOptions& options,
   const sm::JobListener& send, FileResult& file, sm::MessageList& messages)
 {

@@ -34,7 +34,8 @@ struct JobOptions
     "needed"; ///< or "always": which shapes OpenCASCADE repairs, see vtkCADReader::SetRepair
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
-  /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see vtkMassPropertiesGPU.
+  /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see
+  /// vtkMassPropertiesGPU.
   std::vector<std::string> QuantityTolerances;
   AnalysisList Analyses = MakeAnalyses(); ///< what else is computed, with the options of each
   int Threads = 0;                        ///< 0: one for each processor
@@ -67,7 +68,8 @@ struct JobOptions
   double GetSecondsLeft() const;
 };
 
-/// Stages of a job, in their order: reading; mass properties; then, behind those of the analyses, the outputs.
+/// Stages of a job, in their order: reading; mass properties; then, behind those of the analyses, the
+/// outputs.
 namespace stages
 {
 constexpr const char* Start = "start";
@@ -78,8 +80,8 @@ constexpr const char* Mesh = "mesh";
 constexpr const char* Draw = "draw";
 }
 
-/// A message of a job: progress; the results, several times, each time with more in them, so that a crash in a later stage does not cost
-/// the results of those before; and for each output whether it was written.
+/// A message of a job: progress; the results, several times, each time with more in them, so that a crash in
+/// a later stage does not cost the results of those before; and for each output whether it was written.
 struct JobMessage
 {
   enum Kinds : char
@@ -112,8 +114,8 @@ struct JobMessage
 
 using JobListener = std::function<void(const JobMessage&)>;
 
-/// Runs the whole job in this process, which should be a child (smIsolatedJob.h). Never throws. Jobs that are given the same
-/// `reader` one after the other read their file once.
+/// Runs the whole job in this process, which should be a child (smIsolatedJob.h). Never throws. Jobs that are
+/// given the same `reader` one after the other read their file once.
 void RunFileJob(const JobOptions& options, const JobListener& send, vtkCADReader* reader = nullptr);
 
 /// Adds the reason why requested results are missing; the status becomes not-computed if it was ok.

@@ -23,7 +23,8 @@ void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options);
 /// Limits the next run of a filter to the seconds that the job has left.
 void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options);
 
-/// Adds evaluations, dispatches and messages of a filter's last run to the file's. If the file was ok, it gets the status of the filter.
+/// Adds evaluations, dispatches and messages of a filter's last run to the file's. If the file was ok, it
+/// gets the status of the filter.
 void AddEffort(vtkSurfaceIntegralBase* filter, FileResult& file, MessageList& messages);
 }
 

@@ -47,8 +47,8 @@ std::uint32_t ReadNumber(const std::string& bytes, size_t at, size_t count)
   return value;
 }
 
-/// Writes the inflated stream. `windowBits` is that of zlib: 31 for gzip, -15 for a raw stream. Returns an error message; empty if the
-/// stream is complete. Several concatenated gzip streams are one file.
+/// Writes the inflated stream. `windowBits` is that of zlib: 31 for gzip, -15 for a raw stream. Returns an
+/// error message; empty if the stream is complete. Several concatenated gzip streams are one file.
 std::string InflateTo(std::istream& input, std::ostream& output, int windowBits)
 {
   z_stream stream = {};

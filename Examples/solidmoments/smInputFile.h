@@ -11,10 +11,11 @@
 namespace sm
 {
 /**
- * Provides the content that a name refers to as a plain file: the file itself; for "-" a copy of the standard input; the content of a file
- * that gzip has compressed (.step.gz, .stpz); and the only STEP file in a ZIP archive, or its only BREP file where it has none (.stpz,
- * .zip). The kind is determined by the first bytes. Copies are in a folder below TMPDIR (/tmp without it) that the destructor removes,
- * under the stem of the name, and have no more than 4 GB.
+ * Provides the content that a name refers to as a plain file: the file itself; for "-" a copy of the standard
+ * input; the content of a file that gzip has compressed (.step.gz, .stpz); and the only STEP file in a ZIP
+ * archive, or its only BREP file where it has none (.stpz, .zip). The kind is determined by the first bytes.
+ * Copies are in a folder below TMPDIR (/tmp without it) that the destructor removes, under the stem of the
+ * name, and have no more than 4 GB.
  */
 class InputFile
 {
@@ -40,7 +41,8 @@ private:
   std::string Folder;
 };
 
-/// Returns the names, where every folder is replaced by the STEP and BREP files in it (by extension, sorted by name), if it has some.
+/// Returns the names, where every folder is replaced by the STEP and BREP files in it (by extension, sorted
+/// by name), if it has some.
 std::vector<std::string> ExpandFolders(const std::vector<std::string>& names);
 }
 

@@ -63,7 +63,8 @@ double Component(vtkDataSetAttributes* columns, vtkIdType row, const std::string
   return array && row < array->GetNumberOfTuples() ? array->GetComponent(row, 0) : Unknown;
 }
 
-// The time to compile a shader grows faster than its number of integrals: 969 integrals take more than 15 minutes (llvmpipe).
+// The time to compile a shader grows faster than its number of integrals: 969 integrals take more than 15
+// minutes (llvmpipe).
 constexpr int MomentsPerFilter = 40;
 
 template <typename AddMoment>
@@ -82,8 +83,8 @@ void ListMoments(int degree, const AddMoment& add)
   }
 }
 
-/// Makes filters with the integrands of the options. Moments get filters without expressions, because an expression would make their bounds
-/// estimates.
+/// Makes filters with the integrands of the options. Moments get filters without expressions, because an
+/// expression would make their bounds estimates.
 std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> MakeFilters(
   int degree, const std::vector<std::string>& integrals)
 {
@@ -111,7 +112,8 @@ std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> MakeFilters(
   return filters;
 }
 
-/// Returns a name that two integrals, or an integral and another column of the results, would share; empty if there is none.
+/// Returns a name that two integrals, or an integral and another column of the results, would share; empty if
+/// there is none.
 std::string FindClash(int degree, const std::vector<std::string>& integrals)
 {
   std::set<std::string> taken(std::begin(names::ReservedColumnNames), std::end(names::ReservedColumnNames));

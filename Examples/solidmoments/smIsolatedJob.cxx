@@ -100,8 +100,8 @@ void OnNoMemory()
   throw std::bad_alloc();
 }
 
-/// Handles a fatal signal: a driver without memory aborts or uses a null pointer. The cause is taken to be memory if an allocation fails
-/// here.
+/// Handles a fatal signal: a driver without memory aborts or uses a null pointer. The cause is taken to be
+/// memory if an allocation fails here.
 void OnFatalSignal(int number)
 {
   constexpr size_t little = size_t(64) << 20;
@@ -113,7 +113,8 @@ void OnFatalSignal(int number)
   raise(number);
 }
 
-/// Lets the child report that it has run out of memory. Signal handlers are installed only if its memory is limited (ulimit -v).
+/// Lets the child report that it has run out of memory. Signal handlers are installed only if its memory is
+/// limited (ulimit -v).
 void WatchMemory()
 {
   if (!OutOfMemory)
@@ -180,8 +181,8 @@ long CountMemoryKills()
 
 using Clock = std::chrono::steady_clock;
 
-/// Returns the seconds after which a job is killed. Computations stop at the time limit by themselves; a hanging reader or compiler does
-/// not.
+/// Returns the seconds after which a job is killed. Computations stop at the time limit by themselves; a
+/// hanging reader or compiler does not.
 double GetSecondsLeft(const sm::JobOptions& options)
 {
   return options.MaximumSeconds > 0.0 ? options.MaximumSeconds + std::max(2.0, 0.25 * options.MaximumSeconds)
@@ -194,8 +195,8 @@ bool WasKilled(int status)
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
 }
 
-/// Returns true if a process with these resources may have reached its hard limit of processor time, at which the system sends SIGKILL: the
-/// shell's ulimit -t sets the hard limit, too.
+/// Returns true if a process with these resources may have reached its hard limit of processor time, at which
+/// the system sends SIGKILL: the shell's ulimit -t sets the hard limit, too.
 bool HasUsedProcessorLimit(const rusage& used)
 {
   rlimit limit{};
@@ -237,7 +238,8 @@ std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const s
   return !end.empty() && isOutOfMemory ? "ran out of memory and " + end : end;
 }
 
-/// Adds the reason for missing results to those that a child sent before it failed; `isExplained` is true if `end` is the whole reason.
+/// Adds the reason for missing results to those that a child sent before it failed; `isExplained` is true if
+/// `end` is the whole reason.
 void AddFailure(const sm::JobOptions& options, const std::string& stage, const std::string& end,
   bool isExplained, std::optional<sm::FileResult>& file)
 {

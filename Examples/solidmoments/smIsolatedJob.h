@@ -1,9 +1,11 @@
 /**
  * @file smIsolatedJob.h
- * @brief Runs the jobs of files in child processes, so that a crash of the CAD kernel affects only the job of that file
+ * @brief Runs the jobs of files in child processes, so that a crash of the CAD kernel affects only the job of
+ * that file
  *
- * Children are forked while this process has neither threads nor an OpenGL context; results come back through a pipe, as
- * smByteFields.h writes them. Signal handlers are installed in the child only if its memory is limited (ulimit -v), to report that it ran out.
+ * Children are forked while this process has neither threads nor an OpenGL context; results come back through
+ * a pipe, as smByteFields.h writes them. Signal handlers are installed in the child only if its memory is
+ * limited (ulimit -v), to report that it ran out.
  */
 #ifndef smIsolatedJob_h
 #define smIsolatedJob_h
@@ -45,8 +47,8 @@ struct JobMessages
     JobMessage::Kinds kind, std::string bytes, const JobOptions& options, const ProgressListener& progress);
 };
 
-/// The job of one file in a child process. A child is killed if it takes longer than 1.25 times MaximumSeconds, and at least 2 seconds
-/// longer.
+/// The job of one file in a child process. A child is killed if it takes longer than 1.25 times
+/// MaximumSeconds, and at least 2 seconds longer.
 class IsolatedJob
 {
 public:
@@ -58,8 +60,8 @@ public:
   IsolatedJob& operator=(const IsolatedJob&) = delete;
 
   bool IsRunning() const { return this->Pipe >= 0; }
-  /// Waits at most one second until one of the jobs, all of which must be running, sends a message or ends. Kills those whose time has
-  /// elapsed, and all of them after an interrupt.
+  /// Waits at most one second until one of the jobs, all of which must be running, sends a message or ends.
+  /// Kills those whose time has elapsed, and all of them after an interrupt.
   static void Wait(const std::vector<IsolatedJob*>& jobs);
   /// Returns the outcome of a job that has ended; call it once.
   JobOutcome GetOutcome();
@@ -84,8 +86,8 @@ private:
   long MemoryKills = 0;                              ///< of the system, before the child
 };
 
-/// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set IsInterrupted(), instead of ending this
-/// process at once.
+/// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set
+/// IsInterrupted(), instead of ending this process at once.
 void CatchInterrupt();
 bool IsInterrupted();
 /// Ends this process by the signal that was caught, so that the shell sees that signal.

@@ -65,7 +65,8 @@ void JobQueue::StartJobs()
 
 JobOutcome JobQueue::Next()
 {
-  // A finished outcome is returned before another job is started, which may take long if its input comes through a pipe.
+  // A finished outcome is returned before another job is started, which may take long if its input comes
+  // through a pipe.
   while (this->Started.empty() || IsRunning(this->Started.front()))
   {
     this->StartJobs();

@@ -22,10 +22,12 @@ class JobQueue
 public:
   using Listener = std::function<void(std::size_t job, const std::string& stage, double fraction)>;
 
-  /// `atOnce` is the number of jobs that run at a time, which share the processors; 0: as many as there are processors.
+  /// `atOnce` is the number of jobs that run at a time, which share the processors; 0: as many as there are
+  /// processors.
   JobQueue(std::vector<JobOptions> jobs, std::size_t atOnce, Listener progress);
 
-  /// Waits for the outcome of the next job. It has no File if it was interrupted before there was one. Later jobs continue to run.
+  /// Waits for the outcome of the next job. It has no File if it was interrupted before there was one. Later
+  /// jobs continue to run.
   JobOutcome Next();
 
 private:

@@ -45,7 +45,8 @@ vtkSmartPointer<vtkPolyData> Join(vtkPartitionedDataSetCollection* bodies, const
     {
       if (auto* body = vtkPolyData::SafeDownCast(bodies->GetPartitionAsDataObject(i, k)))
       {
-        // A plain copy without the exact model and without normals: points at edges have one for each face, and are merged.
+        // A plain copy without the exact model and without normals: points at edges have one for each face,
+        // and are merged.
         vtkNew<vtkPolyData> triangles;
         triangles->SetPoints(body->GetPoints());
         triangles->SetPolys(body->GetPolys());
@@ -133,7 +134,8 @@ std::string WriteMesh(
   {
     return Save(fileName, {});
   }
-  // VTK's writers write to a temporary file; SaveFile() then replaces the user's file when all bytes are there.
+  // VTK's writers write to a temporary file; SaveFile() then replaces the user's file when all bytes are
+  // there.
   std::error_code error;
   std::string folder = (fs::temp_directory_path(error) / "solidmoments-XXXXXX").string();
   if (error || !mkdtemp(folder.data()))

@@ -2,9 +2,9 @@
  * @file smMessageList.h
  * @brief The messages of reader and filters about a file, each fact once
  *
- * The reader has one summary message for a body, the body's model has all of its messages, the filter repeats those of the model and of
- * its faces for every instance of the body, and VTK prints some of them as warnings. The list has every message once for each model, with
- * the name of the model's first instance.
+ * The reader has one summary message for a body, the body's model has all of its messages, the filter repeats
+ * those of the model and of its faces for every instance of the body, and VTK prints some of them as
+ * warnings. The list has every message once for each model, with the name of the model's first instance.
  */
 #ifndef smMessageList_h
 #define smMessageList_h

@@ -21,11 +21,12 @@ bool ParseDirection(const std::string& text, std::array<double, 3>& direction);
 /// Returns an error message for a text that is no direction; empty otherwise.
 std::string CheckDirection(const std::string& text);
 
-/// Parses a plane "X,Y,Z,NX,NY,NZ", a point and a normal; false when it is not six numbers, or the normal is 0.
+/// Parses a plane "X,Y,Z,NX,NY,NZ", a point and a normal; false when it is not six numbers, or the normal is
+/// 0.
 bool ParsePlane(const std::string& text, std::array<double, 6>& plane);
 
-/// Parses "origin", a point "X,Y,Z", or a frame of nine numbers: origin, direction of its z axis, direction of its x axis. False when the
-/// text is none of them, or the directions make no frame.
+/// Parses "origin", a point "X,Y,Z", or a frame of nine numbers: origin, direction of its z axis, direction
+/// of its x axis. False when the text is none of them, or the directions make no frame.
 bool ParseFrame(const std::string& text, std::vector<double>& frame);
 }
 

@@ -16,7 +16,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Returns the keys of a file: device and inode if it exists, and its path without links. Two names of one file share a key.
+/// Returns the keys of a file: device and inode if it exists, and its path without links. Two names of one
+/// file share a key.
 std::set<std::string> Identities(const std::string& name)
 {
   std::set<std::string> identities;

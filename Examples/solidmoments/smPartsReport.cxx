@@ -19,7 +19,8 @@ void ForEachEntry(const std::vector<PartsListEntry>& entries, int level, const U
   }
 }
 
-/// Formats a mass with as many digits as its bound leaves; if only some solids have one, in the form "1.5 of 2/3".
+/// Formats a mass with as many digits as its bound leaves; if only some solids have one, in the form "1.5 of
+/// 2/3".
 std::string FormatMass(const PartsSums& sums)
 {
   const std::string mass = FormatBrief(sums.Mass.GetValue(), sums.Mass.GetBound());

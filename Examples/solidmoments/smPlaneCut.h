@@ -16,8 +16,8 @@
 
 namespace sm
 {
-/// Runs the filter and calls `write` with the row and the results of the file and of each solid. If the file was ok, it gets the status
-/// of the filter.
+/// Runs the filter and calls `write` with the row and the results of the file and of each solid. If the file
+/// was ok, it gets the status of the filter.
 template <typename Result, typename Write>
 void RunPlaneCut(const AnalysisRun& run, vtkPlaneCutBase* filter, const Write& write)
 {

@@ -1,6 +1,7 @@
 /**
  * @file smProductShapes.h
- * @brief The shapes of the solids of a file, which the process that reads the file sends to the one that compares
+ * @brief The shapes of the solids of a file, which the process that reads the file sends to the one that
+ * compares
  */
 #ifndef smProductShapes_h
 #define smProductShapes_h

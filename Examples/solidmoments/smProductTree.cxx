@@ -19,7 +19,8 @@ vtkPartitionedDataSetCollection* GetParts(vtkCADReader* reader)
   return vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
 }
 
-/// Calls `use` with the number of the partitioned dataset and the body, for every body. The ids are those of the filter.
+/// Calls `use` with the number of the partitioned dataset and the body, for every body. The ids are those of
+/// the filter.
 template <typename Use>
 void ForEachBody(vtkPartitionedDataSetCollection* parts, const Use& use)
 {

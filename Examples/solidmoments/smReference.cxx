@@ -10,7 +10,8 @@ namespace sm
 {
 namespace
 {
-/// Writes a table for each object that it visits. Objects that do not exist are visited, too, and lists as if they had one entry.
+/// Writes a table for each object that it visits. Objects that do not exist are visited, too, and lists as if
+/// they had one entry.
 class ReferenceFields : public Fields
 {
 public:
@@ -120,8 +121,8 @@ std::string GetName(const std::string& path)
   return path.substr(path.find_last_of('.') + 1);
 }
 
-/// Returns the tables without repetitions: a table with the rows of an earlier one of the same name is left out, and so are the rows
-/// of a solid that the total has, too.
+/// Returns the tables without repetitions: a table with the rows of an earlier one of the same name is left
+/// out, and so are the rows of a solid that the total has, too.
 std::vector<Table> RemoveRepeats(const std::vector<Table>& tables)
 {
   std::vector<Table> result;

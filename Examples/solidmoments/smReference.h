@@ -9,8 +9,8 @@
 
 namespace sm
 {
-/// Returns tables in Markdown of all keys of the JSON and all columns of the CSV, with the units and meanings that Visit() and AddColumns()
-/// of the results give them.
+/// Returns tables in Markdown of all keys of the JSON and all columns of the CSV, with the units and meanings
+/// that Visit() and AddColumns() of the results give them.
 std::string FormatReference();
 }
 

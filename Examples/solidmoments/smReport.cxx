@@ -34,8 +34,8 @@ std::string DefectRows(const FileResult& file)
   return text;
 }
 
-/// Returns the rows of mass, and of centre and inertia with the densities as weight. If only some solids have a density, the mass is that
-/// of these.
+/// Returns the rows of mass, and of centre and inertia with the densities as weight. If only some solids have
+/// a density, the mass is that of these.
 std::string MassRows(const FileResult& file)
 {
   const TotalResult& total = file.Total;

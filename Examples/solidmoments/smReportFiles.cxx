@@ -71,7 +71,8 @@ int ReportFiles::Save(const std::string& name, const std::string& text, size_t& 
     saved = this->Files.size();
     return AllOk;
   }
-  // If this is not the last version, the error is ignored: there may be room on the disk when the next file is finished.
+  // If this is not the last version, the error is ignored: there may be room on the disk when the next file
+  // is finished.
   return !isLast ? AllOk
                  : Complain(name + " cannot be written: " + problem +
                      (saved > 0 ? "; it holds the first " + std::to_string(saved) + " files" : ""));

@@ -15,9 +15,10 @@
 namespace sm
 {
 /**
- * The documents are written completely after every file (SaveFile), so that the results of a process that is killed are not lost. Above 256
- * MB they are written only when they have a twentieth more files: all versions together are then not much longer than twenty times the last
- * one. Standard output, devices and pipes get their document once, by Finish().
+ * The documents are written completely after every file (SaveFile), so that the results of a process that is
+ * killed are not lost. Above 256 MB they are written only when they have a twentieth more files: all versions
+ * together are then not much longer than twenty times the last one. Standard output, devices and pipes get
+ * their document once, by Finish().
  */
 class ReportFiles
 {
@@ -42,7 +43,8 @@ public:
     this->Head.Comparison = std::move(comparison);
   }
   size_t GetNumberOfFiles() const { return this->Files.size(); }
-  /// Writes the final documents. Returns an exit status, and prints a message about every output that could not be written.
+  /// Writes the final documents. Returns an exit status, and prints a message about every output that could
+  /// not be written.
   int Finish();
 
 private:

@@ -35,7 +35,8 @@ inline std::string MeasuredRow(
 {
   return BoundedRow(label, FormatVector(quantity.Value, quantity.Bound), unit, quantity.Bound);
 }
-/// Returns three rows for a matrix, the first of which has the bound of all entries; `hasBound`: there should be one.
+/// Returns three rows for a matrix, the first of which has the bound of all entries; `hasBound`: there should
+/// be one.
 std::string MatrixRows(
   const std::string& label, const TensorQuantity& matrix, const std::string& unit, bool hasBound = true);
 }

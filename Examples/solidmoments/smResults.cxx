@@ -115,8 +115,8 @@ void Visit(Fields& fields, PartsListEntry& part)
   part.Status = FindStatus(status);
 }
 
-/// Returns for each solid the edges with the widest gaps, at most five, without edges that have no gap. In the table the widest gap is
-/// first.
+/// Returns for each solid the edges with the widest gaps, at most five, without edges that have no gap. In
+/// the table the widest gap is first.
 void ReadWorstEdges(vtkTable* table, std::vector<SolidResult>& solids)
 {
   constexpr std::size_t most = 5;

@@ -28,7 +28,8 @@ class Scheme
 {
 public:
   void Declare(CLI::App& app);
-  /// Returns an error message if an option does not belong to the scheme, or this build is without the scheme; empty otherwise.
+  /// Returns an error message if an option does not belong to the scheme, or this build is without the
+  /// scheme; empty otherwise.
   std::string FindProblem(const CLI::App& app) const;
   bool IsAdaptive() const { return this->Name == "adaptive"; }
   const std::string& GetName() const { return this->Name; }
@@ -41,10 +42,12 @@ public:
   vtkSmartPointer<vtkMassPropertiesBase> MakeFilter() const;
   /// Adds the options of such a filter; does nothing for any other filter.
   static void ReadOptions(vtkMassPropertiesBase* filter, FileResult& file);
-  /// Adds the paper's estimates of the error and the number of sub-patches in a row of field data or of a table.
+  /// Adds the paper's estimates of the error and the number of sub-patches in a row of field data or of a
+  /// table.
   static void ReadBody(vtkFieldData* data, vtkIdType row, BodyResult& body);
-  /// Writes the textures that the last run kept, v upwards, white inside the face, as PREFIX-NAME.png. NAME is the texture's name with a
-  /// dash for all but letters, digits and points; equal names get -2, -3, ... Returns an error message, empty when all are written.
+  /// Writes the textures that the last run kept, v upwards, white inside the face, as PREFIX-NAME.png. NAME
+  /// is the texture's name with a dash for all but letters, digits and points; equal names get -2, -3, ...
+  /// Returns an error message, empty when all are written.
   static std::string WriteTrimPictures(vtkMassPropertiesBase* filter, const std::string& prefix);
 
 private:
@@ -56,7 +59,8 @@ private:
   std::string TextureFolder;
 };
 
-/// Returns the rows of the table: scheme, sub-patches and error estimate of a run with one of the paper's schemes.
+/// Returns the rows of the table: scheme, sub-patches and error estimate of a run with one of the paper's
+/// schemes.
 std::string FormatSchemeRows(const FileResult& file);
 }
 

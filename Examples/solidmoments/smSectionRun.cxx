@@ -10,7 +10,8 @@ namespace sm
 {
 namespace
 {
-/// Reads the results in a row of field data or of a table. `hasMass`: false with materials by name, which the filter does not know.
+/// Reads the results in a row of field data or of a table. `hasMass`: false with materials by name, which the
+/// filter does not know.
 void ReadSection(vtkFieldData* data, vtkIdType row, bool hasMass, SectionEntry& section)
 {
   section.Area = GetQuantity<1>(data, row, names::SectionArea);

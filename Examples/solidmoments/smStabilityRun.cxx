@@ -74,7 +74,8 @@ void StabilityAnalysis::Run(const AnalysisRun& run) const
   SetUpFilter(filter->GetMassProperties(), run.Options);
   SetUpMass(filter->GetMassProperties(), run.Options);
   filter->GetMassProperties()->SetRelativeTolerance(run.Options.Tolerance);
-  // The filter integrates again in the remaining time, so that its status may be worse than that of the file; its messages have the reason.
+  // The filter integrates again in the remaining time, so that its status may be worse than that of the file;
+  // its messages have the reason.
   const auto update = [&]()
   {
     run.Update(filter);

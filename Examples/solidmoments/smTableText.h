@@ -21,7 +21,8 @@ std::string Pad(const std::string& text, size_t width, bool right = false);
 /// Removes the middle of a text that is too long, because names of parts often differ at their ends.
 std::string Shorten(const std::string& text, size_t width);
 
-/// Formats a number, rounded to the first digit that the bound affects, with at most `digits` digits; "-" for NaN.
+/// Formats a number, rounded to the first digit that the bound affects, with at most `digits` digits; "-" for
+/// NaN.
 std::string FormatValue(double value, double bound, int digits = 12);
 /// Formats three numbers of at most 10 digits, separated by two blanks; "-" for NaN.
 std::string FormatVector(const double* values, double bound);

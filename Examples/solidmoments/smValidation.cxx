@@ -86,7 +86,8 @@ Vector PlaceBack(const Vector& c, const double* placement)
   return result;
 }
 
-/// Returns the sums of the solids below a node: in the coordinates of the part if there is a single part, otherwise in world coordinates.
+/// Returns the sums of the solids below a node: in the coordinates of the part if there is a single part,
+/// otherwise in world coordinates.
 Computed Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byId, double millimetres)
 {
   Computed sum;
@@ -123,8 +124,8 @@ Computed Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byI
   sum.VolumeBound += 1e-15 * sum.Volume;
   sum.AreaBound += 1e-15 * sum.Area;
   sum.NoCenter = isPart || isRoot ? "" : "the place of a sub-assembly is not known";
-  // c = sum V_i c_i / sum V_i, with bounds e_i of V_i and d_i of c_i, is off by at most (sum V_i d_i + e_i (|c_i - c| + d_i)) / (sum V_i -
-  // e_i).
+  // c = sum V_i c_i / sum V_i, with bounds e_i of V_i and d_i of c_i, is off by at most (sum V_i d_i + e_i
+  // (|c_i - c| + d_i)) / (sum V_i - e_i).
   double error = 0.0;
   for (size_t i = 0; i < 3; ++i)
   {
@@ -216,7 +217,8 @@ private:
   SolidsById ById;
 };
 
-/// Adds an entry. Values are in millimetres to a power, those of a centroid in three components; `allowed` is without the bound.
+/// Adds an entry. Values are in millimetres to a power, those of a centroid in three components; `allowed` is
+/// without the bound.
 void AddEntry(const STEPProduct& product, const char* quantity, const std::vector<double>& stated,
   const std::vector<double>& computed, double bound, double allowed, const std::string& reason, double unit,
   std::vector<ValidationEntry>& list)
@@ -346,7 +348,8 @@ std::string WriteValidation(
     }
     STEPStatement statement;
     statement.Product = product;
-    // A property that the file states already is not written a second time, and none of which this program says that it may be wrong.
+    // A property that the file states already is not written a second time, and none of which this program
+    // says that it may be wrong.
     const bool isSound = isFileSound && computed.IsSound;
     statement.Values.Volume = std::isfinite(stated.Volume) || !isSound ? std::nan("") : computed.Volume;
     statement.Values.Area = std::isfinite(stated.Area) || !isSound ? std::nan("") : computed.Area;

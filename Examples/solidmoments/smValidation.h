@@ -31,14 +31,14 @@ struct ValidationEntry
 };
 
 /**
- * Returns an entry for every property that the file states. Volume and area may differ by `limit` of the stated value, the centroid by
- * `limit` of the cube root of the volume, and all by their bounds.
+ * Returns an entry for every property that the file states. Volume and area may differ by `limit` of the
+ * stated value, the centroid by `limit` of the cube root of the volume, and all by their bounds.
  */
 std::vector<ValidationEntry> CompareValidation(
   const std::string& fileName, const ProductTreeNode& tree, const FileResult& file, double limit);
 
-/// Writes the text of the file with the validation properties and densities of the products that were computed. Existing statements are
-/// kept. Returns an error message; empty if the file was written.
+/// Writes the text of the file with the validation properties and densities of the products that were
+/// computed. Existing statements are kept. Returns an error message; empty if the file was written.
 std::string WriteValidation(const std::string& fileName, const ProductTreeNode& tree, const FileResult& file,
   const std::string& target);
 

@@ -53,8 +53,8 @@ inline void EvaluateBasis(double x, int degree, double* values)
   }
 }
 
-/// Point at parameter t. It takes a third of the operations of PolynomialCurve::Evaluate() at degree 9 and differs
-/// in the last digits; ends of pieces are exact.
+/// Point at parameter t. It takes a third of the operations of PolynomialCurve::Evaluate() at degree 9 and
+/// differs in the last digits; ends of pieces are exact.
 template <int Dimension>
 std::array<double, Dimension> EvaluateByBasis(const PolynomialCurve<Dimension>& curve, double t)
 {
@@ -82,8 +82,8 @@ std::array<double, Dimension> EvaluateByBasis(const PolynomialCurve<Dimension>& 
   return point;
 }
 
-/// Bernstein coefficients, `stride` apart, of a polynomial on [0,1] become those on [low, high], low < high. The interval may extend a
-/// little beyond [0,1].
+/// Bernstein coefficients, `stride` apart, of a polynomial on [0,1] become those on [low, high], low < high.
+/// The interval may extend a little beyond [0,1].
 template <std::size_t Dimension>
 void RestrictBernstein(
   std::array<double, Dimension>* coefficients, int degree, int stride, double low, double high)
@@ -124,8 +124,8 @@ void RestrictBernstein(
   }
 }
 
-/// Halves a polynomial on [0,1], in place into the halves: `right` has its coefficients, `stride` apart, and `left` room
-/// for as many.
+/// Halves a polynomial on [0,1], in place into the halves: `right` has its coefficients, `stride` apart, and
+/// `left` room for as many.
 template <std::size_t Dimension>
 void HalveBernstein(
   std::array<double, Dimension>* left, std::array<double, Dimension>* right, int degree, int stride)

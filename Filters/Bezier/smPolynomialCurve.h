@@ -72,7 +72,8 @@ struct PolynomialCurve
   std::vector<Point> Coefficients;
   /// Largest distance of each coordinate from the curve it was made from; 0: exact.
   Point Residual{};
-  /// The same for each piece, of a curve of which a few pieces are much farther from the original than the others; else empty.
+  /// The same for each piece, of a curve of which a few pieces are much farther from the original than the
+  /// others; else empty.
   std::vector<Point> PieceResiduals;
 
   double GetLargestResidual() const

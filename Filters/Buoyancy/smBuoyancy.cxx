@@ -22,20 +22,24 @@ namespace
 {
 using Point3 = std::array<double, 3>;
 
-// Shares of a face's tolerance for cutting and for the quadrature. Rotating first moments to the world's axes multiplies their
-// bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the radius.
+// Shares of a face's tolerance for cutting and for the quadrature. Rotating first moments to the world's axes
+// multiplies their bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the
+// radius.
 constexpr double CutShare = 0.125;
 constexpr double QuadratureShare = 0.4;
-/// Number of quantities of the submerged part, and degrees of the moments of the section, which follow them in the list of integrands.
+/// Number of quantities of the submerged part, and degrees of the moments of the section, which follow them
+/// in the list of integrands.
 constexpr std::size_t Quantities = 4;
 constexpr int SectionDegrees[] = { 0, 1, 1, 2, 2, 2 };
-// Share of the progress for cutting all faces, and faces cut at the waterline between two reports of progress.
+// Share of the progress for cutting all faces, and faces cut at the waterline between two reports of
+// progress.
 constexpr double CutProgress = 0.5;
 // Roundings of a placement's entries and of the plane's normal, relative to the distance of a point.
 constexpr double PlacementRoundings = 8.0;
 constexpr std::size_t CutsPerReport = 64;
 
-/// Transforms the values or bounds of one kind of a face's results to moments about the world's origin, along its axes.
+/// Transforms the values or bounds of one kind of a face's results to moments about the world's origin, along
+/// its axes.
 void ToWorld(const Point3& origin, const std::array<Point3, 3>& axes, std::vector<double>& values, bool bound)
 {
   std::vector<double> world = values;
@@ -129,7 +133,8 @@ CutLimits BuoyancyIntegrator::MakeLimits(
       moved = std::max(moved, Norm(patch.Displacement));
     }
     limits.Area = CutShare * tolerance.Area;
-    // Control points as extracted and as read, a fitted surface, the plane, and the rounding of the placement's entries.
+    // Control points as extracted and as read, a fitted surface, the plane, and the rounding of the
+    // placement's entries.
     limits.Displacement = moved + Norm(source.Surface.Rounding) + source.Surface.Residual + frame.PlaneBound +
       PlacementRoundings * UnitRoundoff * GetReach(face.Panels, {});
   }
@@ -221,8 +226,9 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
     cut.IsCrossed = cut.IsCrossed || below.AreaError > 0.0 || !cut.Faces[i]->Error.empty() ||
       (!isWhole && (below.Parts[0] || below.Parts[1]));
   }
-  // Adds the error of faces that are below or above the plane by no more than the rounding error of the plane and of their own numbers: a
-  // body found to be entirely on one side may have a thin sheet on the other side.
+  // Adds the error of faces that are below or above the plane by no more than the rounding error of the plane
+  // and of their own numbers: a body found to be entirely on one side may have a thin sheet on the other
+  // side.
   const double planeBound = frame.PlaneBound + 2.0 * UnitRoundoff * frame.Reach;
   cut.VolumeErrors.assign(sources.size(), 0.0);
   cut.Errors.resize(sources.size());
@@ -248,8 +254,8 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
 
 namespace
 {
-/// Returns the area that the border of a part with one patch sweeps by the displacement of its control points. The planner takes such a
-/// patch for a whole face, with no neighbour that is displaced by itself.
+/// Returns the area that the border of a part with one patch sweeps by the displacement of its control
+/// points. The planner takes such a patch for a whole face, with no neighbour that is displaced by itself.
 double GetSweptBorder(const FacePanels& part)
 {
   if (part.Patches.size() != 1)

@@ -71,9 +71,9 @@ HeightNet HeightNet::Exchanged() const
 
 double HeightNet::GetRounding() const
 {
-  // Counts three roundings per level of de Casteljau's algorithm, which runs twice in each direction to restrict a net and once to evaluate
-  // it, and some for sums of series. The parameters of a point of a trim piece are rounded, too, which changes N by its slopes times that
-  // rounding.
+  // Counts three roundings per level of de Casteljau's algorithm, which runs twice in each direction to
+  // restrict a net and once to evaluate it, and some for sums of series. The parameters of a point of a trim
+  // piece are rounded, too, which changes N by its slopes times that rounding.
   double roundings = 32.0;
   for (int d = 0; d < 2; ++d)
   {

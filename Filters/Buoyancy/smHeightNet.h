@@ -1,6 +1,7 @@
 /**
  * @file smHeightNet.h
- * @brief Height of a rational Bézier patch above a plane, as a quotient of polynomials N / w, with bounds on parameter boxes
+ * @brief Height of a rational Bézier patch above a plane, as a quotient of polynomials N / w, with bounds on
+ * parameter boxes
  */
 #ifndef smHeightNet_h
 #define smHeightNet_h
@@ -14,8 +15,8 @@
 
 namespace sm
 {
-/// The plane of all points x of a model with Up . x + Offset = 0. Up is a unit vector; the height is positive on the side it
-/// points to.
+/// The plane of all points x of a model with Up . x + Offset = 0. Up is a unit vector; the height is positive
+/// on the side it points to.
 struct HeightPlane
 {
   std::array<double, 3> Up{};
@@ -55,7 +56,8 @@ struct SMFILTERSBUOYANCY_EXPORT NetRange
   double GetLargestHeight() const;
 };
 
-/// The numerator N(s,r) = sum B_i(s) B_j(r) w_ij h_ij of the height over one patch. Its zeros are the waterline on the patch.
+/// The numerator N(s,r) = sum B_i(s) B_j(r) w_ij h_ij of the height over one patch. Its zeros are the
+/// waterline on the patch.
 class SMFILTERSBUOYANCY_EXPORT HeightNet
 {
 public:
@@ -69,10 +71,11 @@ public:
 
   NetRange GetRange(const ParameterRange& box) const;
   double Evaluate(double u, double v) const;
-  /// Returns the u in [low, high] with N(u, v) = 0; N(., v) must be monotone there. Without a zero, returns the end with the
-  /// smaller |N|.
+  /// Returns the u in [low, high] with N(u, v) = 0; N(., v) must be monotone there. Without a zero, returns
+  /// the end with the smaller |N|.
   double Solve(double v, double low, double high) const;
-  /// Returns an upper bound of |S_u x S_v| on the patch: surface area per area in the parameters of the trim pieces.
+  /// Returns an upper bound of |S_u x S_v| on the patch: surface area per area in the parameters of the trim
+  /// pieces.
   double GetLargestNormal() const { return this->Normal; }
   /// Raises the bound of GetLargestNormal(); NaN counts as infinity.
   void RaiseNormal(double normal)
@@ -82,9 +85,11 @@ public:
                                           : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns a bound of the error of N by the rounding of its coefficients and of its evaluation on the patch.
+  /// Returns a bound of the error of N by the rounding of its coefficients and of its evaluation on the
+  /// patch.
   double GetRounding() const;
-  /// Returns a bound of the error of N if every point is displaced by at most `displacement` relative to the plane.
+  /// Returns a bound of the error of N if every point is displaced by at most `displacement` relative to the
+  /// plane.
   double GetNoise(double displacement) const
   {
     return this->GetRounding() + 1.001 * this->LargestWeight * displacement;

@@ -69,10 +69,11 @@ void SectionMoments::Add(const SectionMoments& other)
 }
 
 /**
- * With the computed centroid c about the origin and the true one c + e, |e_i| <= d_i = (b_i + |c_i| b) / (A - b), the second moments
- * about c are S_ij - c_i m_j - c_j m_i + A c_i c_j, whose bounds follow from those of S, m and A, and those about the true centroid are
- * less by A e_i e_j. A symmetric matrix that is off by E has, along any unit vectors u and v, a value off by |u E v| <= |E|, the
- * Frobenius norm, and so have its eigenvalues (Weyl).
+ * With the computed centroid c about the origin and the true one c + e, |e_i| <= d_i = (b_i + |c_i| b) / (A -
+ * b), the second moments about c are S_ij - c_i m_j - c_j m_i + A c_i c_j, whose bounds follow from those of
+ * S, m and A, and those about the true centroid are less by A e_i e_j. A symmetric matrix that is off by E
+ * has, along any unit vectors u and v, a value off by |u E v| <= |E|, the Frobenius norm, and so have its
+ * eigenvalues (Weyl).
  */
 SectionProperties SectionMoments::ComputeProperties() const
 {

@@ -1,7 +1,7 @@
 /**
  * @file smSectionMoments.h
- * @brief Area, first and second moments of the section of bodies with a plane, and the centroid and central moments that follow, with
- * bounds
+ * @brief Area, first and second moments of the section of bodies with a plane, and the centroid and central
+ * moments that follow, with bounds
  */
 #ifndef smSectionMoments_h
 #define smSectionMoments_h
@@ -18,11 +18,12 @@ struct SectionProperties
   /// World coordinates.
   std::array<double, 3> Centroid{};
   double CentroidBound = 0.0;
-  /// Integrals of xx, yy, zz, xy, yz and xz about the centroid, along the world's axes; the bound is that of each.
+  /// Integrals of xx, yy, zz, xy, yz and xz about the centroid, along the world's axes; the bound is that of
+  /// each.
   std::array<double, 6> Second{};
   double SecondBound = 0.0;
-  /// Smallest and largest second moment about the centroid along a direction of the plane, and these directions in the world, NaN
-  /// if the two may be equal by their bound.
+  /// Smallest and largest second moment about the centroid along a direction of the plane, and these
+  /// directions in the world, NaN if the two may be equal by their bound.
   std::array<double, 2> Principal{};
   double PrincipalBound = 0.0;
   std::array<std::array<double, 3>, 2> Directions{};

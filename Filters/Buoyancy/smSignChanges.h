@@ -1,6 +1,7 @@
 /**
  * @file smSignChanges.h
- * @brief Sign changes of a polynomial of high degree that is known by evaluation, proved by its Chebyshev series
+ * @brief Sign changes of a polynomial of high degree that is known by evaluation, proved by its Chebyshev
+ * series
  */
 #ifndef smSignChanges_h
 #define smSignChanges_h
@@ -10,7 +11,8 @@
 
 namespace sm
 {
-/// Computes the Chebyshev coefficients on [start, end] of the polynomial `evaluate`, whose degree is at most `degree`. Requires 0
+/// Computes the Chebyshev coefficients on [start, end] of the polynomial `evaluate`, whose degree is at most
+/// `degree`. Requires 0
 /// <= degree < ChebyshevRule::MaximumSize.
 void ExpandPolynomial(const std::function<double(double)>& evaluate, int degree, double start, double end,
   std::vector<double>& series);
@@ -25,10 +27,11 @@ struct SignedRange
 };
 
 /**
- * Splits [start, end] into ranges on which the polynomial of `degree` is negative, or is not, and appends them in order. A range
- * is halved until the series proves one sign, or proves monotonicity, so that bisection finds the only zero, or until `isSmall`
- * accepts that a polynomial of absolute value at most `largest` may have either sign on it. `isSmall` is called with last = true
- * when no halvings are left; its return value is then ignored.
+ * Splits [start, end] into ranges on which the polynomial of `degree` is negative, or is not, and appends
+ * them in order. A range is halved until the series proves one sign, or proves monotonicity, so that
+ * bisection finds the only zero, or until `isSmall` accepts that a polynomial of absolute value at most
+ * `largest` may have either sign on it. `isSmall` is called with last = true when no halvings are left; its
+ * return value is then ignored.
  */
 void FindSignedRanges(const std::function<double(double)>& evaluate, int degree, double start, double end,
   const std::function<bool(double start, double end, double largest, bool last)>& isSmall,

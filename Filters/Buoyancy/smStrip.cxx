@@ -74,7 +74,8 @@ Strip::Strip(const FacePanels& panels, const Ribbon& ribbon)
 
 double Strip::GetGap(double start, double end) const
 {
-  // With the edge curve C, the patch's homogeneous position P and its weight w, C w - P is a polynomial along the strip.
+  // With the edge curve C, the patch's homogeneous position P and its weight w, C w - P is a polynomial along
+  // the strip.
   const Patch& patch = this->Source;
   const int degree = this->FaceDegree + this->EdgeDegree;
   const auto sample = [&](double t)

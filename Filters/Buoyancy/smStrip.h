@@ -19,7 +19,8 @@ class Strip
 public:
   Strip(const FacePanels& panels, const Ribbon& ribbon);
 
-  /// Returns the position of the face's curve in the parameters of the trim pieces, and that of the edge's curve.
+  /// Returns the position of the face's curve in the parameters of the trim pieces, and that of the edge's
+  /// curve.
   std::array<double, 2> EvaluateTrim(double t) const { return this->Trim.Evaluate(this->ToTrim(t)); }
   std::array<double, 3> EvaluateEdge(double t) const { return this->EdgePiece.Evaluate(this->ToEdge(t)); }
 
@@ -28,7 +29,8 @@ public:
 
   int FaceDegree;
   int EdgeDegree;
-  /// Upper bounds of the gap between the curves and of the sum of their lengths. The strip's area is at most their product.
+  /// Upper bounds of the gap between the curves and of the sum of their lengths. The strip's area is at most
+  /// their product.
   double Gap;
   double Length;
   /// Lowest weight of the patch.

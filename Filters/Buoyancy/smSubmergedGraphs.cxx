@@ -18,7 +18,8 @@ using Point2 = std::array<double, 2>;
 // Degrees of the polynomials that approximate graphs.
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
 constexpr int MostNodes = 10;
-// Largest error of a crossing of the waterline, relative to the room beside a box, so that the graph still contains the crossing.
+// Largest error of a crossing of the waterline, relative to the room beside a box, so that the graph still
+// contains the crossing.
 constexpr double CrossingRoom = 0.05;
 // This factor makes up for the rounding of the stretch of a part.
 constexpr double StretchRounding = 1.001;
@@ -29,7 +30,8 @@ constexpr std::size_t MostParts = 4096;
 
 using Matrix = std::vector<std::vector<long double>>;
 
-/// The inverse of the matrix whose row i holds the n Bernstein polynomials at node i of the Chebyshev rule on [0,1].
+/// The inverse of the matrix whose row i holds the n Bernstein polynomials at node i of the Chebyshev rule on
+/// [0,1].
 Matrix InvertBernstein(int n)
 {
   // Degrees are 9 at most, so that elimination in extended precision is accurate to rounding.
@@ -225,7 +227,8 @@ std::vector<SignedRange> SubmergedPanels::FindSigns(const Monotone& box, const R
       ranges);
     return ranges;
   }
-  // For higher degrees, the part is subdivided until the height has one sign on the box of each piece, or its error is small.
+  // For higher degrees, the part is subdivided until the height has one sign on the box of each piece, or its
+  // error is small.
   std::vector<std::array<double, 2>> open{ { part.End, part.Start } };
   for (std::size_t steps = 0; !open.empty(); ++steps)
   {

@@ -13,14 +13,16 @@ using Point2 = std::array<double, 2>;
 
 // Shares of the tolerance for all boxes that remain unresolved together, and for a single cut or fit.
 constexpr double LeftoverShare = 0.25;
-// Boxes are not halved any more when their errors are below this fraction of the errors that halving cannot reduce.
+// Boxes are not halved any more when their errors are below this fraction of the errors that halving cannot
+// reduce.
 constexpr double FinalShare = 1.0 / 64.0;
 constexpr double PieceShare = 1.0 / 4096.0;
-// Largest number of boxes per face in addition to its patches, and smallest width of a box relative to its patch.
+// Largest number of boxes per face in addition to its patches, and smallest width of a box relative to its
+// patch.
 constexpr std::size_t MostBoxes = 20000;
 constexpr double SmallestBox = 1e-13;
-// Largest slope of a graph in units of its box, so that few polynomials fit it; and the width on each side of a box, relative to
-// the box, within which the height must be monotone too.
+// Largest slope of a graph in units of its box, so that few polynomials fit it; and the width on each side of
+// a box, relative to the box, within which the height must be monotone too.
 constexpr double SteepestGraph = 8.0;
 constexpr double Room = 1.0 / 64.0;
 // Largest number of halvings of graphs in a box.
@@ -300,7 +302,8 @@ bool SubmergedPanels::Resolve(Box& box)
 
 int SubmergedPanels::ChooseDirection(const Box& box) const
 {
-  // The direction that resolves more halves; if both resolve the same number, the one that reduces the ranges of the slopes more.
+  // The direction that resolves more halves; if both resolve the same number, the one that reduces the ranges
+  // of the slopes more.
   int settled[2] = { 0, 0 };
   double spread[2] = { 0.0, 0.0 };
   for (int d = 0; d < 2; ++d)

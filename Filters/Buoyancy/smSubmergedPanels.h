@@ -54,13 +54,15 @@ private:
     bool Increasing;
     /// Lower bound of |dN| per unit of the first parameter, on the box and Room on both sides of it.
     double Slope;
-    /// Bound of the integral of |h| |n| over a sliver beside the waterline, per N^2 and per unit of the second parameter.
+    /// Bound of the integral of |h| |n| over a sliver beside the waterline, per N^2 and per unit of the
+    /// second parameter.
     double Rate;
     /// Surface area of such a sliver, per |N| and per unit of the second parameter.
     double AreaRate;
     /// Bound of the error of N, for the area.
     double Noise;
-    /// Width on each side of the box, in the first parameter, within which the height is known to be monotone too.
+    /// Width on each side of the box, in the first parameter, within which the height is known to be monotone
+    /// too.
     double Room;
     /// Bounds of the integrals over the box and Room on both sides, per unit of the second parameter.
     CutErrors Whole;
@@ -78,12 +80,14 @@ private:
   };
 
   void AddPatch(std::uint32_t patch, Region parts);
-  /// Returns a bound of the error of N that decides which side of the plane is certain: 0 if areas are not wanted.
+  /// Returns a bound of the error of N that decides which side of the plane is certain: 0 if areas are not
+  /// wanted.
   double GetNoise(const HeightNet& net) const
   {
     return this->Limits.HasArea() ? net.GetNoise(this->Limits.Displacement) : 0.0;
   }
-  /// Returns an upper bound of |n| on a part of a patch of the source: surface area per area in the parameters of the trim pieces.
+  /// Returns an upper bound of |n| on a part of a patch of the source: surface area per area in the
+  /// parameters of the trim pieces.
   double GetLargestNormal(std::uint32_t patch, const ParameterRange& range) const;
   /// Returns true if halving the box further cannot decide on which side of the plane it is.
   bool IsFinal(const Box& box) const;
@@ -106,20 +110,24 @@ private:
   void Halve(const Box& box);
   int ChooseDirection(const Box& box) const;
   void CutMonotone(const Source& source, Monotone& box, const Region& region);
-  /// Returns bounds of the integrals over a sliver with |N| at most `largest` along a length in the second parameter; the bound of the area
-  /// includes the uncertain area beside it.
+  /// Returns bounds of the integrals over a sliver with |N| at most `largest` along a length in the second
+  /// parameter; the bound of the area includes the uncertain area beside it.
   CutErrors GetCost(const Monotone& box, double largest, double length) const;
-  /// Returns the area beside a part whose side of the plane is uncertain, with |N| at most `largest` along a length in the second
-  /// parameter, by bounds near the part; those of the box are used where they are smaller.
+  /// Returns the area beside a part whose side of the plane is uncertain, with |N| at most `largest` along a
+  /// length in the second parameter, by bounds near the part; those of the box are used where they are
+  /// smaller.
   double GetAreaBeside(const Monotone& box, const RegionPart& part, double largest, double length) const;
-  /// Returns the variation of the second parameter along the interval of a part where |N| may be at most `most`.
+  /// Returns the variation of the second parameter along the interval of a part where |N| may be at most
+  /// `most`.
   double GetUncertainVariation(
     const Monotone& box, const RegionPart& part, double start, double end, double most, int depth) const;
-  /// Find the ranges of a part on which N has one sign; FindRanges() adds the uncertain area beside it to the errors.
+  /// Find the ranges of a part on which N has one sign; FindRanges() adds the uncertain area beside it to the
+  /// errors.
   std::vector<struct SignedRange> FindRanges(const Monotone& box, const RegionPart& part);
   std::vector<struct SignedRange> FindSigns(const Monotone& box, const RegionPart& part);
   void AddGraph(Monotone& box, double start, double end, int sign);
-  /// Adds the area that a graph sweeps when its points are displaced. `extent` is a range of its first parameter.
+  /// Adds the area that a graph sweeps when its points are displaced. `extent` is a range of its first
+  /// parameter.
   void AddSweep(const Monotone& box, const std::vector<std::array<double, 2>>& graph,
     const std::array<double, 2>& extent);
   bool FitGraph(const Monotone& box, double start, double end, int degree, bool accept, PiecePointer& piece);

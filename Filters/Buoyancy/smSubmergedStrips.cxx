@@ -27,8 +27,8 @@ constexpr int MostParts = 4096;
 // Roundings of a point of an edge's curve, relative to its coordinates.
 constexpr double EdgeRoundings = 32.0;
 
-/// Clips the triangle at the plane into at most two triangles. h is linear on it, so that a rounding error of the cut has only a
-/// second-order effect.
+/// Clips the triangle at the plane into at most two triangles. h is linear on it, so that a rounding error of
+/// the cut has only a second-order effect.
 void CutCap(const Cap& cap, const HeightPlane& plane, FacePanels& to)
 {
   const Point3* corners[3] = { &cap.Apex, &cap.From, &cap.To };
@@ -73,7 +73,8 @@ std::vector<std::array<double, 3>> ListResiduals(const Face& face)
   return residuals;
 }
 
-/// Returns a bound of the displacement of a point of the border on a patch by residuals of the coedge's curves.
+/// Returns a bound of the displacement of a point of the border on a patch by residuals of the coedge's
+/// curves.
 double GetDisplacement(const std::array<double, 3>& residual, const Patch& patch)
 {
   double moved = residual[2];
@@ -95,8 +96,8 @@ public:
   CutErrors Errors;
 
 private:
-  /// Heights of a curve of the strip over an interval: the height in the middle, the largest difference of other heights from it, and the
-  /// bound of their error.
+  /// Heights of a curve of the strip over an interval: the height in the middle, the largest difference of
+  /// other heights from it, and the bound of their error.
   struct Heights
   {
     double Middle, Spread, Noise;
@@ -124,7 +125,8 @@ private:
   double GetMoved(const Ribbon& ribbon) const;
   Heights GetFaceHeights(const Open& open, double start, double end) const;
   Heights GetEdgeHeights(const Open& open, double start, double end) const;
-  /// Halves an interval until both curves are on a certain side on it, or the area of the strip there is small.
+  /// Halves an interval until both curves are on a certain side on it, or the area of the strip there is
+  /// small.
   void CutInterval(Open& open, double start, double end, int depth);
   void KeepInterval(Open& open, double start, double end);
   void Keep(const Ribbon& ribbon, double start, double end);

@@ -11,9 +11,10 @@
 
 namespace sm
 {
-/// Appends the ribbons and caps below the plane to `to`. Strips between a curve of the face and a curve of the edge on opposite
-/// sides of the plane are omitted. Returns bounds of the integrals over all regions that were omitted or included wrongly; the
-/// residuals of the face's trim curves and of its edges count as displacements of its strips.
+/// Appends the ribbons and caps below the plane to `to`. Strips between a curve of the face and a curve of
+/// the edge on opposite sides of the plane are omitted. Returns bounds of the integrals over all regions that
+/// were omitted or included wrongly; the residuals of the face's trim curves and of its edges count as
+/// displacements of its strips.
 CutErrors CutStripsBelow(const Face& face, const FacePanels& from, const HeightPlane& plane,
   const CutLimits& limits, FacePanels& to);
 

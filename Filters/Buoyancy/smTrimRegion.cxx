@@ -11,11 +11,13 @@ namespace sm
 namespace
 {
 using Point2 = std::array<double, 2>;
-// Largest number of halvings in the search for the extent of a piece, and its accuracy relative to the interval.
+// Largest number of halvings in the search for the extent of a piece, and its accuracy relative to the
+// interval.
 constexpr int ExtentDepth = 20;
 constexpr double ExtentNoise = 1e-13;
 
-/// Raises `most` to the largest value of the polynomial with Bernstein coefficients b, exceeding it by less than `slack`.
+/// Raises `most` to the largest value of the polynomial with Bernstein coefficients b, exceeding it by less
+/// than `slack`.
 void FindLargest(std::vector<std::array<double, 1>> b, int depth, double slack, double& most)
 {
   const int degree = static_cast<int>(b.size()) - 1;
@@ -163,8 +165,8 @@ Region ExchangeRegion(const Region& region, double left, double bottom)
   std::map<double, SignedIntervals> horizontals;
   for (const RegionPart& part : region)
   {
-    // The area left of the part is bounded counter-clockwise by the part, the line back to the left border, the border downwards,
-    // and the line to the start of the part.
+    // The area left of the part is bounded counter-clockwise by the part, the line back to the left border,
+    // the border downwards, and the line to the start of the part.
     horizontals[part.To[1]].Add(part.To[0], left, -part.Sign);
     horizontals[part.From[1]].Add(left, part.From[0], -part.Sign);
     RegionPart transposed = part;

@@ -1,12 +1,14 @@
 /**
  * @file smTrimRegion.h
- * @brief A region of a parameter box as a signed sum of the areas left of pieces of its boundary, which can be cut and transposed
+ * @brief A region of a parameter box as a signed sum of the areas left of pieces of its boundary, which can
+ * be cut and transposed
  *
- * The representation is that of panels (smFacePanels.h): a part with Sign m contributes m times {(x, y) : left <= x <= x(t), y =
- * y(t)}, where `left` is the left border of the current box. A cut at a line x = m leaves the right side its parts and gives the
- * left side, for each of these parts, the adjacent segment of the line. These segments are added by signed events, as in
- * smCoverage.h, which cancel exactly because neighbours share their end points. Transposed, the same region is a sum of the areas
- * below its boundary: the parts themselves with the opposite sign, and the horizontal lines from the left border to the ends of
+ * The representation is that of panels (smFacePanels.h): a part with Sign m contributes m times {(x, y) :
+ * left <= x <= x(t), y = y(t)}, where `left` is the left border of the current box. A cut at a line x = m
+ * leaves the right side its parts and gives the left side, for each of these parts, the adjacent segment of
+ * the line. These segments are added by signed events, as in smCoverage.h, which cancel exactly because
+ * neighbours share their end points. Transposed, the same region is a sum of the areas below its boundary:
+ * the parts themselves with the opposite sign, and the horizontal lines from the left border to the ends of
  * the parts where these do not cancel.
  */
 #ifndef smTrimRegion_h
@@ -66,13 +68,15 @@ RegionPart MakePart(const RegionPart& of, double start, double end, const std::a
 /// Splits a part into the parts where coordinate `direction` is below and above `value`.
 void CutPart(const RegionPart& part, int direction, double value, Region& below, Region& above);
 
-/// Splits a region at a line: `below` is the left (lower) half, which ends at the line, and `above` the half that begins there.
+/// Splits a region at a line: `below` is the left (lower) half, which ends at the line, and `above` the half
+/// that begins there.
 void CutRegion(const Region& region, int direction, double value, Region& below, Region& above);
 
 /// Returns the region with its coordinates exchanged. `left` and `bottom` are the borders of its box.
 Region ExchangeRegion(const Region& region, double left, double bottom);
 
-/// Returns the interval of coordinate `direction` of a part, or a slightly larger one, extended to contain [low, high].
+/// Returns the interval of coordinate `direction` of a part, or a slightly larger one, extended to contain
+/// [low, high].
 std::array<double, 2> GetExtent(const RegionPart& part, int direction, double low, double high);
 }
 

@@ -14,9 +14,10 @@ namespace
 using Wide = long double;
 using Wide3 = std::array<Wide, 3>;
 
-/// Distance by which rounding moves a sample, R p + t with p in the model's coordinates. In every coordinate it is u for p, u for the entries
-/// of R, 3 u for products and sums, and with t, which is as large where the result is small, 2 u; 8 u with some room. The bound of a sample's
-/// rounding has that for coordinates as large as the body; here p is the middle of the body.
+/// Distance by which rounding moves a sample, R p + t with p in the model's coordinates. In every coordinate
+/// it is u for p, u for the entries of R, 3 u for products and sums, and with t, which is as large where the
+/// result is small, 2 u; 8 u with some room. The bound of a sample's rounding has that for coordinates as
+/// large as the body; here p is the middle of the body.
 double GetEvaluationError(const std::array<double, 12>& placement, const std::array<double, 3>& middle)
 {
   std::array<double, 3> sums{};

@@ -1,6 +1,7 @@
 /**
  * @file smWaterlineFrame.h
- * @brief The plane of the waterline and, for each body, the coordinates in which heights above it are integrated
+ * @brief The plane of the waterline and, for each body, the coordinates in which heights above it are
+ * integrated
  */
 #ifndef smWaterlineFrame_h
 #define smWaterlineFrame_h
@@ -12,7 +13,8 @@
 
 namespace sm
 {
-/// Plane of the waterline, by a point of it in world coordinates and its normal out of the water, of any length but 0.
+/// Plane of the waterline, by a point of it in world coordinates and its normal out of the water, of any
+/// length but 0.
 struct Waterline
 {
   std::array<double, 3> Point{};
@@ -29,13 +31,14 @@ struct WaterlineFrame
   /// Directions of these x, y and z in the world, and the world position of their origin.
   std::array<std::array<double, 3>, 3> Axes{};
   std::array<double, 3> Origin{};
-  /// World position of the origin's projection to the plane of the waterline, which moments of the section are about.
+  /// World position of the origin's projection to the plane of the waterline, which moments of the section
+  /// are about.
   std::array<double, 3> PlaneOrigin{};
   /// Middle of the body's box, in the model's coordinates and in the world's.
   std::array<double, 3> LocalMiddle{};
   std::array<double, 3> Middle{};
-  /// Bound of the displacement of the body by rounding of its placement and by that of placing its points, and of the plane by rounding,
-  /// against the body.
+  /// Bound of the displacement of the body by rounding of its placement and by that of placing its points,
+  /// and of the plane by rounding, against the body.
   double PlacementBound = 0.0;
   double PlaneBound = 0.0;
   /// Radius about the frame's origin within which all points of the body lie.
@@ -43,9 +46,9 @@ struct WaterlineFrame
 
   /// The origin is near the body in the two directions across the normal, and in the plane along it.
   static WaterlineFrame Make(const BodyIntegrals& body, const Waterline& waterline);
-  /// Moves plane and origin into the body. For a body that is entirely below the waterline any plane of this direction gives the
-  /// same integrals; a plane through the body keeps the numbers small.
-  /// PlaneOrigin stays on the waterline.
+  /// Moves plane and origin into the body. For a body that is entirely below the waterline any plane of this
+  /// direction gives the same integrals; a plane through the body keeps the numbers small. PlaneOrigin stays
+  /// on the waterline.
   void MoveToMiddle();
 };
 }

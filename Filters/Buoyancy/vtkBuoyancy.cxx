@@ -61,14 +61,15 @@ void WriteRows(const Row* rows, std::size_t count, sm::columns::Writer writer)
   }
 }
 
-/// Returns the scale to which the tolerance of the volume (degree 0) or of the first moments (degree 1) is relative.
+/// Returns the scale to which the tolerance of the volume (degree 0) or of the first moments (degree 1) is
+/// relative.
 double GetScale(const sm::BodyIntegrals& body, int degree)
 {
   return std::pow(sm::GetReach(body), degree) * sm::GetVolumeScale(*body.Model);
 }
 
-/// Returns a line that states on which side of the plane all bodies lie; empty if their box, enlarged by a hundredth of its diagonal, meets
-/// the plane.
+/// Returns a line that states on which side of the plane all bodies lie; empty if their box, enlarged by a
+/// hundredth of its diagonal, meets the plane.
 std::string DescribeSide(
   const std::vector<sm::BodyIntegrals>& bodies, const double point[3], const double normal[3])
 {
@@ -99,7 +100,8 @@ std::string DescribeSide(
                            : "";
 }
 
-/// Makes a row of the sums over a body's faces and of the centre, which is computed about a point near the body.
+/// Makes a row of the sums over a body's faces and of the centre, which is computed about a point near the
+/// body.
 Row MakeRow(const sm::BodyIntegrals& body, const sm::DisplacedMoments* moments)
 {
   Row row;

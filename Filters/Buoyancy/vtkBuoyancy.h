@@ -2,25 +2,27 @@
  * @class   vtkBuoyancy
  * @brief   displaced volume and centre of buoyancy of exact CAD solids below a plane, with error bounds
  *
- * The waterline is the plane through Point with the normal Normal, which points out of the water. Coordinates are world
- * coordinates and lengths are in the model's unit L. Faces are cut at the waterline, so that the bounds are proved although the
- * submerged part has an edge there (smBuoyancy.h). A body above the waterline displaces 0, one below it displaces its volume. The
- * integrals are those of a flux that vanishes on the plane, so that the waterplane contributes nothing. The filter runs on the
- * GPU or on the CPU, see vtkSurfaceIntegralBase. In a parallel run only the rank that has the
- * bodies computes.
+ * The waterline is the plane through Point with the normal Normal, which points out of the water. Coordinates
+ * are world coordinates and lengths are in the model's unit L. Faces are cut at the waterline, so that the
+ * bounds are proved although the submerged part has an edge there (smBuoyancy.h). A body above the waterline
+ * displaces 0, one below it displaces its volume. The integrals are those of a flux that vanishes on the
+ * plane, so that the waterplane contributes nothing. The filter runs on the GPU or on the CPU, see
+ * vtkSurfaceIntegralBase. In a parallel run only the rank that has the bodies computes.
  *
  * Field data of port 0 and columns of port 1, each with `<name>Bound` (smBuoyancyNames.h):
- * | name                  | comp. | unit | meaning                                                             |
- * |-----------------------|-------|------|---------------------------------------------------------------------|
- * | DisplacedVolume       | 1     | L^3  | volume below the waterline                                          |
- * | DisplacedFirstMoments | 3     | L^4  | first moments of that volume about the world's origin               |
- * | CenterOfBuoyancy      | 3     | L    | centroid of that volume; NaN where the volume may be 0 by its bound |
- * Shells are taken as the file orients them: a negative displaced volume is `suspect`, but a void that the file orients as an outer
- * shell counts as material here (vtkMassPropertiesGPU reverses such shells and reports them).
+ * | name | comp. | unit | meaning |
+ * |---|---|---|---|
+ * | DisplacedVolume | 1 | L^3 | volume below the waterline |
+ * | DisplacedFirstMoments | 3 | L^4 | first moments of that volume about the world's origin |
+ * | CenterOfBuoyancy | 3 | L | centroid of that volume; NaN where the volume may be 0 by its bound |
+ * Shells are taken as the file orients them: a negative displaced volume is `suspect`, but a void that the
+ * file orients as an outer shell counts as material here (vtkMassPropertiesGPU reverses such shells and
+ * reports them).
  *
- * Values that were not computed are NaN, and Status gives the reason. Port 3 and the meshes of port 5 have the contribution of
- * every face to DisplacedVolume: its flux of a field that vanishes on the plane (for a body that is entirely below the waterline:
- * on a parallel plane through the body). The other outputs are those of vtkSurfaceIntegralBase.
+ * Values that were not computed are NaN, and Status gives the reason. Port 3 and the meshes of port 5 have
+ * the contribution of every face to DisplacedVolume: its flux of a field that vanishes on the plane (for a
+ * body that is entirely below the waterline: on a parallel plane through the body). The other outputs are
+ * those of vtkSurfaceIntegralBase.
  */
 #ifndef vtkBuoyancy_h
 #define vtkBuoyancy_h

@@ -2,8 +2,9 @@
  * @file smBytes.h
  * @brief Conversion of values to bytes and back, for messages between processes on machines of one kind
  *
- * Numbers are copied in their memory representation, so that doubles are bitwise preserved. A ByteReader never reads beyond the
- * end: after missing or invalid data IsGood() is false, and the requested values are zero.
+ * Numbers are copied in their memory representation, so that doubles are bitwise preserved. A ByteReader
+ * never reads beyond the end: after missing or invalid data IsGood() is false, and the requested values are
+ * zero.
  */
 #ifndef smBytes_h
 #define smBytes_h
@@ -107,8 +108,8 @@ public:
     this->Good = this->GetCount(1) == size && this->Good;
     this->Take(to, size, 1);
   }
-  /// Returns the number of following elements of at least `size` bytes each. If the message is too short for them, returns 0, and
-  /// IsGood() is false.
+  /// Returns the number of following elements of at least `size` bytes each. If the message is too short for
+  /// them, returns 0, and IsGood() is false.
   std::size_t GetCount(std::size_t size)
   {
     const auto count = this->Get<std::uint64_t>();

@@ -15,9 +15,9 @@
 namespace sm
 {
 /**
- * Caches join a budget and count their bytes in it. Trim() removes the entries that were used longest ago, whichever cache has them,
- * until the bytes are within the limit; entries that a running computation uses stay. Thread safe: all work on the caches of a budget
- * happens under its mutex.
+ * Caches join a budget and count their bytes in it. Trim() removes the entries that were used longest ago,
+ * whichever cache has them, until the bytes are within the limit; entries that a running computation uses
+ * stay. Thread safe: all work on the caches of a budget happens under its mutex.
  */
 class SMFILTERSCOMMON_EXPORT CacheBudget
 {

@@ -9,8 +9,8 @@
 
 namespace sm
 {
-/// Neumaier's compensated sum. Its error is one rounding of the result, plus a second-order term of the sum of absolute values, so that
-/// terms of both signs may cancel. An infinite or NaN term makes the result NaN.
+/// Neumaier's compensated sum. Its error is one rounding of the result, plus a second-order term of the sum
+/// of absolute values, so that terms of both signs may cancel. An infinite or NaN term makes the result NaN.
 struct CompensatedSum
 {
   double Sum = 0.0;

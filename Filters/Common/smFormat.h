@@ -24,7 +24,8 @@ SMFILTERSCOMMON_EXPORT std::string FormatDistance(double distance);
 
 /// A bound with `digits` digits, rounded up; "not known" if it is not finite, here and below.
 SMFILTERSCOMMON_EXPORT std::string FormatBound(double bound, int digits = 1);
-/// A value with as many digits as its bound leaves: rounded by at most a twentieth of it, all digits where it is 0.
+/// A value with as many digits as its bound leaves: rounded by at most a twentieth of it, all digits where it
+/// is 0.
 SMFILTERSCOMMON_EXPORT std::string FormatNumber(double value, double bound);
 /// The bound of the number that FormatNumber() prints: includes the rounding of the printed digits.
 SMFILTERSCOMMON_EXPORT std::string FormatBoundOfShown(double bound, int digits = 1);
@@ -36,10 +37,11 @@ SMFILTERSCOMMON_EXPORT std::string FormatWithBound(double value, double bound, c
 /// A count with the noun in the right number: "1 face", "3 faces".
 SMFILTERSCOMMON_EXPORT std::string FormatCount(std::size_t count, const char* one, const char* many);
 
-/// Returns true if a line of the text may end at this blank: not within a value, where sign, number and unit stay together, as in "(+- 2e-09)",
-/// "5 kg mm^2" or "3 faces".
+/// Returns true if a line of the text may end at this blank: not within a value, where sign, number and unit
+/// stay together, as in "(+- 2e-09)", "5 kg mm^2" or "3 faces".
 SMFILTERSCOMMON_EXPORT bool IsLineBreak(const std::string& text, std::size_t blank);
-/// Breaks text at IsLineBreak() into lines of at most `width` characters (more for a longer word or value), each with a newline.
+/// Breaks text at IsLineBreak() into lines of at most `width` characters (more for a longer word or value),
+/// each with a newline.
 SMFILTERSCOMMON_EXPORT std::string WrapText(const std::string& text, std::size_t width);
 
 /// A double literal of GLSL that reads back to the bit: "-1.50000000000000000e+00LF".

@@ -9,7 +9,8 @@
 
 namespace sm
 {
-/// Gets the fraction of the work that is done, from 0 to 1; returns false to stop the work. An empty one means: never stop.
+/// Gets the fraction of the work that is done, from 0 to 1; returns false to stop the work. An empty one
+/// means: never stop.
 using ProgressCallback = std::function<bool(double)>;
 /// Returns false to stop the work.
 using ContinueCallback = std::function<bool()>;

@@ -20,11 +20,12 @@ namespace
 {
 /// Symbolic links are followed so many times at most, so that a cycle of links ends.
 constexpr int LongestChain = 40;
-/// Age in seconds from which a temporary file that is not locked counts as left over by a process that was killed.
+/// Age in seconds from which a temporary file that is not locked counts as left over by a process that was
+/// killed.
 constexpr std::time_t LeastAgeOfLeft = 60;
 
-/// Returns the path and the targets of its symbolic links, one after another. std::filesystem::canonical() does not serve: the last target
-/// may not exist yet.
+/// Returns the path and the targets of its symbolic links, one after another. std::filesystem::canonical()
+/// does not serve: the last target may not exist yet.
 std::vector<fs::path> FollowLinks(const std::string& path)
 {
   std::vector<fs::path> chain = { path };
@@ -36,7 +37,8 @@ std::vector<fs::path> FollowLinks(const std::string& path)
   return chain;
 }
 
-/// Removes a temporary file left over by a process that was killed. A process that still writes it holds a lock on it from its creation on.
+/// Removes a temporary file left over by a process that was killed. A process that still writes it holds a
+/// lock on it from its creation on.
 void RemoveLeft(const std::string& path)
 {
   const int file = open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -105,7 +107,8 @@ SafeFile::SafeFile(const std::string& path)
 
 bool SafeFile::Make()
 {
-  // Looks for a name that no file has, not even the temporary file of another process that writes the same file.
+  // Looks for a name that no file has, not even the temporary file of another process that writes the same
+  // file.
   for (int attempt = 0; this->Lock < 0 && (attempt == 0 || errno == EEXIST); ++attempt)
   {
     this->Temporary = this->Target + ".saving" + std::to_string(attempt);
@@ -173,8 +176,8 @@ bool SafeFile::Keep()
     return this->Fail("not all of it could be written" + DescribeError(reason) +
       "; make room on the disk or choose another folder");
   }
-  // Without this call the file could be empty after a power cut, because its new name may reach the disk before its bytes. Some file
-  // systems do not support the call.
+  // Without this call the file could be empty after a power cut, because its new name may reach the disk
+  // before its bytes. Some file systems do not support the call.
   errno = 0;
   if (fsync(this->Lock) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
   {
@@ -197,7 +200,8 @@ bool IsStream(const std::string& path)
   std::error_code error;
   const std::vector<fs::path> chain = FollowLinks(path);
   const fs::file_status status = fs::status(chain.back(), error);
-  // The links in /proc/self/fd name what is open already: a file that replaces it would not be the one that is open.
+  // The links in /proc/self/fd name what is open already: a file that replaces it would not be the one that
+  // is open.
   return (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) ||
     std::any_of(chain.begin(), chain.end(),
       [&error](const fs::path& name)

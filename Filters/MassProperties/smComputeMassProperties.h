@@ -2,9 +2,10 @@
  * @file smComputeMassProperties.h
  * @brief Mass properties of exact solids by one call: no pipeline, no window, no OpenGL
  *
- * The call runs the code of vtkMassPropertiesGPU with its CPU backend, on the threads of vtkSMPTools; its results are bitwise equal to
- * those. Coordinates are world coordinates; L is the length unit of the model. Tensors are row-major, with negative products off the
- * diagonal. A quantity that does not exist is NaN, and so is its bound: the volume of a surface, the mass without a density.
+ * The call runs the code of vtkMassPropertiesGPU with its CPU backend, on the threads of vtkSMPTools; its
+ * results are bitwise equal to those. Coordinates are world coordinates; L is the length unit of the model.
+ * Tensors are row-major, with negative products off the diagonal. A quantity that does not exist is NaN, and
+ * so is its bound: the volume of a surface, the mass without a density.
  */
 #ifndef smComputeMassProperties_h
 #define smComputeMassProperties_h
@@ -40,10 +41,11 @@ struct MassPropertiesOptions
   double Density = 0.0;
   /// In [0, 1].
   double DensityTolerance = 0.0;
-  /// Materials by the names of solids; they take precedence over Density. Their densities are above 0 and finite, their tolerances at most
-  /// 1.
+  /// Materials by the names of solids; they take precedence over Density. Their densities are above 0 and
+  /// finite, their tolerances at most 1.
   std::vector<MaterialRule> Materials;
-  /// Gaps between faces and edges above this fraction of the diagonal of a body make its result suspect. In [0, 1].
+  /// Gaps between faces and edges above this fraction of the diagonal of a body make its result suspect. In
+  /// [0, 1].
   double GapLimit = 1e-3;
   /// At least 1.
   std::int64_t MaximumEvaluations = 2000000000;
@@ -56,7 +58,8 @@ struct MassPropertiesOptions
 /// Mass properties of one instance of a solid or of a free shell, or of all together.
 struct BodyMassProperties
 {
-  /// Name of the solid, and number of the instance, from 1 in the order of the input; both are empty in the total.
+  /// Name of the solid, and number of the instance, from 1 in the order of the input; both are empty in the
+  /// total.
   std::string Name, Id;
   /// The status, with the names of vtkSurfaceIntegralBase: "ok", "open", "suspect", ...
   std::string Status;
@@ -93,8 +96,8 @@ struct BodyMassProperties
 struct MassPropertiesResult
 {
   std::vector<BodyMassProperties> Solids;
-  /// All bodies together. The status is the worst of all bodies and of the file that the input was read from. Where the bodies differ in
-  /// their length units, there are no sums.
+  /// All bodies together. The status is the worst of all bodies and of the file that the input was read from.
+  /// Where the bodies differ in their length units, there are no sums.
   BodyMassProperties Total;
   /// The reason why the status is not "ok"; empty if it is.
   std::string Reason;
@@ -108,10 +111,11 @@ struct MassPropertiesResult
 };
 
 /**
- * Computes the mass properties of `model`: a vtkNURBSDataSet with a model, or a composite dataset with any number of them, for
- * example the output of vtkSTEPReader. Instances of one vtkTrimmedNURBSModel are integrated once. Failure is a status, never an exception:
- * an option out of its range, a run that was stopped, a lack of memory and an exception of the callback are "not-computed", null and an
- * input without exact geometry are "empty"; Reason has a sentence.
+ * Computes the mass properties of `model`: a vtkNURBSDataSet with a model, or a composite dataset with any
+ * number of them, for example the output of vtkSTEPReader. Instances of one vtkTrimmedNURBSModel are
+ * integrated once. Failure is a status, never an exception: an option out of its range, a run that was
+ * stopped, a lack of memory and an exception of the callback are "not-computed", null and an input without
+ * exact geometry are "empty"; Reason has a sentence.
  */
 SMFILTERSMASSPROPERTIES_EXPORT MassPropertiesResult ComputeMassProperties(
   vtkDataObject* model, const MassPropertiesOptions& options = {});

@@ -22,14 +22,17 @@ namespace sm
 {
 namespace
 {
-/// Two solids coincide if volume and centre of mass differ by no more, relative to the volume and to its cube root.
+/// Two solids coincide if volume and centre of mass differ by no more, relative to the volume and to its cube
+/// root.
 constexpr double CoincidenceLimit = 1e-9;
-/// Numbers of coincident pairs that a message names, and that are counted: n solids in one place are n (n - 1) / 2 pairs.
+/// Numbers of coincident pairs that a message names, and that are counted: n solids in one place are n (n -
+/// 1) / 2 pairs.
 constexpr std::size_t NamedPairs = 5;
 constexpr std::size_t MostPairs = 100000;
 
-/// Adds to the bounds the effect of the rounding of a placement (smPlacementError.h): an error of the translation by some u
-/// of its length, and of the rotation, which deforms and rotates the body and the vector to its origin by as much.
+/// Adds to the bounds the effect of the rounding of a placement (smPlacementError.h): an error of the
+/// translation by some u of its length, and of the rotation, which deforms and rotates the body and the
+/// vector to its origin by as much.
 void AddPlacementError(const BodyIntegrals& body, Moments& moments)
 {
   const double turned = PlacementError::GetTurned(body);
@@ -58,7 +61,8 @@ void AddPlacementError(const BodyIntegrals& body, Moments& moments)
   grow(2.0, moments.Second.data(), moments.SecondBound.data(), 6);
 }
 
-/// Returns the moments of a body in the world, about its placed origin, with the body's bounds or the parts of them that are estimated.
+/// Returns the moments of a body in the world, about its placed origin, with the body's bounds or the parts
+/// of them that are estimated.
 Moments GetMoments(const BodyIntegrals& body, const std::vector<double>& bounds)
 {
   Moments moments;
@@ -78,8 +82,8 @@ Moments GetMoments(const BodyIntegrals& body, const std::vector<double>& bounds)
   return moments;
 }
 
-/// Sets the estimated parts of the bounds of a row: those that follow from `measured`, its moments with the estimated parts of theirs.
-/// Rounding of placements, which is estimated, is a part of both.
+/// Sets the estimated parts of the bounds of a row: those that follow from `measured`, its moments with the
+/// estimated parts of theirs. Rounding of placements, which is estimated, is a part of both.
 void SetMeasuredBounds(const Moments& measured, double area, MassRow& row)
 {
   const MassProperties p = ComputeMassProperties(measured);
@@ -119,8 +123,8 @@ void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
   }
 }
 
-/// Returns the largest closure residual of a surface that counts as closed. The part of the residual that a loose tolerance or
-/// missing convergence causes in the vector area is not an opening.
+/// Returns the largest closure residual of a surface that counts as closed. The part of the residual that a
+/// loose tolerance or missing convergence causes in the vector area is not an opening.
 double GetLargestClosureResidual(
   const BodyIntegrals& body, double residualPerArea, const MassAnalysisOptions& options)
 {
@@ -131,8 +135,8 @@ double GetLargestClosureResidual(
                      : options.LargestClosureResidual;
 }
 
-/// Flags a body whose volume changes too much when its gaps are closed. A boundary that is off by the uncertainty of the file everywhere
-/// changes the volume by that times the area.
+/// Flags a body whose volume changes too much when its gaps are closed. A boundary that is off by the
+/// uncertainty of the file everywhere changes the volume by that times the area.
 void CheckClosureCorrection(BodyIntegrals& body, const MassRow& row, double limit)
 {
   const double volume = std::abs(body.Value[MassVolume]);
@@ -146,7 +150,8 @@ void CheckClosureCorrection(BodyIntegrals& body, const MassRow& row, double limi
   }
 }
 
-/// Computes the properties of a body that encloses a volume. Returns false if the body turns out to be a surface.
+/// Computes the properties of a body that encloses a volume. Returns false if the body turns out to be a
+/// surface.
 bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, MassRow& row, Moments& moments)
 {
   FlagCoincidentFaces(body, MassVolume, MassArea);
@@ -202,8 +207,8 @@ bool IsLeftOut(const BodyIntegrals& body)
 /// Negative areas of faces count above this part of the area of the body.
 constexpr double NegligibleArea = 1e-6;
 
-/// Flags a body as suspect if the area of a face is below 0: its loops run around it the wrong way. An area of
-/// the body below 0 becomes NaN.
+/// Flags a body as suspect if the area of a face is below 0: its loops run around it the wrong way. An area
+/// of the body below 0 becomes NaN.
 void FlagNegativeAreas(BodyIntegrals& body)
 {
   std::size_t negative = 0;
@@ -238,8 +243,8 @@ void FlagNegativeAreas(BodyIntegrals& body)
   }
 }
 
-/// Returns the end of a message about wide bounds of a body that lies so far from the origin that the roundings of its coordinates are a
-/// part of them worth mentioning; empty for others.
+/// Returns the end of a message about wide bounds of a body that lies so far from the origin that the
+/// roundings of its coordinates are a part of them worth mentioning; empty for others.
 std::string DescribeDistance(const MassRow& row, double distance, double size, const std::string& unit)
 {
   constexpr double farAway = 1e4;
@@ -319,7 +324,8 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   return row;
 }
 
-/// Adds a message about pairs of solids that have one volume and one centre of mass: they overlap, and both count.
+/// Adds a message about pairs of solids that have one volume and one centre of mass: they overlap, and both
+/// count.
 void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& analysis)
 {
   std::vector<std::size_t> order;
@@ -370,7 +376,8 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
   }
 }
 
-/// Sets the rows of bodies of which all faces are left out to NaN, and those quantities of the total that no other body has.
+/// Sets the rows of bodies of which all faces are left out to NaN, and those quantities of the total that no
+/// other body has.
 void RemoveLeftOut(
   const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis)
 {

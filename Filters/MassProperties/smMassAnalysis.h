@@ -34,11 +34,12 @@ struct MassAnalysisOptions
   std::vector<MaterialRule> Materials;
   /// The frame of reference of InFrame in MassRow, which must be valid if Frame.IsGiven is true.
   ReferenceFrame Frame;
-  /// False if the integrals have no bounds and belong to no closed chain (the paper's schemes). Then every bound, the closure
-  /// correction and the closure residual are NaN, and the status of every body is at least tolerance-not-met.
+  /// False if the integrals have no bounds and belong to no closed chain (the paper's schemes). Then every
+  /// bound, the closure correction and the closure residual are NaN, and the status of every body is at least
+  /// tolerance-not-met.
   bool HasBounds = true;
-  /// Largest closure residual at which a surface without open edges counts as closed. If there are bounds, a larger residual of a
-  /// solid indicates a broken loop.
+  /// Largest closure residual at which a surface without open edges counts as closed. If there are bounds, a
+  /// larger residual of a solid indicates a broken loop.
   double LargestClosureResidual = 1e-9;
   /// See vtkSurfaceIntegralBase::SetGapLimit().
   double GapLimit = 1e-3;
@@ -68,17 +69,19 @@ struct MassAnalysis
   std::vector<PartsListEntry> Parts;
 };
 
-/// Reverses shells whose normals point inwards, sets the statuses of the bodies and computes all mass properties. Bodies have the
-/// integrals of GetMassIntegrands() (SumFaces), or no Faces if nothing was computed.
+/// Reverses shells whose normals point inwards, sets the statuses of the bodies and computes all mass
+/// properties. Bodies have the integrals of GetMassIntegrands() (SumFaces), or no Faces if nothing was
+/// computed.
 SMFILTERSMASSPROPERTIES_EXPORT MassAnalysis AnalyzeMass(
   std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options);
 
-/// Returns the request of the integrals for mass properties: once for each part, about its origin, to tolerances that depend on the part
-/// alone.
+/// Returns the request of the integrals for mass properties: once for each part, about its origin, to
+/// tolerances that depend on the part alone.
 SMFILTERSMASSPROPERTIES_EXPORT IntegralRequest MakeMassRequest(const MassTolerance& tolerance);
 
-/// Calls AnalyzeMass(), looks for bodies that cross themselves if the integrals have bounds, as long as the limits of the run allow, and
-/// adds the status and the messages of the total to the report. `checkEdits` is that of SelfCrossingCheck::Run().
+/// Calls AnalyzeMass(), looks for bodies that cross themselves if the integrals have bounds, as long as the
+/// limits of the run allow, and adds the status and the messages of the total to the report. `checkEdits` is
+/// that of SelfCrossingCheck::Run().
 SMFILTERSMASSPROPERTIES_EXPORT MassAnalysis AnalyzeRun(std::vector<BodyIntegrals>& bodies,
   const MassAnalysisOptions& options, bool checkEdits, const IntegralLimits& limits,
   SelfCrossingCheck& crossings, RunReport& report);

@@ -157,7 +157,8 @@ vtkUnsignedCharArray* MakeColors(
   return colors;
 }
 
-/// Sets points and cells. vtkAppendPolyData, a pipeline of its own for every update, takes several times as long.
+/// Sets points and cells. vtkAppendPolyData, a pipeline of its own for every update, takes several times as
+/// long.
 void Join(
   const std::vector<Glyph>& glyphs, vtkPolyData* sphere, columns::KeptArrays& arrays, vtkPolyData* output)
 {

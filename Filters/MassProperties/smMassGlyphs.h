@@ -16,9 +16,11 @@ namespace sm
 /// Options of MakeMassGlyphs().
 struct MassGlyphOptions
 {
-  /// Radius of the sphere as a fraction of the diagonal of the bounding box of the body, or of all bodies; 0: no sphere.
+  /// Radius of the sphere as a fraction of the diagonal of the bounding box of the body, or of all bodies; 0:
+  /// no sphere.
   double Scale = 0.02;
-  /// If true, draws the principal axes, if they are determined, to 0.3 of that diagonal on either side of the centre.
+  /// If true, draws the principal axes, if they are determined, to 0.3 of that diagonal on either side of the
+  /// centre.
   bool ShowPrincipalAxes = true;
   /// If true, adds a glyph for every body to the glyph of the total.
   bool PerSolid = false;
@@ -28,7 +30,8 @@ struct MassGlyphOptions
 class MassGlyphs
 {
 public:
-  /// Sets the points and cells of `output`. The active cell scalars are colours: green, or red for a flagged result.
+  /// Sets the points and cells of `output`. The active cell scalars are colours: green, or red for a flagged
+  /// result.
   void Make(const std::vector<BodyIntegrals>& bodies, const MassAnalysis& analysis, Status status,
     const MassGlyphOptions& options, columns::KeptArrays& arrays, vtkPolyData* output);
 

@@ -35,14 +35,15 @@ constexpr const char* MassRadiiOfGyration = "MassRadiiOfGyration";   // 3, L
 constexpr const char* MassUncertainty = "MassUncertainty"; // 4, kg: in all, by density, gaps, numerical bound
 constexpr const char* Density = "Density";                 // 1, kg/m^3
 constexpr const char* Material = "Material";               // string
-constexpr const char* BoundsMeasured =
-  "BoundsMeasured"; // 4, parts of the bounds of volume, area, centre and inertia that are measured, not proved
+constexpr const char* BoundsMeasured = "BoundsMeasured"; // 4, parts of the bounds of volume, area, centre and
+                                                         // inertia that are measured, not proved
 // The total of solids of which only some have a density.
 constexpr const char* KnownMass = "KnownMass";               // 1, kg, of those
 constexpr const char* SolidsWithVolume = "SolidsWithVolume"; // 1 (int)
 constexpr const char* SolidsWithMass = "SolidsWithMass";     // 1 (int)
 
-// Columns of the parts list on port 7 of the filters of mass properties. Quantities of one product have the names above.
+// Columns of the parts list on port 7 of the filters of mass properties. Quantities of one product have the
+// names above.
 constexpr const char* Kind = "Kind";                     // string: part, assembly, or total
 constexpr const char* Level = "Level";                   // 1 (int), 1 for the products of the root
 constexpr const char* Count = "Count";                   // 1 (int), equal products in the product above
@@ -67,7 +68,8 @@ constexpr const char* ClosureCorrection =
 constexpr const char* ClosureResidual =
   "ClosureResidual"; // 1, relative change of V when the origin moves by cbrt(V)
 
-// Cell data (float) of the meshes on port 5 of vtkMassPropertiesGPU, in addition to Volume and Mass, those of the whole solid.
+// Cell data (float) of the meshes on port 5 of vtkMassPropertiesGPU, in addition to Volume and Mass, those of
+// the whole solid.
 constexpr const char* FaceShare =
   "FaceShare"; // 1, part of the solid's volume: flux about the part's origin / Volume
 constexpr const char* FaceArea = "FaceArea";   // 1, L^2

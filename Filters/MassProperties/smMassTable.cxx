@@ -13,7 +13,8 @@ namespace
 {
 /// Least plausible density of a solid in kg/m^3. A smaller number was probably given in g/cm^3.
 constexpr double LeastDensity = 25.0;
-/// Largest number of characters of a line of a summary; longer lines are broken, because narrow views would cut them off.
+/// Largest number of characters of a line of a summary; longer lines are broken, because narrow views would
+/// cut them off.
 constexpr std::size_t LongestLine = 66;
 /// Relative uncertainty of a mass from which the summary states it.
 constexpr double NotableDoubt = 1e-6;

@@ -23,19 +23,20 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   MassProperties Properties;
   double Area;
   double AreaBound;
-  /// The parts of the bounds of volume, area, centre and inertia that are estimated: they rest on measured constants (Bounds.md). The rest of a
-  /// bound is a theorem, but for areas that are estimated as a whole.
+  /// The parts of the bounds of volume, area, centre and inertia that are estimated: they rest on measured
+  /// constants (Bounds.md). The rest of a bound is a theorem, but for areas that are estimated as a whole.
   std::array<double, 4> MeasuredBounds;
   /// Mass and its inertia; NaN without a density.
   double Mass;
   double MassBound;
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
-  /// The uncertainty of the mass, in kg: their sum; by the tolerance of the density; by the gaps of the model (ClosureCorrection and
-  /// GapSquared); by the numerical bound. NaN without a mass. The share of gaps is an estimate and no bound of the distance to the
-  /// designer's part.
+  /// The uncertainty of the mass, in kg: their sum; by the tolerance of the density; by the gaps of the model
+  /// (ClosureCorrection and GapSquared); by the numerical bound. NaN without a mass. The share of gaps is an
+  /// estimate and no bound of the distance to the designer's part.
   std::array<double, 4> MassUncertainty;
-  /// Properties with the density as weight: kg, kg L, kg L^2. Of all bodies together only if each has a density.
+  /// Properties with the density as weight: kg, kg L, kg L^2. Of all bodies together only if each has a
+  /// density.
   MassProperties Weighted;
   /// Material, and density in kg/m^3; empty and NaN without one, or if bodies differ.
   std::string Material;
@@ -62,8 +63,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
 SMFILTERSMASSPROPERTIES_EXPORT void WriteMassRows(
   const MassRow* rows, std::size_t count, bool withMass, bool withFrame, columns::Writer& writer);
 
-/// Returns a summary in a few lines: the number of solids, volume, area, centre, principal moments and mass. `weighed` of the `weighable`
-/// solids with a volume have a density.
+/// Returns a summary in a few lines: the number of solids, volume, area, centre, principal moments and mass.
+/// `weighed` of the `weighable` solids with a volume have a density.
 SMFILTERSMASSPROPERTIES_EXPORT std::string FormatSummary(
   const MassRow& total, const std::string& unit, int solids, int weighed, int weighable);
 }

@@ -12,10 +12,11 @@ namespace sm
 {
 namespace
 {
-// The ball has the smallest trace of inertia of all bodies of volume V: 6/5 (3 / (4 pi))^(2/3) V^(5/3) > 0.46 V^(5/3).
+// The ball has the smallest trace of inertia of all bodies of volume V: 6/5 (3 / (4 pi))^(2/3) V^(5/3) > 0.46
+// V^(5/3).
 constexpr double LeastInertia = 0.46;
-// The vector area is not a result. The closure residual is computed from it, and must show the openings of the model rather than
-// the error of the quadrature.
+// The vector area is not a result. The closure residual is computed from it, and must show the openings of
+// the model rather than the error of the quadrature.
 constexpr double VectorAreaFactor = 1e-2;
 }
 
@@ -26,9 +27,9 @@ std::vector<double> ShareTolerance(const MassTolerance& tolerance, vtkTrimmedNUR
   const double radius = std::max(GetRadius(model), length);
   const double inertia = tolerance.Inertia.Get(LeastInertia * v * length * length);
   const double center = tolerance.Center.Get(length);
-  // Let b, b_i, b_ij be the bounds of V, of first and of second moments, and |c| <= radius. The bound of the centre is (b_i + |c|
-  // b) / V and that of the inertia at most 2 (b_ij + 2 |c| b_i + |c|^2 b), see smMoments.h: no term gets more than half of its
-  // tolerance, so that together they remain below it.
+  // Let b, b_i, b_ij be the bounds of V, of first and of second moments, and |c| <= radius. The bound of the
+  // centre is (b_i + |c| b) / V and that of the inertia at most 2 (b_ij + 2 |c| b_i + |c|^2 b), see
+  // smMoments.h: no term gets more than half of its tolerance, so that together they remain below it.
   std::vector<double> tolerances(NumberOfMassIntegrands);
   tolerances[MassVolume] = std::min(
     { 0.5 * tolerance.Volume.Get(v), 0.25 * center * v / radius, 0.05 * inertia / (radius * radius) });
@@ -48,8 +49,8 @@ std::vector<double> ShareTolerance(const MassTolerance& tolerance, vtkTrimmedNUR
 std::string FindUnmet(const MassRow& row, const MassTolerance& tolerance, double radius)
 {
   const MassProperties& p = row.Properties;
-  // At a great distance from the origin, the roundoff of the centre's coordinates exceeds the tolerance that follows from the
-  // body's size.
+  // At a great distance from the origin, the roundoff of the centre's coordinates exceeds the tolerance that
+  // follows from the body's size.
   const double length =
     std::max({ std::cbrt(p.Volume), radius, 1e-6 * std::hypot(p.Center[0], p.Center[1], p.Center[2]) });
   const struct

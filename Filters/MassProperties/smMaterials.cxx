@@ -42,7 +42,8 @@ const Material* FindCommonMaterial(const std::string& name)
 
 bool MatchesPattern(const std::string& pattern, const std::string& name)
 {
-  // Where a character does not match, the last star takes one character more. Earlier stars need not be tried again.
+  // Where a character does not match, the last star takes one character more. Earlier stars need not be tried
+  // again.
   std::size_t p = 0;
   std::size_t n = 0;
   std::size_t star = std::string::npos;

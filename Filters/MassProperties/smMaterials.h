@@ -38,10 +38,12 @@ SMFILTERSMASSPROPERTIES_EXPORT const std::vector<Material>& GetCommonMaterials()
 /// Returns the common material of that name, whatever its case, or null.
 SMFILTERSMASSPROPERTIES_EXPORT const Material* FindCommonMaterial(const std::string& name);
 
-/// Returns true if the name is the pattern, in which * stands for any characters and ? for one byte. Letters of ASCII match in either case.
+/// Returns true if the name is the pattern, in which * stands for any characters and ? for one byte. Letters
+/// of ASCII match in either case.
 SMFILTERSMASSPROPERTIES_EXPORT bool MatchesPattern(const std::string& pattern, const std::string& name);
 
-/// Returns the index of the first pattern that is equal to the name, else of the first that the name matches; `count` if there is none.
+/// Returns the index of the first pattern that is equal to the name, else of the first that the name matches;
+/// `count` if there is none.
 SMFILTERSMASSPROPERTIES_EXPORT std::size_t FindPattern(std::size_t count,
   const std::function<const std::string&(std::size_t)>& getPattern, const std::string& name);
 

@@ -53,7 +53,8 @@ std::array<double, 9> InertiaOf(const Symmetric& second)
   return inertia;
 }
 
-/// Returns the bound of each entry of the inertia from the bounds of the second moments, with the rounding of the sums.
+/// Returns the bound of each entry of the inertia from the bounds of the second moments, with the rounding of
+/// the sums.
 std::array<double, 9> InertiaBoundOf(const Symmetric& bound, const Symmetric& second)
 {
   std::array<double, 9> result;
@@ -139,7 +140,8 @@ void Moments::MoveReference(const std::array<double, 3>& reference)
   Vector mb = this->FirstBound;
   if (this->ReferenceBound > 0.0)
   {
-    // The shift has an error of up to e: first moments change by V e, second ones by (|m_i| + |m_j|) e + V e^2.
+    // The shift has an error of up to e: first moments change by V e, second ones by (|m_i| + |m_j|) e + V
+    // e^2.
     const double e = this->ReferenceBound;
     for (int k = 0; k < 6; ++k)
     {
@@ -304,7 +306,8 @@ std::array<double, 9> SetCentralProperties(const Moments& moments, MassPropertie
   return inertiaBound;
 }
 
-/// Ascending principal moments and a right-handed frame of axes, each of the first two with its largest component positive.
+/// Ascending principal moments and a right-handed frame of axes, each of the first two with its largest
+/// component positive.
 void SetPrincipalAxes(MassProperties& result)
 {
   double matrix[3][3];

@@ -1,6 +1,7 @@
 /**
  * @file smMoments.h
- * @brief Moments of order 0 to 2 with bounds: their translation, their sums, and the mass properties that follow from them
+ * @brief Moments of order 0 to 2 with bounds: their translation, their sums, and the mass properties that
+ * follow from them
  *
  * The inequalities hold as long as the bound of the volume is below the volume.
  */
@@ -16,7 +17,8 @@ namespace sm
 /// Moments of a body. Symmetric second moments are stored as XX YY ZZ XY YZ XZ.
 struct SMFILTERSMASSPROPERTIES_EXPORT Moments
 {
-  /// World point that first and second moments refer to. It should be near the body, as distance causes cancellation.
+  /// World point that first and second moments refer to. It should be near the body, as distance causes
+  /// cancellation.
   std::array<double, 3> Reference{};
   /// Upper bound of the distance between the true reference point and Reference.
   double ReferenceBound = 0.0;
@@ -33,8 +35,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT Moments
   void MoveReference(const std::array<double, 3>& reference);
   /// Adds the moments of another body, after a change to this reference.
   void Add(Moments other);
-  /// Returns the sum over all bodies about their common centre, as a distant reference would enlarge the bounds; zero for no
-  /// bodies.
+  /// Returns the sum over all bodies about their common centre, as a distant reference would enlarge the
+  /// bounds; zero for no bodies.
   static Moments Sum(const std::vector<Moments>& bodies);
   /// Negates all moments, as for a body whose orientation is reversed.
   void Negate();

@@ -128,7 +128,8 @@ bool Carries(const Matrix3& rotation, const PartShape& a, const SortedShape& b, 
   return true;
 }
 
-/// A direction that a face defines: 0: to its centre, 1: its vector area, 2 to 4: a principal axis, of either sign.
+/// A direction that a face defines: 0: to its centre, 1: its vector area, 2 to 4: a principal axis, of either
+/// sign.
 struct Direction
 {
   std::size_t Face;
@@ -181,7 +182,8 @@ std::array<double, 3> GetAcross(const Direction& a, const Direction& b)
   return Cross(a.Vector, b.Vector);
 }
 
-/// Returns the rotation that maps the first pair of directions to the second pair; the angles between them are equal.
+/// Returns the rotation that maps the first pair of directions to the second pair; the angles between them
+/// are equal.
 Matrix3 MakeRotation(const std::array<double, 3>& a, const std::array<double, 3>& acrossA,
   const std::array<double, 3>& b, const std::array<double, 3>& acrossB)
 {
@@ -341,7 +343,8 @@ private:
   {
     const std::array<double, 3> across = GetAcross(first, second);
     const double cosine = Dot(first.Vector, second.Vector);
-    // The error of a direction is inversely proportional to its weight. Wrong candidates fail the test of the faces.
+    // The error of a direction is inversely proportional to its weight. Wrong candidates fail the test of the
+    // faces.
     const double slack = 10.0 * this->Tolerance / std::min(first.Weight, second.Weight) + 1e-6;
     for (const Direction& image : this->FindImages(second))
     {

@@ -91,8 +91,8 @@ bool IsFinite(const FaceShape& face)
   return std::isfinite(sum) && face.Area > 0.0;
 }
 
-/// Largest bounds of the integrals of a face that can be compared, relative to the face or, for small faces, to the part. With larger
-/// bounds different faces would count as equal.
+/// Largest bounds of the integrals of a face that can be compared, relative to the face or, for small faces,
+/// to the part. With larger bounds different faces would count as equal.
 constexpr double LargestFaceBound = 1e-6;
 constexpr double LargestPartBound = 1e-9;
 

@@ -1,6 +1,7 @@
 /**
  * @file smPartShape.h
- * @brief The shape of a part as moments of the area of each of its faces, which do not depend on their parametrisation
+ * @brief The shape of a part as moments of the area of each of its faces, which do not depend on their
+ * parametrisation
  */
 #ifndef smPartShape_h
 #define smPartShape_h
@@ -15,14 +16,16 @@ class vtkTrimmedNURBSModel;
 
 namespace sm
 {
-/// Integrals over a face, about a point of the part: area; x, y, z; xx, yy, zz, xy, yz, xz; the components of the outward normal.
+/// Integrals over a face, about a point of the part: area; x, y, z; xx, yy, zz, xy, yz, xz; the components of
+/// the outward normal.
 struct SMFILTERSMASSPROPERTIES_EXPORT FaceShape
 {
   double Area = 0.0;
   std::array<double, 3> First{};
   std::array<double, 6> Second{};
   std::array<double, 3> VectorArea{};
-  /// Bounds of the area, of first and second moments, and of the normal's integral; each is the largest of its components.
+  /// Bounds of the area, of first and second moments, and of the normal's integral; each is the largest of
+  /// its components.
   double AreaBound = 0.0;
   double FirstBound = 0.0;
   double SecondBound = 0.0;
@@ -31,8 +34,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT FaceShape
   /// Index in Second of the integral of x_i x_j.
   static constexpr int Pair[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
   double GetTrace() const { return this->Second[0] + this->Second[1] + this->Second[2]; }
-  /// Applies a row-major rotation or reflection about the point. The bounds are not changed: they are those of the components before the
-  /// rotation.
+  /// Applies a row-major rotation or reflection about the point. The bounds are not changed: they are those
+  /// of the components before the rotation.
   void Rotate(const std::array<double, 9>& matrix);
 };
 
@@ -56,9 +59,9 @@ struct SMFILTERSMASSPROPERTIES_EXPORT PartShape
   void Place(const double placement[12]);
 };
 
-/// Returns the shapes of models, integrated on the CPU. `relativeTolerance`: of the integrals, relative to the part; the bounds are mostly
-/// far smaller. `maximumSeconds`: 0 for no limit. A part that is not integrated by then has a Problem, and so has one with a face whose
-/// bounds exceed 1e-6 of its integrals.
+/// Returns the shapes of models, integrated on the CPU. `relativeTolerance`: of the integrals, relative to
+/// the part; the bounds are mostly far smaller. `maximumSeconds`: 0 for no limit. A part that is not
+/// integrated by then has a Problem, and so has one with a face whose bounds exceed 1e-6 of its integrals.
 SMFILTERSMASSPROPERTIES_EXPORT std::vector<PartShape> MeasureShapes(
   const std::vector<vtkTrimmedNURBSModel*>& models, double relativeTolerance, double maximumSeconds = 0.0);
 }

@@ -1,6 +1,7 @@
 /**
  * @file smPartsList.h
- * @brief The parts list (bill of materials) of an input: products with their counts, and the sums of their solids
+ * @brief The parts list (bill of materials) of an input: products with their counts, and the sums of their
+ * solids
  */
 #ifndef smPartsList_h
 #define smPartsList_h
@@ -14,7 +15,8 @@
 
 namespace sm
 {
-/// The sum of a quantity over the solids that have it, and its bound. If one of the values has no bound (NaN), neither has the sum.
+/// The sum of a quantity over the solids that have it, and its bound. If one of the values has no bound
+/// (NaN), neither has the sum.
 struct SMFILTERSMASSPROPERTIES_EXPORT PartsSum
 {
   double Value = 0.0;
@@ -38,7 +40,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT PartsSums
   bool HasWholeMass() const { return this->Mass.Terms == this->Volume.Terms; }
 };
 
-/// All equal products below one product. Products are equal if they have the same name and consist of the same models and equal products.
+/// All equal products below one product. Products are equal if they have the same name and consist of the
+/// same models and equal products.
 struct PartsListEntry
 {
   std::string Name;
@@ -55,7 +58,8 @@ struct PartsListEntry
   double Density = std::numeric_limits<double>::quiet_NaN();
   /// The worst status of all solids of these products.
   sm::Status Status = sm::Status::None;
-  /// Sums over the first product, and over all. Solids whose volume was not computed, and surfaces, add nothing.
+  /// Sums over the first product, and over all. Solids whose volume was not computed, and surfaces, add
+  /// nothing.
   PartsSums Each, InAll;
   /// Sorted by name.
   std::vector<PartsListEntry> Children;

@@ -12,7 +12,8 @@ namespace sm
 {
 namespace
 {
-// A bound of the volume above this fraction of the box results from an incomplete run and permits no conclusion about the solid.
+// A bound of the volume above this fraction of the box results from an incomplete run and permits no
+// conclusion about the solid.
 constexpr double ResolvedVolume = 1e-9;
 }
 

@@ -42,7 +42,8 @@ std::vector<Bodies> GroupBodies(vtkPartitionedDataSetCollection* collection)
   return groups;
 }
 
-/// Moves bodies from `groups` into a product and those below it: a body that several nodes have counts in the first.
+/// Moves bodies from `groups` into a product and those below it: a body that several nodes have counts in the
+/// first.
 void AddNode(
   vtkDataAssembly* assembly, int node, int level, std::vector<Bodies>& groups, ProductTreeNode& product)
 {
@@ -72,7 +73,8 @@ void AddNode(
       product.Children.push_back(std::move(below));
     }
   }
-  // Some CAD systems relate the shape of a product to an unnamed one, which has the bodies. Both are taken for one product.
+  // Some CAD systems relate the shape of a product to an unnamed one, which has the bodies. Both are taken
+  // for one product.
   if (level > 0 && isUnnamed && product.Bodies.empty() && product.Children.size() == 1 &&
     product.Children[0].Children.empty())
   {

@@ -15,7 +15,8 @@ class vtkTrimmedNURBSModel;
 
 namespace sm
 {
-/// A product of an input: its bodies, by the numbers that filters give them (BodyIntegrals::Id), and the products that it consists of.
+/// A product of an input: its bodies, by the numbers that filters give them (BodyIntegrals::Id), and the
+/// products that it consists of.
 struct ProductTreeNode
 {
   struct Body
@@ -32,9 +33,10 @@ struct ProductTreeNode
   std::vector<ProductTreeNode> Children;
 };
 
-/// The tree of the vtkDataAssembly of a vtkPartitionedDataSetCollection, without products that have no bodies; a body in several nodes
-/// belongs to the first, one in no node is a product of its own. Without an assembly there is a product for each body. Nodes more than 100
-/// levels deep are missing, and their bodies are in the node above. Pointers are valid as long as the input.
+/// The tree of the vtkDataAssembly of a vtkPartitionedDataSetCollection, without products that have no
+/// bodies; a body in several nodes belongs to the first, one in no node is a product of its own. Without an
+/// assembly there is a product for each body. Nodes more than 100 levels deep are missing, and their bodies
+/// are in the node above. Pointers are valid as long as the input.
 SMFILTERSMASSPROPERTIES_EXPORT ProductTreeNode MakeProductTree(vtkDataObject* input);
 }
 

@@ -14,7 +14,8 @@ namespace
 {
 constexpr double SmallestAngle = 1e-6;
 
-/// Scales a direction to length 1, first by its largest component so that no square overflows. Returns false if it has no direction.
+/// Scales a direction to length 1, first by its largest component so that no square overflows. Returns false
+/// if it has no direction.
 bool Normalize(std::array<double, 3>& direction)
 {
   double largest = 0.0;
@@ -102,8 +103,9 @@ FrameProperties ComputeInFrame(Moments moments, const ReferenceFrame& frame)
   }
   moments.Reference = { 0.0, 0.0, 0.0 };
   moments.Place(placement);
-  // No entry of the axes is off by more than e: about ten roundings, of which those of the perpendicular part grow by its division by the
-  // sine. So an entry of R C R^T is off by no more than (2 e + e^2) sum |C_kl|, and one of R m by e sum |m_k|.
+  // No entry of the axes is off by more than e: about ten roundings, of which those of the perpendicular part
+  // grow by its division by the sine. So an entry of R C R^T is off by no more than (2 e + e^2) sum |C_kl|,
+  // and one of R m by e sum |m_k|.
   const double e = 32.0 * UnitRoundoff / sine;
   for (double& bound : moments.FirstBound)
   {

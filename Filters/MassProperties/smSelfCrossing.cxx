@@ -19,22 +19,25 @@ namespace sm
 {
 namespace
 {
-/// Least number of points of a body besides those of its faces, and number of triangles for each point of a large mesh.
+/// Least number of points of a body besides those of its faces, and number of triangles for each point of a
+/// large mesh.
 constexpr std::size_t LeastSamples = 400;
 constexpr std::size_t TrianglesPerSample = 8;
 
-/// Distance from an integer above which a winding number indicates a hole in the mesh, or a point on another part of it.
+/// Distance from an integer above which a winding number indicates a hole in the mesh, or a point on another
+/// part of it.
 constexpr double WholeNumber = 0.25;
 
 /// Fraction of undecided points above which the check is given up.
 constexpr double LargestUndecided = 0.25;
 
-/// Largest difference of area and vector area between mesh and face, relative to the area, and area of a face, relative to the body's,
-/// below which its mesh does not matter.
+/// Largest difference of area and vector area between mesh and face, relative to the area, and area of a
+/// face, relative to the body's, below which its mesh does not matter.
 constexpr double LargestMismatch = 0.25;
 constexpr double NegligibleArea = 1e-5;
 
-/// Distance from the boundary, relative to the diagonal, up to which a second point is sought, and number of samples for which it is.
+/// Distance from the boundary, relative to the diagonal, up to which a second point is sought, and number of
+/// samples for which it is.
 constexpr double LargestStep = 0.1;
 constexpr std::size_t MostConfirmations = 256;
 /// Number of samples between two calls of `shouldContinue`.
@@ -85,7 +88,8 @@ public:
     for (const BodyIntegrals* part : parts)
     {
       AddPlacedBox(*part, box);
-      // The uncertainty that a file states is no part of it: gaps are measured, and a large one would excuse whole parts of a body.
+      // The uncertainty that a file states is no part of it: gaps are measured, and a large one would excuse
+      // whole parts of a body.
       this->Slack = std::max(this->Slack, std::isfinite(part->MaxGap) ? part->MaxGap : 0.0);
     }
     this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
@@ -288,7 +292,8 @@ SelfCrossing Checker::Run(const std::function<bool()>& shouldContinue)
   this->TakeSamples();
   this->Result.Samples = this->Samples.size();
   const WindingTree tree(this->Triangles);
-  // On a surface the winding number of its other parts is the mean of those on both sides: 1/2 beside a sound boundary.
+  // On a surface the winding number of its other parts is the mean of those on both sides: 1/2 beside a sound
+  // boundary.
   std::vector<double> winding(this->Samples.size());
   for (std::size_t first = 0; first < winding.size(); first += SamplesPerReport)
   {
@@ -370,8 +375,9 @@ bool IsCheckable(const BodyIntegrals& body)
     body.Status < Status::Suspect && !body.Faces->empty();
 }
 
-/// Returns true if a body is a part of the same solid of a file as the one before it, because OpenCASCADE makes a solid of each connected
-/// part of a shell. Solids of two files may have the same entity number; the numbers of their faces distinguish them.
+/// Returns true if a body is a part of the same solid of a file as the one before it, because OpenCASCADE
+/// makes a solid of each connected part of a shell. Solids of two files may have the same entity number; the
+/// numbers of their faces distinguish them.
 bool IsSameSolid(const BodyIntegrals& first, const BodyIntegrals& body, const std::set<int>& faceIds)
 {
   const std::vector<FacePointer>& faces = body.Model->GetFaces();

@@ -35,19 +35,21 @@ struct SelfCrossing
 };
 
 /**
- * Computes the winding number of the boundary of a solid, of one or several bodies in one placement, on both sides of points on its
- * display mesh. It is 0 or 1 about every point unless the boundary crosses itself. There is a point in the middle of the largest
- * triangle of every face, and others evenly over the area, one for every eight triangles and at least 400. The triangles of each face
- * are oriented as its exact vector area and volume are, with the reversals of ReverseShells().
+ * Computes the winding number of the boundary of a solid, of one or several bodies in one placement, on both
+ * sides of points on its display mesh. It is 0 or 1 about every point unless the boundary crosses itself.
+ * There is a point in the middle of the largest triangle of every face, and others evenly over the area, one
+ * for every eight triangles and at least 400. The triangles of each face are oriented as its exact vector
+ * area and volume are, with the reversals of ReverseShells().
  *
- * Another winding number counts only if it is found again at a point off the mesh that is farther from every triangle than
- * the triangle may be from its surface (smWindingTree.h), plus the widest gap of the body: about such a point mesh and surface have the
- * same winding number. Crossings that are narrower than that, or lie between the points, are not found.
+ * Another winding number counts only if it is found again at a point off the mesh that is farther from every
+ * triangle than the triangle may be from its surface (smWindingTree.h), plus the widest gap of the body:
+ * about such a point mesh and surface have the same winding number. Crossings that are narrower than that, or
+ * lie between the points, are not found.
  *
- * The bodies are closed, and have the integrals of GetMassIntegrands(). Unchecked has a reason if the mesh lacks a face, or the area or
- * vector area of a face on it differs from the exact one by more than a quarter of the area. Runs on the threads of vtkSMPTools, with
- * the same result for any number of them. `shouldContinue` is called now and then by the calling thread; once it returns false, Unchecked
- * says so.
+ * The bodies are closed, and have the integrals of GetMassIntegrands(). Unchecked has a reason if the mesh
+ * lacks a face, or the area or vector area of a face on it differs from the exact one by more than a quarter
+ * of the area. Runs on the threads of vtkSMPTools, with the same result for any number of them.
+ * `shouldContinue` is called now and then by the calling thread; once it returns false, Unchecked says so.
  */
 SMFILTERSMASSPROPERTIES_EXPORT SelfCrossing FindSelfCrossing(
   const std::vector<const BodyIntegrals*>& parts, const std::function<bool()>& shouldContinue = {});
@@ -57,10 +59,11 @@ class SMFILTERSMASSPROPERTIES_EXPORT SelfCrossingCheck
 {
 public:
   /**
-   * Flags bodies that cross themselves as suspect, and adds a note to those that could not be checked. A body that is already
-   * flagged, is open or has no volume is passed over. Bodies that were read from one solid of a file are checked together. A body with
-   * the same faces as one of an earlier run has the same result. One that shares some of them is an edit of it: where that one was
-   * sound, it is only checked with `checkEdits`. Once `shouldContinue` returns false, the bodies that follow are not checked.
+   * Flags bodies that cross themselves as suspect, and adds a note to those that could not be checked. A body
+   * that is already flagged, is open or has no volume is passed over. Bodies that were read from one solid of
+   * a file are checked together. A body with the same faces as one of an earlier run has the same result. One
+   * that shares some of them is an edit of it: where that one was sound, it is only checked with
+   * `checkEdits`. Once `shouldContinue` returns false, the bodies that follow are not checked.
    */
   void Run(
     std::vector<BodyIntegrals>& bodies, bool checkEdits, const std::function<bool()>& shouldContinue = {});
@@ -73,8 +76,8 @@ private:
     SelfCrossing Result;
   };
   using EntryPointer = std::shared_ptr<const Entry>;
-  /// Returns the known result for a body with these faces, or with some of them where edits are not checked; null if the body must be
-  /// checked.
+  /// Returns the known result for a body with these faces, or with some of them where edits are not checked;
+  /// null if the body must be checked.
   EntryPointer Find(const std::vector<std::uint64_t>& faces, bool checkEdits,
     const std::unordered_map<std::uint64_t, EntryPointer>& current) const;
 

@@ -16,8 +16,8 @@ namespace
 /// Largest number of names that a message lists.
 constexpr std::size_t NamedSolids = 5;
 
-/// Bound of the relative rounding error of a product of a density, the third power of a unit in metres, which is itself rounded, and a
-/// value: seven roundings.
+/// Bound of the relative rounding error of a product of a density, the third power of a unit in metres, which
+/// is itself rounded, and a value: seven roundings.
 constexpr double FactorRounding = 8.0 * UnitRoundoff;
 
 /// Returns kg of a volume 1; NaN without a density.
@@ -58,8 +58,8 @@ void ScaleMoments(Moments& moments, double factor)
   }
 }
 
-/// Returns the uncertainty of a mass: sum, by the density, by gaps, by the numerical bound. The shares of gaps and bound are those at the
-/// largest density; a factor of 1 + 1e-6 includes the rounding of the shares.
+/// Returns the uncertainty of a mass: sum, by the density, by gaps, by the numerical bound. The shares of
+/// gaps and bound are those at the largest density; a factor of 1 + 1e-6 includes the rounding of the shares.
 std::array<double, 4> GetMassUncertainty(const MassRow& row, double tolerance, double factor)
 {
   const double density = tolerance * std::abs(row.Mass);

@@ -9,19 +9,22 @@
 
 namespace sm
 {
-/// Returns the material of a body: that of the first rule that its name matches; else the density of the options; else what its file
-/// states.
+/// Returns the material of a body: that of the first rule that its name matches; else the density of the
+/// options; else what its file states.
 Material ChooseMaterial(const BodyIntegrals& body, const MassAnalysisOptions& options);
 
-/// Sets the properties of a row that is of one material: those of the volume times the density. `unit` is the length unit of the row.
+/// Sets the properties of a row that is of one material: those of the volume times the density. `unit` is the
+/// length unit of the row.
 void SetMass(MassRow& row, const Material& material, const std::string& unit);
 
-/// Sets the mass properties of the total, of bodies that all have the same unit, and adds a message about those without a density. `parts`
-/// are the moments of the bodies with a volume, in their order, and `sum` those of all of them.
+/// Sets the mass properties of the total, of bodies that all have the same unit, and adds a message about
+/// those without a density. `parts` are the moments of the bodies with a volume, in their order, and `sum`
+/// those of all of them.
 void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Moments>& parts,
   const Moments& sum, const MassAnalysisOptions& options, MassAnalysis& analysis);
 
-/// Adds a message about each length unit that is not known, where it leaves bodies with a density without a mass.
+/// Adds a message about each length unit that is not known, where it leaves bodies with a density without a
+/// mass.
 void NoteUnknownUnits(
   const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis);
 

@@ -2,55 +2,57 @@
  * @class   vtkMassPropertiesBase
  * @brief   base of the filters that compute volume, area, centre of mass and inertia
  *
- * Abstract; see vtkMassPropertiesGPU, which integrates to a tolerance with bounds, and vtkSchemeMassPropertiesGPU, which
- * integrates by the schemes of the paper, without bounds. Coordinates are world coordinates; L is the model's length unit;
- * density is in kg/m^3.
+ * Abstract; see vtkMassPropertiesGPU, which integrates to a tolerance with bounds, and
+ * vtkSchemeMassPropertiesGPU, which integrates by the schemes of the paper, without bounds. Coordinates are
+ * world coordinates; L is the model's length unit; density is in kg/m^3.
  *
  * Outputs, in addition to those of vtkSurfaceIntegralBase:
- * | port | type     | contents                                                                                            |
- * |------|----------|-----------------------------------------------------------------------------------------------------|
- * | 0    | polydata | sphere at the centre of mass, and principal axes; field data as below                               |
- * | 1    | table    | a row per solid instance with the quantities below and their bounds                                 |
- * | 2    | table    | 1x1, column Text: a summary to show in a view; its field data has Status                            |
- * | 3    | table    | a row per face and instance: its area and its part of the volume (flux about the part's origin)     |
- * | 5    | partitioned dataset collection | meshes of the bodies; cell arrays (float): Volume, Mass (of the solid), FaceShare |
- * |      |          | (part of the volume due to the face), FaceArea, FaceGap and FaceBound                               |
- * | 7    | table    | the parts list: a row per product in depth-first order, equal ones in one place together, with their |
- * |      |          | count, the worst status, volume, area and mass (columns: smMassPropertyNames.h); empty if units differ |
+ * | port | type | contents |
+ * |---|---|---|
+ * | 0 | polydata | sphere at the centre of mass, and principal axes; field data as below |
+ * | 1 | table | a row per solid instance with the quantities below and their bounds |
+ * | 2 | table | 1x1, column Text: a summary to show in a view; its field data has Status |
+ * | 3 | table | a row per face and instance: area and part of the volume (flux about the part's origin) |
+ * | 5 | partitioned dataset collection | meshes of the bodies; cell arrays (float): Volume, Mass, FaceShare |
+ * | | | (part of the volume due to the face), FaceArea, FaceGap and FaceBound |
+ * | 7 | table | the parts list: a row per product, depth first, equal ones in one place together, with their
+ * | | | | count, worst status, volume, area, mass (columns: smMassPropertyNames.h); empty if units differ |
  *
- * The active cell scalars of the glyph are its colour, green, or red for a flagged result; vtkPolyDataMapper shows them directly.
- * If there is no glyph, port 0 has one point without a cell, in the middle of the solids' box.
+ * The active cell scalars of the glyph are its colour, green, or red for a flagged result; vtkPolyDataMapper
+ * shows them directly. If there is no glyph, port 0 has one point without a cell, in the middle of the
+ * solids' box.
  *
  * Field data (smMassPropertyNames.h); each quantity has a `<name>Bound`, one number in the quantity's unit:
- * | name                  | comp. | unit   | meaning                                                     |
- * |-----------------------|-------|--------|-------------------------------------------------------------|
- * | Volume                | 1     | L^3    |                                                             |
- * | SurfaceArea           | 1     | L^2    | area of the faces                                           |
- * | CenterOfMass          | 3     | L      |                                                             |
- * | FirstMoments          | 3     | L^4    | about the world origin                                      |
- * | SecondMoments         | 6     | L^5    | XX YY ZZ XY YZ XZ about the centre                          |
- * | VolumeInertia         | 9     | L^5    | about the centre; off-diagonals are negative products       |
- * | VolumeInertiaAtOrigin | 9     | L^5    | about the world origin                                      |
- * | PrincipalMoments      | 3     | L^5    | ascending                                                   |
- * | PrincipalAxes         | 9     | 1      | rows; PrincipalAxesDegenerate is 1 when moments coincide    |
- * | RadiiOfGyration       | 3     | L      | about the principal axes                                    |
- * | Mass, MassInertia     | 1, 9  | kg, kg L^2 | only with a density; MassInertia is about the MassCenter |
- * | MassCenter, MassRadiiOfGyration | 3 | L | with the densities as weight, as the next two              |
- * | MassPrincipalMoments, MassPrincipalAxes | 3, 9 | kg L^2, 1 | as PrincipalMoments and PrincipalAxes          |
- * | Density, Material     | 1     | kg/m^3 | Material (string) in the table of port 1 only               |
- * | MassUncertainty       | 4     | kg   | what is in doubt of the mass: in all (the sum); by DensityTolerance; by gaps (ClosureCorrection, GapSquared; no bound); numerically |
- * | KnownMass, SolidsWithMass, SolidsWithVolume | 1 | kg | mass of the solids with a density, and their numbers; no columns |
- * | CenterOfMassInFrame, VolumeInertiaInFrame | 3, 9 | L, L^5 | in the frame of reference, if there is one          |
- * | MassCenterInFrame, MassInertiaInFrame | 3, 9 | L, kg L^2 | the same with the densities as weight                |
- * | CentralInertiaInFrame, MassCentralInertiaInFrame | 9, 9 | L^5, kg L^2 | about the centres, with the axes of the frame |
- * | ClosureCorrection, GapSquared, MaxGap, GapArea, ClosureResidual, OpenEdges | 1 | | defects of the model; no bounds  |
- * | FlippedShells         | 1     |        | number of shells whose normals pointed inwards; reversed    |
- * | BoundsMeasured        | 4     |        | the estimated parts of the bounds of volume, area, centre   |
- * |                       |       |        | and inertia: measured constants and residuals (Bounds.md)   |
- * | LengthUnit, Status, Backend, Renderer, BackendReason, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated | 1 | | |
- * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed). The total of solids of which only some
- * have a density has no Mass but a KnownMass. CenterOfMass and VolumeInertia are those of a homogeneous body; where densities differ,
- * MassCenter is where the body balances.
+ * | name | comp. | unit | meaning |
+ * |---|---|---|---|
+ * | Volume | 1 | L^3 | |
+ * | SurfaceArea | 1 | L^2 | area of the faces |
+ * | CenterOfMass | 3 | L | |
+ * | FirstMoments | 3 | L^4 | about the world origin |
+ * | SecondMoments | 6 | L^5 | XX YY ZZ XY YZ XZ about the centre |
+ * | VolumeInertia | 9 | L^5 | about the centre; off-diagonals are negative products |
+ * | VolumeInertiaAtOrigin | 9 | L^5 | about the world origin |
+ * | PrincipalMoments | 3 | L^5 | ascending |
+ * | PrincipalAxes | 9 | 1 | rows; PrincipalAxesDegenerate is 1 when moments coincide |
+ * | RadiiOfGyration | 3 | L | about the principal axes |
+ * | Mass, MassInertia | 1, 9 | kg, kg L^2 | only with a density; MassInertia is about the MassCenter |
+ * | MassCenter, MassRadiiOfGyration | 3 | L | with the densities as weight, as the next two |
+ * | MassPrincipalMoments, MassPrincipalAxes | 3, 9 | kg L^2, 1 | as PrincipalMoments and PrincipalAxes |
+ * | Density, Material | 1 | kg/m^3 | Material (string) in the table of port 1 only |
+ * | MassUncertainty | 4 | kg | doubt of the mass: sum; by DensityTolerance; by gaps (no bound); numerical |
+ * | KnownMass, SolidsWithMass, SolidsWithVolume | 1 | kg | mass and number of solids with a density |
+ * | CenterOfMassInFrame, VolumeInertiaInFrame | 3, 9 | L, L^5 | in the frame of reference, if there is one |
+ * | MassCenterInFrame, MassInertiaInFrame | 3, 9 | L, kg L^2 | the same with the densities as weight |
+ * | CentralInertiaInFrame, MassCentralInertiaInFrame | 9, 9 | L^5, kg L^2 | about the centres, frame's axes |
+ * | ClosureCorrection, GapSquared, MaxGap, GapArea, ClosureResidual, OpenEdges | 1 | | defects; no bounds |
+ * | FlippedShells | 1 | | number of shells whose normals pointed inwards; reversed |
+ * | BoundsMeasured | 4 | | the estimated parts of the bounds of volume, area, centre |
+ * | | | | and inertia: measured constants and residuals (Bounds.md) |
+ * | LengthUnit, Status, Backend, Renderer, BackendReason, BoundsEstimated | 1 | | |
+ * | Evaluations, Dispatches, Faces, Ranks | 1 | | |
+ * A quantity that does not exist is NaN (the volume of a surface, anything that was not computed). The total
+ * of solids of which only some have a density has no Mass but a KnownMass. CenterOfMass and VolumeInertia are
+ * those of a homogeneous body; where densities differ, MassCenter is where the body balances.
  */
 #ifndef vtkMassPropertiesBase_h
 #define vtkMassPropertiesBase_h
@@ -79,25 +81,28 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Density of all solids in kg/m^3. 0 (default): the density that the file of each part states, if any; no mass without a
-   * density. A negative, infinite or NaN value is reported as an error and changes nothing. */
+  /** Density of all solids in kg/m^3. 0 (default): the density that the file of each part states, if any; no
+   * mass without a density. A negative, infinite or NaN value is reported as an error and changes nothing. */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
 
-  /** Largest relative deviation of the densities, 0 to 1 (0.01 is one per cent), except of materials that state their own. It is the first
-   * share of MassUncertainty. A value outside that range is reported as an error and changes nothing. Default: 0. */
+  /** Largest relative deviation of the densities, 0 to 1 (0.01 is one per cent), except of materials that
+   * state their own. It is the first share of MassUncertainty. A value outside that range is reported as an
+   * error and changes nothing. Default: 0. */
   void SetDensityTolerance(double tolerance);
   vtkGetMacro(DensityTolerance, double);
   ///@}
 
   ///@{
   /**
-   * Materials of solids by their names. They take precedence over Density, and Density over the density that the file states. In a pattern,
-   * `*` stands for any characters and `?` for one; letters of ASCII match in either case. The first pattern, in the order of the calls,
-   * that is equal to the name of a solid, else the first that matches it, gives the solid its material and density in kg/m^3. The density
-   * as text may be empty: then the material is one of the common ones (smMaterials.h). A density that is not above 0 and finite, and a
-   * material that is not known, is reported as an error and changes nothing; a pattern that gives no solid its material gets a message.
-   * `tolerance` is relative, negative for that of DensityTolerance. Default: none.
+   * Materials of solids by their names. They take precedence over Density, and Density over the density that
+   * the file states. In a pattern,
+   * `*` stands for any characters and `?` for one; letters of ASCII match in either case. The first pattern,
+   * in the order of the calls, that is equal to the name of a solid, else the first that matches it, gives
+   * the solid its material and density in kg/m^3. The density as text may be empty: then the material is one
+   * of the common ones (smMaterials.h). A density that is not above 0 and finite, and a material that is not
+   * known, is reported as an error and changes nothing; a pattern that gives no solid its material gets a
+   * message. `tolerance` is relative, negative for that of DensityTolerance. Default: none.
    */
   void AddMaterial(const char* pattern, const char* material, double density, double tolerance = -1.0);
   void AddMaterial(const char* pattern, const char* material, const char* density);
@@ -107,9 +112,10 @@ public:
 
   ///@{
   /**
-   * Frame of reference for CenterOfMassInFrame, VolumeInertiaInFrame and those with MassCenter and MassInertia: a point in world
-   * coordinates and length unit, the direction of its z axis, and a direction whose part perpendicular to that is its x axis (of any
-   * length). Parallel directions, and what is not finite, are reported as an error and change nothing. Default: no frame.
+   * Frame of reference for CenterOfMassInFrame, VolumeInertiaInFrame and those with MassCenter and
+   * MassInertia: a point in world coordinates and length unit, the direction of its z axis, and a direction
+   * whose part perpendicular to that is its x axis (of any length). Parallel directions, and what is not
+   * finite, are reported as an error and change nothing. Default: no frame.
    */
   void SetReferenceFrame(const double origin[3], const double zAxis[3], const double xAxis[3]);
   void ClearReferenceFrame();
@@ -117,23 +123,24 @@ public:
   ///@}
 
   ///@{
-  /** If off, a solid some of whose faces were exchanged since this filter found that its boundary does not cross itself is not checked again:
-   * for the updates during a drag, which have to be fast. If on (default), every edit is checked. */
+  /** If off, a solid some of whose faces were exchanged since this filter found that its boundary does not
+   * cross itself is not checked again: for the updates during a drag, which have to be fast. If on (default),
+   * every edit is checked. */
   vtkSetMacro(CheckEditedSolids, bool);
   vtkGetMacro(CheckEditedSolids, bool);
   vtkBooleanMacro(CheckEditedSolids, bool);
   ///@}
 
   ///@{
-  /** Radius of the sphere on port 0 as a fraction of the diagonal of the bounding box. Range [0, 1], clamped. Default 0.02; 0:
-   * no sphere. */
+  /** Radius of the sphere on port 0 as a fraction of the diagonal of the bounding box. Range [0, 1], clamped.
+   * Default 0.02; 0: no sphere. */
   vtkSetClampMacro(GlyphScale, double, 0.0, 1.0);
   vtkGetMacro(GlyphScale, double);
   ///@}
 
   ///@{
-  /** If on, draws the principal axes at the centre of mass, to 0.3 of the diagonal of the bounding box on either side. They are
-   * not drawn if they are degenerate. Default on. */
+  /** If on, draws the principal axes at the centre of mass, to 0.3 of the diagonal of the bounding box on
+   * either side. They are not drawn if they are degenerate. Default on. */
   vtkSetMacro(ShowPrincipalAxes, bool);
   vtkGetMacro(ShowPrincipalAxes, bool);
   vtkBooleanMacro(ShowPrincipalAxes, bool);
@@ -180,7 +187,8 @@ protected:
 
   /** Returns the tolerances, and whether results have bounds. The caller sets the density. */
   virtual sm::MassAnalysisOptions MakeAnalysisOptions() const = 0;
-  /** Writes additional outputs of a subclass, and appends lines to the summary. The default writes nothing. */
+  /** Writes additional outputs of a subclass, and appends lines to the summary. The default writes nothing.
+   */
   virtual void WriteMoreOutputs(
     const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs, std::string& summary) const;
 

@@ -17,7 +17,8 @@ constexpr std::size_t SubPatchesPerTask = 64;
 // Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
 
-/// The lists that kernels read and write. Different threads may process different tiles, rows of texels and sub-patches.
+/// The lists that kernels read and write. Different threads may process different tiles, rows of texels and
+/// sub-patches.
 struct SchemeLists
 {
   const SchemeBatch& Batch;

@@ -11,7 +11,8 @@
 
 namespace sm
 {
-/// Evaluates tiles in parallel by vtkSMPTools, with the backend and the number of threads that the application chose.
+/// Evaluates tiles in parallel by vtkSMPTools, with the backend and the number of threads that the
+/// application chose.
 class SMFILTERSMOMENTSCHEMES_EXPORT CPUSchemeRunner : public SchemeRunner
 {
 public:

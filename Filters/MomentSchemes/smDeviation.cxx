@@ -9,13 +9,14 @@ namespace
 {
 using Homogeneous = std::array<double, 4>;
 
-// Largest number of points for which products of polynomials are used; patches of degrees above about 7 x 7 are bounded by
-// intervals, as their products cost too much.
+// Largest number of points for which products of polynomials are used; patches of degrees above about 7 x 7
+// are bounded by intervals, as their products cost too much.
 constexpr int MaximumProductPoints = 64;
 // (3p+1)(3q+1) = 9 (p+1)(q+1) - 6 (p+q+2) + 4, largest for p = q = 7.
 constexpr int MaximumProductCoefficients = 484;
 
-/// The interval [Low, High]. Operations return an interval that contains all results for operands in their intervals.
+/// The interval [Low, High]. Operations return an interval that contains all results for operands in their
+/// intervals.
 struct Interval
 {
   double Low = 0.0;
@@ -57,8 +58,9 @@ struct SubPatch
 
   const Homogeneous& Get(int i, int j) const { return this->Points[i + j * (this->Degree[0] + 1)]; }
 
-  /// Returns the range of the derivative of order (a, b) of a homogeneous coordinate, which is that of its Bernstein
-  /// coefficients: differences of the control points times p (p-1) ..; derivatives of an order above the degree are 0.
+  /// Returns the range of the derivative of order (a, b) of a homogeneous coordinate, which is that of its
+  /// Bernstein coefficients: differences of the control points times p (p-1) ..; derivatives of an order
+  /// above the degree are 0.
   Interval GetRange(int a, int b, int coordinate) const;
 };
 
@@ -67,7 +69,8 @@ SubPatch::SubPatch(const NURBSSurface& surface, double u0, double u1, double v0,
 {
   surface.ExtractBezier(u0, u1, v0, v1, this->Points);
   const int count = (this->Degree[0] + 1) * (this->Degree[1] + 1);
-  // Derivatives do not depend on the origin, but the bounds of a quotient do; they are tightest about the centre.
+  // Derivatives do not depend on the origin, but the bounds of a quotient do; they are tightest about the
+  // centre.
   for (int c = 0; c < 3; ++c)
   {
     Interval range = { this->Points[0][c] / this->Points[0][3], this->Points[0][c] / this->Points[0][3] };
@@ -127,8 +130,10 @@ Interval SubPatch::GetRange(int a, int b, int coordinate) const
 using SecondDerivatives = std::array<double, 3>;
 
 /// Bounds the second derivatives by interval arithmetic. With x = X/w, X = x w, and by differentiating twice:
-///   x_u = (X_u - x w_u) / w,  x_uu = (X_uu - 2 x_u w_u - x w_uu) / w,  x_uv = (X_uv - x_u w_v - x_v w_u - x w_uv) / w.
-/// Each factor lies in the range of its Bernstein coefficients, and x in that of the control points (weights are positive).
+///   x_u = (X_u - x w_u) / w,  x_uu = (X_uu - 2 x_u w_u - x w_uu) / w,  x_uv = (X_uv - x_u w_v - x_v w_u - x
+///   w_uv) / w.
+/// Each factor lies in the range of its Bernstein coefficients, and x in that of the control points (weights
+/// are positive).
 SecondDerivatives BoundByIntervals(const SubPatch& patch)
 {
   const Interval w = patch.GetRange(0, 0, 3);
@@ -160,8 +165,8 @@ SecondDerivatives BoundByIntervals(const SubPatch& patch)
   return largest;
 }
 
-/// A polynomial of two variables on the unit square in scaled Bernstein form, u fastest: the coefficient b_ij C(p,i) C(q,j)
-/// belongs to s^i (1-s)^(p-i) r^j (1-r)^(q-j), so that products are convolutions.
+/// A polynomial of two variables on the unit square in scaled Bernstein form, u fastest: the coefficient b_ij
+/// C(p,i) C(q,j) belongs to s^i (1-s)^(p-i) r^j (1-r)^(q-j), so that products are convolutions.
 struct ScaledBernstein
 {
   int Degree[2];
@@ -176,8 +181,8 @@ struct ScaledBernstein
   }
 };
 
-/// Adds factor a b to `sum`, whose degrees are the sums of the degrees of a and b. The cost is low if many coefficients of `a`
-/// are 0.
+/// Adds factor a b to `sum`, whose degrees are the sums of the degrees of a and b. The cost is low if many
+/// coefficients of `a` are 0.
 void AddProduct(double factor, const ScaledBernstein& a, const ScaledBernstein& b, ScaledBernstein& sum)
 {
   for (int j = 0; j <= a.Degree[1]; ++j)
@@ -265,12 +270,12 @@ ScaledBernstein Differentiate(const SubPatch& patch, int a, int b, int coordinat
 }
 
 /**
- * Bounds the second derivatives by the quotient rule, multiplied by the denominator: with [f] = w X_f - X w_f, which is w^2 x_f
- * when f is u or v,
- *   w^3 x_uu = w [uu] - 2 w_u [u],   w^3 x_uv = w [uv] - w_v [u] - w_u [v],   w^3 x_vv = w [vv] - 2 w_v [v].
- * If N and D are given by Bernstein coefficients (both scaled or neither) and those of D = w^3 are positive, N/D is a mean of the
- * N_i/D_i, with weights D_i B_i, and does not exceed the largest of them. This bound is tighter than interval arithmetic, which
- * takes the worst case of every factor separately.
+ * Bounds the second derivatives by the quotient rule, multiplied by the denominator: with [f] = w X_f - X
+ * w_f, which is w^2 x_f when f is u or v, w^3 x_uu = w [uu] - 2 w_u [u],   w^3 x_uv = w [uv] - w_v [u] - w_u
+ * [v],   w^3 x_vv = w [vv] - 2 w_v [v]. If N and D are given by Bernstein coefficients (both scaled or
+ * neither) and those of D = w^3 are positive, N/D is a mean of the N_i/D_i, with weights D_i B_i, and does
+ * not exceed the largest of them. This bound is tighter than interval arithmetic, which takes the worst case
+ * of every factor separately.
  */
 SecondDerivatives BoundByProducts(const SubPatch& patch)
 {
@@ -306,8 +311,8 @@ SecondDerivatives BoundByProducts(const SubPatch& patch)
   return largest;
 }
 
-/// Evaluates a polynomial given by its Bernstein coefficients, and its first and second derivative, at s. It overwrites the
-/// coefficients.
+/// Evaluates a polynomial given by its Bernstein coefficients, and its first and second derivative, at s. It
+/// overwrites the coefficients.
 void EvaluateTwice(
   Homogeneous* b, int degree, double s, Homogeneous& value, Homogeneous& first, Homogeneous& second)
 {

@@ -28,10 +28,11 @@ namespace
 {
 // Number of invocations per work group, as in the shaders.
 constexpr unsigned int LocalSize = 32;
-// Estimated cost of one dispatch in bicubic evaluations: some 50 ms on two CPU cores, so that the run can be aborted between
-// dispatches and the driver's watchdog does not interrupt it.
+// Estimated cost of one dispatch in bicubic evaluations: some 50 ms on two CPU cores, so that the run can be
+// aborted between dispatches and the driver's watchdog does not interrupt it.
 constexpr std::int64_t CostPerDispatch = 4000000;
-// Number of parts of trim curves per dispatch, each of which crosses up to 64 rows of texels, and number of rows of texels.
+// Number of parts of trim curves per dispatch, each of which crosses up to 64 rows of texels, and number of
+// rows of texels.
 constexpr std::uint32_t TrimsPerDispatch = 4096;
 constexpr std::uint32_t TexelRowsPerDispatch = 65536;
 

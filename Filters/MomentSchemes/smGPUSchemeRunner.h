@@ -16,8 +16,8 @@ class vtkComputeContext;
 namespace sm
 {
 /**
- * Uploads every batch as a whole and dispatches it in portions of limited cost, each in its own scope of the context. The rows of
- * each tile are reduced over a fixed tree (sm::Reduction). The context must be READY.
+ * Uploads every batch as a whole and dispatches it in portions of limited cost, each in its own scope of the
+ * context. The rows of each tile are reduced over a fixed tree (sm::Reduction). The context must be READY.
  */
 class SMFILTERSMOMENTSCHEMES_EXPORT GPUSchemeRunner : public SchemeRunner
 {

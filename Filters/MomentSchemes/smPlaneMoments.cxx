@@ -25,8 +25,8 @@ struct Plane
       this->End[d] = surface.GetDomainEnd(d);
       this->Middle[d] = 0.5 * (this->Start[d] + this->End[d]);
     }
-    // The corners are the control points only if the knots are clamped. The averages remove the first-order effect of the twist
-    // that rounding leaves in a parallelogram.
+    // The corners are the control points only if the knots are clamped. The averages remove the first-order
+    // effect of the twist that rounding leaves in a parallelogram.
     std::array<double, 4> p[4];
     surface.ExtractBezier(this->Start[0], this->End[0], this->Start[1], this->End[1], p);
     const double w = p[0][3];
@@ -49,8 +49,8 @@ struct Plane
   }
 };
 
-/// Returns means over a triangle of products of linear functions, given by their values at its corners. They are exact, by
-/// integral of l_i^a l_j^b l_k^c = 2 A a! b! c! / (a+b+c+2)! in barycentric coordinates.
+/// Returns means over a triangle of products of linear functions, given by their values at its corners. They
+/// are exact, by integral of l_i^a l_j^b l_k^c = 2 A a! b! c! / (a+b+c+2)! in barycentric coordinates.
 double Mean(const Point3& f)
 {
   return (f[0] + f[1] + f[2]) / 3.0;
@@ -70,8 +70,8 @@ double Mean(const Point3& f, const Point3& g, const Point3& h)
   return (sumF * sumG * sumH + sumF * Dot(g, h) + sumG * Dot(f, h) + sumH * Dot(f, g) + 2.0 * all) / 60.0;
 }
 
-/// Adds the triangle's contribution to the integrals of z, x z, y z, z^2/2, x^2 z, y^2 z, z^3/3, x y z, y z^2/2, x z^2/2 and 1 du
-/// dv.
+/// Adds the triangle's contribution to the integrals of z, x z, y z, z^2/2, x^2 z, y^2 z, z^3/3, x y z, y
+/// z^2/2, x z^2/2 and 1 du dv.
 void AddTriangle(const Plane& plane, const Point2 (&corners)[3], CompensatedSum (&sums)[NumberOfIntegrals])
 {
   const double area = 0.5 *

@@ -32,9 +32,9 @@ std::size_t CountBytes(const SubPatchFace& face)
   return bytes;
 }
 
-/// Calls `work` for parts of [0, count), from several threads, and `progress` with the fraction done after every portion. A
-/// portion has at most twice as many items as the one before, which limits the effect of a wrong clock reading. Returns false as
-/// soon as `progress` does.
+/// Calls `work` for parts of [0, count), from several threads, and `progress` with the fraction done after
+/// every portion. A portion has at most twice as many items as the one before, which limits the effect of a
+/// wrong clock reading. Returns false as soon as `progress` does.
 bool RunPortions(std::size_t count, std::size_t first,
   const std::function<void(std::size_t begin, std::size_t end)>& work, const ProgressCallback& progress)
 {

@@ -28,9 +28,10 @@ struct SchemeTask
 using PreparedFace = std::shared_ptr<const SubPatchFace>;
 
 /**
- * Prepares faces, and the sub-patches within a face, with vtkSMPTools, in portions of about a tenth of a second; between two
- * portions the calling thread calls the progress callback, which may stop it. Prepared faces of the last run are cached by their id,
- * within the budget, so that after an edit only the changed faces are prepared. Not thread safe.
+ * Prepares faces, and the sub-patches within a face, with vtkSMPTools, in portions of about a tenth of a
+ * second; between two portions the calling thread calls the progress callback, which may stop it. Prepared
+ * faces of the last run are cached by their id, within the budget, so that after an edit only the changed
+ * faces are prepared. Not thread safe.
  */
 class SMFILTERSMOMENTSCHEMES_EXPORT PreparedFaces
 {
@@ -40,15 +41,16 @@ public:
   {
   }
 
-  /// Prepares a face per task, with the task's ChordTolerance instead of that of the options. Returns false if `progress` stopped
-  /// it; then there are no faces.
+  /// Prepares a face per task, with the task's ChordTolerance instead of that of the options. Returns false
+  /// if `progress` stopped it; then there are no faces.
   bool Prepare(
     const std::vector<SchemeTask>& tasks, const SchemeOptions& options, const ProgressCallback& progress);
   const std::vector<PreparedFace>& Get() const { return this->Faces; }
   /// Releases all faces that are not cached for the next run.
   void Release() { this->Faces.clear(); }
 
-  /// Numbers of the last Prepare(): sub-patches whose deviation was computed, and the largest number of them in one portion.
+  /// Numbers of the last Prepare(): sub-patches whose deviation was computed, and the largest number of them
+  /// in one portion.
   std::int64_t GetDeviations() const { return this->Deviations; }
   std::int64_t GetLargestPortion() const { return this->LargestPortion; }
 

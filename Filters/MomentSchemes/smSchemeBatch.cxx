@@ -13,11 +13,12 @@ constexpr std::size_t TexelsOfTile = std::size_t{ 1 } << 21;
 constexpr std::size_t SubPatchesOfBatch = 65536;
 constexpr std::size_t TexelsOfBatch = std::size_t{ 1 } << 22;
 
-// Largest number of texel rows that one invocation draws, so that a long curve is divided among many invocations.
+// Largest number of texel rows that one invocation draws, so that a long curve is divided among many
+// invocations.
 constexpr std::uint32_t TexelRowsOfTrim = 64;
 
-/// The rises that affect the texture of a tile: for each block of rows that a rise may cross, {degree, index of its first
-/// coefficient, block}; then the coefficients. Indices are relative to the beginning.
+/// The rises that affect the texture of a tile: for each block of rows that a rise may cross, {degree, index
+/// of its first coefficient, block}; then the coefficients. Indices are relative to the beginning.
 struct TileTrims
 {
   std::vector<double> Values;
@@ -37,7 +38,8 @@ TileTrims GetTrims(const TileRange& range, const SubPatchFace& face, std::uint32
     const auto [low, high] = std::minmax(rise.front()[1], rise.back()[1]);
     const auto leftmost =
       std::min_element(rise.begin(), rise.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
-    // A rise that crosses no row of texel centres of the tile, or only to the right of the tile, changes nothing.
+    // A rise that crosses no row of texel centres of the tile, or only to the right of the tile, changes
+    // nothing.
     if (low > *top || high < *bottom || (*leftmost)[0] > right)
     {
       continue;

@@ -2,8 +2,9 @@
  * @file smSchemeBatch.h
  * @brief Tiles of sub-patches for the paper's schemes, in flat lists for the GPU or the CPU
  *
- * A **tile** is a block of sub-patches of one face whose texels and result rows fit into any storage block. The division of a
- * face into tiles depends only on the face and the options, so that its sums are bitwise the same in any batch.
+ * A **tile** is a block of sub-patches of one face whose texels and result rows fit into any storage block.
+ * The division of a face into tiles depends only on the face and the options, so that its sums are bitwise
+ * the same in any batch.
  */
 #ifndef smSchemeBatch_h
 #define smSchemeBatch_h
@@ -19,8 +20,8 @@
 
 namespace sm
 {
-/// Columns of the results of a sub-patch: the integrals as in smMassIntegrands.h (V X Y Z XX YY ZZ XY YZ XZ, vector area, area),
-/// then the paper's estimate without and with the sub-patches on a trim boundary.
+/// Columns of the results of a sub-patch: the integrals as in smMassIntegrands.h (V X Y Z XX YY ZZ XY YZ XZ,
+/// vector area, area), then the paper's estimate without and with the sub-patches on a trim boundary.
 enum SchemeColumn
 {
   SchemeEstimate = 14,
@@ -74,8 +75,8 @@ SMFILTERSMOMENTSCHEMES_EXPORT SchemeKernel ChooseSchemeKernel(const SubPatchFace
 class SMFILTERSMOMENTSCHEMES_EXPORT SchemeBatch
 {
 public:
-  /// Adds a tile of `face`. Returns false if a list would exceed `maximumBytes` or the batch is full; the first tile is always
-  /// added.
+  /// Adds a tile of `face`. Returns false if a list would exceed `maximumBytes` or the batch is full; the
+  /// first tile is always added.
   bool Add(const TileRange& range, const SubPatchFace& face, int textureFactor, std::size_t maximumBytes);
 
   /// Returns the bytes of the largest list that a face needs by itself, without its trim curves.
@@ -88,7 +89,8 @@ public:
   std::vector<SchemeTile> Tiles;
   /// The face and block of each tile.
   std::vector<TileRange> Ranges;
-  /// Numbers of invocations of the three steps (sub-patches, parts of trim curves, rows of texels), and number of texels.
+  /// Numbers of invocations of the three steps (sub-patches, parts of trim curves, rows of texels), and
+  /// number of texels.
   std::uint32_t SubPatches = 0;
   std::uint32_t Trims = 0;
   std::uint32_t TexelRows = 0;

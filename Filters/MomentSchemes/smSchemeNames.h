@@ -1,6 +1,7 @@
 /**
  * @file smSchemeNames.h
- * @brief Names of all arrays in the outputs of vtkSchemeMassPropertiesGPU except those of smMassPropertyNames.h
+ * @brief Names of all arrays in the outputs of vtkSchemeMassPropertiesGPU except those of
+ * smMassPropertyNames.h
  */
 #ifndef smSchemeNames_h
 #define smSchemeNames_h

@@ -27,7 +27,8 @@ namespace columns
 {
 class Writer;
 }
-/// Sums over faces of the paper's estimates (lengths cubed; NaN if not computed) and of the numbers of sub-patches.
+/// Sums over faces of the paper's estimates (lengths cubed; NaN if not computed) and of the numbers of
+/// sub-patches.
 struct SchemeTotals
 {
   double Estimate = std::numeric_limits<double>::quiet_NaN();
@@ -35,7 +36,8 @@ struct SchemeTotals
   std::int64_t SubPatches = 0;
 };
 
-/// A face's trim texture as an image of 0 and 255 over (u,v), with the solid's name and the face's entity number as its name.
+/// A face's trim texture as an image of 0 and 255 over (u,v), with the solid's name and the face's entity
+/// number as its name.
 struct NamedTexture
 {
   std::string Name;
@@ -43,8 +45,8 @@ struct NamedTexture
 };
 
 /**
- * Integrates every model once, about its origin, independent of its number of instances. The runner and the prepared faces are
- * kept between runs. Not thread safe.
+ * Integrates every model once, about its origin, independent of its number of instances. The runner and the
+ * prepared faces are kept between runs. Not thread safe.
  */
 class SchemeRun
 {
@@ -58,17 +60,18 @@ public:
     vtkComputeContext* Context = nullptr;
   };
 
-  /// Sets the Faces of every body. Returns false if nothing was computed; GetMessage() then returns the reason.
+  /// Sets the Faces of every body. Returns false if nothing was computed; GetMessage() then returns the
+  /// reason.
   bool Integrate(
     const Options& options, std::vector<BodyIntegrals>& bodies, const ProgressCallback& progress);
   std::string GetMessage() const;
 
-  /// Return the totals of the last Integrate() for a model or for all bodies; a model that it did not integrate has no estimate
-  /// (NaN).
+  /// Return the totals of the last Integrate() for a model or for all bodies; a model that it did not
+  /// integrate has no estimate (NaN).
   SchemeTotals GetTotals(vtkTrimmedNURBSModel* model) const;
   SchemeTotals GetTotals(const std::vector<BodyIntegrals>& bodies) const;
-  /// Adds Scheme, PaperErrorEstimate, PaperErrorEstimateWithBoundary and SubPatches of every body to `solids` and those of
-  /// `total` to `totals`.
+  /// Adds Scheme, PaperErrorEstimate, PaperErrorEstimateWithBoundary and SubPatches of every body to `solids`
+  /// and those of `total` to `totals`.
   void AddColumns(const std::string& scheme, const std::vector<BodyIntegrals>& bodies,
     const SchemeTotals& total, columns::Writer totals, columns::Writer solids) const;
   const std::vector<NamedTexture>& GetTextures() const { return this->Textures; }

@@ -1,6 +1,7 @@
 /**
  * @file smSchemeRunner.h
- * @brief Interface of the GPU and CPU runners, which evaluate tiles of the paper's schemes and sum their results
+ * @brief Interface of the GPU and CPU runners, which evaluate tiles of the paper's schemes and sum their
+ * results
  */
 #ifndef smSchemeRunner_h
 #define smSchemeRunner_h
@@ -18,9 +19,10 @@
 namespace sm
 {
 /**
- * Every batch has three steps: the trim curves are drawn into the texture of each tile, the rows of the texture are swept, and
- * the sub-patches are evaluated and weighted by their texels (glsl/smTrimTexture.glsl, glsl/smSubPatch.glsl). The sums of a tile
- * depend only on the tile: they are bitwise the same in any batch, for any number of threads or dispatches.
+ * Every batch has three steps: the trim curves are drawn into the texture of each tile, the rows of the
+ * texture are swept, and the sub-patches are evaluated and weighted by their texels (glsl/smTrimTexture.glsl,
+ * glsl/smSubPatch.glsl). The sums of a tile depend only on the tile: they are bitwise the same in any batch,
+ * for any number of threads or dispatches.
  *
  * Methods return false if they fail, with GetError(), or if `shouldContinue` returned false. Not thread safe.
  */

@@ -14,12 +14,13 @@ namespace
 using Point2 = std::array<double, 2>;
 using Homogeneous = std::array<double, 4>;
 
-// Number of points of a rise that are compared with the surface's domain: its ends, where v is extreme, and points between.
+// Number of points of a rise that are compared with the surface's domain: its ends, where v is extreme, and
+// points between.
 constexpr int PointsOfRise = 5;
 
-// Tolerance of planarity relative to the size of the coordinates. The corners of a plane were rounded at their position in the
-// file, which may be far from the model's origin. The volume error of treating a surface as a plane is less than this tolerance
-// times size times area.
+// Tolerance of planarity relative to the size of the coordinates. The corners of a plane were rounded at
+// their position in the file, which may be far from the model's origin. The volume error of treating a
+// surface as a plane is less than this tolerance times size times area.
 constexpr double PlanarGap = 1e-12;
 
 std::vector<double> DivideIntervals(const std::vector<double>& breaks, int factor)
@@ -115,8 +116,8 @@ void AddPatch(SubPatchFace& face, double u0, double u1, double v0, double v1)
   face.Patches.push_back(patch);
 }
 
-/// Returns the approximate distance, a length, by which the trim curves leave the surface's domain, by the size of the adjacent
-/// patch.
+/// Returns the approximate distance, a length, by which the trim curves leave the surface's domain, by the
+/// size of the adjacent patch.
 double MeasureOutside(const SubPatchFace& face)
 {
   const std::vector<double>* const borders[2] = { &face.Grid.U, &face.Grid.V };

@@ -2,9 +2,10 @@
  * @file smSubPatches.h
  * @brief A face prepared for the paper's schemes: its sub-patches, their deviation K and its trim polygons
  *
- * "Accurate Moment Computation Using the GPU" (SPM 2010) divides the parameter domain of a face into **sub-patches**: the knot
- * intervals in u and v, each divided into k (the sub-patch factor) equal parts in each direction. Its error estimate needs the
- * largest deviation K of every sub-patch from a linear approximation (its Eq. 1-4).
+ * "Accurate Moment Computation Using the GPU" (SPM 2010) divides the parameter domain of a face into
+ * **sub-patches**: the knot intervals in u and v, each divided into k (the sub-patch factor) equal parts in
+ * each direction. Its error estimate needs the largest deviation K of every sub-patch from a linear
+ * approximation (its Eq. 1-4).
  */
 #ifndef smSubPatches_h
 #define smSubPatches_h
@@ -41,22 +42,22 @@ enum class DeviationMode
 {
   /// K is computed from bounds of the second derivatives by control points: an upper bound, up to rounding.
   Bounded,
-  /// K is computed from the largest of max(3, degree) samples in each direction, on a grid that includes the corners: a lower
-  /// bound.
+  /// K is computed from the largest of max(3, degree) samples in each direction, on a grid that includes the
+  /// corners: a lower bound.
   Sampled
 };
 
 /**
- * Returns K of Eq. 4, a length, for the sub-patch [u0,u1] x [v0,v1], which lies within one knot interval: K = (K1 + 2 K2 + K3) /
- * 8 with K1, K2, K3 the largest |second derivatives| by u u, u v and v v of any coordinate, with respect to the sub-patch's own
- * unit domain (n = m = 1). This equals the paper's K from derivatives with respect to the knot interval's unit domain with n = m
- * = k.
+ * Returns K of Eq. 4, a length, for the sub-patch [u0,u1] x [v0,v1], which lies within one knot interval: K =
+ * (K1 + 2 K2 + K3) / 8 with K1, K2, K3 the largest |second derivatives| by u u, u v and v v of any
+ * coordinate, with respect to the sub-patch's own unit domain (n = m = 1). This equals the paper's K from
+ * derivatives with respect to the knot interval's unit domain with n = m = k.
  */
 SMFILTERSMOMENTSCHEMES_EXPORT double ComputeDeviation(
   const NURBSSurface& surface, double u0, double u1, double v0, double v1, DeviationMode mode);
 
-/// Returns true for a parallelogram in one piece: degree 1 x 1, one knot interval, equal weights, to 1e-12 of the coordinates'
-/// size.
+/// Returns true for a parallelogram in one piece: degree 1 x 1, one knot interval, equal weights, to 1e-12 of
+/// the coordinates' size.
 SMFILTERSMOMENTSCHEMES_EXPORT bool IsPlanar(const NURBSSurface& surface);
 
 /// Largest number of sub-patches of a face; their K occupy half a gigabyte.
@@ -70,7 +71,8 @@ struct SchemeOptions
   /// Number of texels of the trim texture per sub-patch and direction, at least 1.
   int TextureFactor = 4;
   DeviationMode Deviation = DeviationMode::Bounded;
-  /// Largest distance between the trim curves of a planar face and the chords of its trim polygon, a length above 0.
+  /// Largest distance between the trim curves of a planar face and the chords of its trim polygon, a length
+  /// above 0.
   double ChordTolerance = 0.0;
 };
 
@@ -78,7 +80,8 @@ struct SchemeOptions
 struct SubPatchFace
 {
   FacePointer Source;
-  /// True for a face that is integrated by triangles (smPlaneMoments.h): Grid, Patches, Points and Deviations are empty, K is 0.
+  /// True for a face that is integrated by triangles (smPlaneMoments.h): Grid, Patches, Points and Deviations
+  /// are empty, K is 0.
   bool Planar = false;
   SubPatchGrid Grid;
   /// Bézier patches, one per knot interval, u fastest; Points are relative to the patch's centre.
@@ -88,17 +91,18 @@ struct SubPatchFace
   std::vector<double> Deviations;
   /// Trim polygons of a planar face, at the chord tolerance. A face without loops is not trimmed.
   TrimPolygons Polygons;
-  /// Trim curves of a face that is not planar. The trim texture is made from the curves themselves. Chords within a fraction of a
-  /// texel would not be accurate enough: along L texels of a curve their error has one sign and sums to their deviation times L,
-  /// while the errors of the texels sum to the root of L.
+  /// Trim curves of a face that is not planar. The trim texture is made from the curves themselves. Chords
+  /// within a fraction of a texel would not be accurate enough: along L texels of a curve their error has one
+  /// sign and sums to their deviation times L, while the errors of the texels sum to the root of L.
   std::vector<TrimRise> Rises;
-  /// Approximate distance, a length, by which the trim curves leave the surface; 0 for a planar face, whose plane is unbounded.
+  /// Approximate distance, a length, by which the trim curves leave the surface; 0 for a planar face, whose
+  /// plane is unbounded.
   double Outside = 0.0;
 
   /// Returns true if the face has a trim texture.
   bool HasTexture() const { return !this->Planar && this->Source && !this->Source->Loops.empty(); }
-  /// Reason why the face cannot be integrated by a scheme, with the name of the face; else empty. If it is not empty, everything
-  /// except Source is empty.
+  /// Reason why the face cannot be integrated by a scheme, with the name of the face; else empty. If it is
+  /// not empty, everything except Source is empty.
   std::string Error;
 };
 
@@ -107,9 +111,9 @@ SMFILTERSMOMENTSCHEMES_EXPORT SubPatchFace PrepareSubPatchFace(
   const FacePointer& face, const SchemeOptions& options);
 
 /**
- * The two steps of PrepareSubPatchFace(), for faces whose deviations may take minutes: PrepareSubPatchShape() computes everything
- * except the deviations, which are 0, and ComputeDeviations() computes those of the sub-patches [begin, end). Thread safe; for
- * one face if the ranges are disjoint.
+ * The two steps of PrepareSubPatchFace(), for faces whose deviations may take minutes: PrepareSubPatchShape()
+ * computes everything except the deviations, which are 0, and ComputeDeviations() computes those of the
+ * sub-patches [begin, end). Thread safe; for one face if the ranges are disjoint.
  */
 ///@{
 SMFILTERSMOMENTSCHEMES_EXPORT SubPatchFace PrepareSubPatchShape(

@@ -19,8 +19,8 @@ int GetSign(double x)
   return x > 0.0 ? 1 : x < 0.0 ? -1 : 0;
 }
 
-/// Returns the number of sign changes among the differences of the coefficients of v. It equals the number of extrema of v or
-/// exceeds it by an even number.
+/// Returns the number of sign changes among the differences of the coefficients of v. It equals the number of
+/// extrema of v or exceeds it by an even number.
 int CountSignChanges(const TrimRise& b)
 {
   int changes = 0;
@@ -114,8 +114,8 @@ void Cutter::AddPiece(const TrimRise& b, int depth)
   Split(b, changes == 1 ? FindExtremum(b) : 0.5, left, right);
   if (changes == 1)
   {
-    // By Descartes' rule v' has one zero, so that both parts are monotone; clamping removes the effect of rounding on their
-    // coefficients.
+    // By Descartes' rule v' has one zero, so that both parts are monotone; clamping removes the effect of
+    // rounding on their coefficients.
     for (TrimRise* part : { &left, &right })
     {
       const double from = part->front()[1];

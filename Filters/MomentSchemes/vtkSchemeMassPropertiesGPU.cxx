@@ -18,8 +18,8 @@ vtkStandardNewMacro(vtkSchemeMassPropertiesGPU);
 
 namespace
 {
-/// Largest closure residual of a closed surface whose trimmed faces are weighted by texels. A shell without edges and a larger
-/// residual counts as a surface, not as a solid.
+/// Largest closure residual of a closed surface whose trimmed faces are weighted by texels. A shell without
+/// edges and a larger residual counts as a surface, not as a solid.
 constexpr double LargestClosureResidual = 0.1;
 }
 

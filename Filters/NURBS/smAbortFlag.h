@@ -11,9 +11,9 @@
 
 namespace sm
 {
-/// Clears the abort flag of an algorithm when a run begins; call it in the constructor. VTK 9.2 leaves the flag set, and an observer may
-/// set it in the executive's report of progress after a run: the next one would stop at once. A flag that is set in the report before the
-/// run stops the run.
+/// Clears the abort flag of an algorithm when a run begins; call it in the constructor. VTK 9.2 leaves the
+/// flag set, and an observer may set it in the executive's report of progress after a run: the next one would
+/// stop at once. A flag that is set in the report before the run stops the run.
 inline void ClearAbortAtStart(vtkAlgorithm* algorithm)
 {
   vtkNew<vtkCallbackCommand> clear;

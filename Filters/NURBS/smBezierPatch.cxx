@@ -12,11 +12,12 @@ namespace
 using Point3 = std::array<double, 3>;
 
 /**
- * With P the centred homogeneous points and S = P/w: dS/ds = (P_s - w_s S) / w, P_s = p sum B_i^(p-1) (P_(i+1) - P_i), and
- * w is no less than sum B_i^(p-1) min(w_i, w_(i+1)). So |dS/ds| <= p max (|P_(i+1) - P_i| + |w_(i+1) - w_i| |S|) /
- * min(w_i, w_(i+1)); the rounding error of the sum is relative to this bound, too. Returns the bound of |dS/ds|, with |S| at most the
- * patch's radius, and sets `components` to those of its x, y and z, with |S| at most `reach`. Raises patch.WeightRatio to the largest ratio
- * of neighbouring weights.
+ * With P the centred homogeneous points and S = P/w: dS/ds = (P_s - w_s S) / w, P_s = p sum B_i^(p-1)
+ * (P_(i+1) - P_i), and w is no less than sum B_i^(p-1) min(w_i, w_(i+1)). So |dS/ds| <= p max (|P_(i+1) -
+ * P_i| + |w_(i+1) - w_i| |S|) / min(w_i, w_(i+1)); the rounding error of the sum is relative to this bound,
+ * too. Returns the bound of |dS/ds|, with |S| at most the patch's radius, and sets `components` to those of
+ * its x, y and z, with |S| at most `reach`. Raises patch.WeightRatio to the largest ratio of neighbouring
+ * weights.
  */
 double StretchOf(
   const std::array<double, 4>* points, Patch& patch, const Point3& reach, int direction, Point3& components)

@@ -4,8 +4,8 @@
  *
  * Green's theorem row by row: a piece of a loop that runs from v = a to v = b in row j of column c adds its
  * own part of cell (c, j), and the whole width of every cell (c', j) with c' < c between a and b, with
- * the sign of b - a. Kept as events (+1 at a, -1 at b) that are merged from right to left, all events of a loop
- * cancel except where it truly passes a knot line, because neighbours share their end points as the same
+ * the sign of b - a. Kept as events (+1 at a, -1 at b) that are merged from right to left, all events of a
+ * loop cancel except where it truly passes a knot line, because neighbours share their end points as the same
  * doubles. Nothing here asks whether a point is inside, and any loop gets the same sum as row-wise Green.
  */
 #ifndef smCoverage_h
@@ -17,7 +17,8 @@
 
 namespace sm
 {
-/// The part StartV..EndV of the right edge of cell (Column, Row) whose whole width is covered Multiplicity times.
+/// The part StartV..EndV of the right edge of cell (Column, Row) whose whole width is covered Multiplicity
+/// times.
 struct EdgePanel
 {
   int Column;

@@ -40,7 +40,8 @@ struct Edge
   /// The file's tolerance of edge and vertices, a length. For information only: it is not reliable.
   double Tolerance = 0.0;
   bool Degenerate = false;
-  /// Not null where an edit moved the edge along with the boundary rows of its faces, see smModelEdit.h: its origin.
+  /// Not null where an edit moved the edge along with the boundary rows of its faces, see smModelEdit.h: its
+  /// origin.
   std::shared_ptr<const EdgeOrigin> Origin;
 };
 

@@ -18,8 +18,8 @@ namespace
 using Point2 = std::array<double, 2>;
 using Point3 = Vector3;
 
-// Corners and ribbons whose gap is below this fraction of the coordinates' size are left out: their integrals are of the order of its
-// square, far below rounding.
+// Corners and ribbons whose gap is below this fraction of the coordinates' size are left out: their integrals
+// are of the order of its square, far below rounding.
 constexpr double NegligibleGap = 1e-14;
 
 class Builder
@@ -93,9 +93,10 @@ std::uint32_t Builder::GetPatch(int column, int row)
 PanelShape Builder::Classify(const Patch& patch) const
 {
   // Straight in s with weights that do not depend on s: S = A(r) + s B(r), so that n = B x (A' + s B').
-  // The normal keeps its direction along s iff n at s = 0 and s = 1 are parallel for every r, which is det(B, S0', S1') = 0: of degree
-  // q + 2 (2q - 2) in r over weights. Rounding leaves 1e-13, of which only the square matters (Bounds.md). Equal steps multiply it by
-  // less than 1e5 in between up to q = 5; Chebyshev's nodes by 5.
+  // The normal keeps its direction along s iff n at s = 0 and s = 1 are parallel for every r, which is det(B,
+  // S0', S1') = 0: of degree q + 2 (2q - 2) in r over weights. Rounding leaves 1e-13, of which only the
+  // square matters (Bounds.md). Equal steps multiply it by less than 1e5 in between up to q = 5; Chebyshev's
+  // nodes by 5.
   if (patch.Degree[0] != 1)
   {
     return PanelShape::General;
@@ -342,7 +343,8 @@ void Builder::AddCorner(const Coedge& before, const Coedge& after, const Point2&
   const Point3& nextVertex = after.Reversed ? edge1.EndVertex : edge1.StartVertex;
   if (nextVertex != vertex)
   {
-    // This face's side of the hole leads to the end of the next curve, its neighbour's from there to that edge's vertex.
+    // This face's side of the hole leads to the end of the next curve, its neighbour's from there to that
+    // edge's vertex.
     const double side = Norm(Subtract(curveStart, vertex)) + Norm(Subtract(nextVertex, curveStart));
     this->Result.OpenCorners += side * side;
     this->Result.VertexReach = std::max(this->Result.VertexReach, Norm(vertex) + side);

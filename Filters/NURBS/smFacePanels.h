@@ -3,13 +3,14 @@
  * @brief A face cut into the work items of integration: panels, ribbons and caps
  *
  * A **panel** is the part {(xi s(t), r(t)) : 0 <= xi <= 1} of one rational Bézier patch, left of one piece
- * (s(t), r(t)) of a trim curve, in the patch's own parameters (s,r) in [0,1]^2. A **ribbon** is the ruled strip
- * (1-l) S(c(t)) + l C(t) that leads a face's boundary to its edge's curve. A **cap** is a flat triangle at a
- * corner of a loop. Along a loop, pieces that run upwards in r add the part left of them and pieces that run downwards subtract it (Green's
- * theorem), so that the panels of all loops add up to the integral over the trimmed face. Together they are the closed chain of the face:
- * the rest of its boundary are the edge curves and the stubs between vertices and the ends of the edge curves, which cancel between faces.
- * In the field's terms a panel is a strip of Green's theorem, a ribbon a gap strip and a cap a corner cone; Documentation/Numerics.md has a
- * drawing.
+ * (s(t), r(t)) of a trim curve, in the patch's own parameters (s,r) in [0,1]^2. A **ribbon** is the ruled
+ * strip (1-l) S(c(t)) + l C(t) that leads a face's boundary to its edge's curve. A **cap** is a flat triangle
+ * at a corner of a loop. Along a loop, pieces that run upwards in r add the part left of them and pieces that
+ * run downwards subtract it (Green's theorem), so that the panels of all loops add up to the integral over
+ * the trimmed face. Together they are the closed chain of the face: the rest of its boundary are the edge
+ * curves and the stubs between vertices and the ends of the edge curves, which cancel between faces. In the
+ * field's terms a panel is a strip of Green's theorem, a ribbon a gap strip and a cap a corner cone;
+ * Documentation/Numerics.md has a drawing.
  *
  * Everything is local to the face: the items of a face depend on nothing but the face. Where the degree in
  * u is the higher one, u and v are exchanged, so that the inner direction s is the one of lower degree.
@@ -54,7 +55,8 @@ struct Panel
   bool FlipNormal;
   /// Range of the piece's local parameter, and of xi.
   double Start, End;
-  /// The piece is a covered part of the patch's right edge, between crossings of trim curves, and no trim curve itself.
+  /// The piece is a covered part of the patch's right edge, between crossings of trim curves, and no trim
+  /// curve itself.
   bool Covered = false;
   /// (u,v) at Start and End, in the order of the trim pieces' coordinates. Neighbours hold the same doubles.
   std::array<double, 2> From{};
@@ -99,20 +101,22 @@ struct FacePanels
   std::vector<Cap> Caps;
   /// Cells counted more than once or negatively, over more than a sliver: a loop is wrong.
   int CoverageDefects = 0;
-  /// A bound of the widest sliver that is counted so, no farther from the loops than the gaps at their corners and the tolerances of their
-  /// edges (smLoopCrossings.h): a gap of the model.
+  /// A bound of the widest sliver that is counted so, no farther from the loops than the gaps at their
+  /// corners and the tolerances of their edges (smLoopCrossings.h): a gap of the model.
   double Overlap = 0.0;
   /// Trim curves beyond the surface's domain, to which the surface is continued.
   Overhang Outside;
-  /// Largest absolute values of trim pieces' coefficients, in the directions of s and r: where pieces cross knot lines is known to their
-  /// rounding.
+  /// Largest absolute values of trim pieces' coefficients, in the directions of s and r: where pieces cross
+  /// knot lines is known to their rounding.
   double LargestTrim[2] = { 0.0, 0.0 };
-  /// Edges that follow each other may end at different vertices: the sum of the squared ways from one by the end of the second edge's curve
-  /// to the other, and the largest distance of such a point from the model's origin.
+  /// Edges that follow each other may end at different vertices: the sum of the squared ways from one by the
+  /// end of the second edge's curve to the other, and the largest distance of such a point from the model's
+  /// origin.
   double OpenCorners = 0.0;
   double VertexReach = 0.0;
-  /// True if trim curves led where the denominator of the surface may vanish, or where, with weights that differ much, the surface would have
-  /// to be continued farther than it is wide: these curves were moved to the border, and ribbons close the rest.
+  /// True if trim curves led where the denominator of the surface may vanish, or where, with weights that
+  /// differ much, the surface would have to be continued farther than it is wide: these curves were moved to
+  /// the border, and ribbons close the rest.
   bool AreTrimsMoved = false;
 };
 

@@ -53,8 +53,9 @@ std::size_t CountBytes(const CutFace& face)
     GetBytesOf(panels.Caps);
 }
 
-/// Owns a cut face and, with it, a reference to the face itself. Every cache has an owner of its own. The owners of each face are counted
-/// in the process: a face with no other references than theirs belongs to no model any more.
+/// Owns a cut face and, with it, a reference to the face itself. Every cache has an owner of its own. The
+/// owners of each face are counted in the process: a face with no other references than theirs belongs to no
+/// model any more.
 class FacePanelsCache::Kept
 {
 public:

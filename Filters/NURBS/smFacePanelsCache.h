@@ -42,10 +42,11 @@ using CutFacePointer = std::shared_ptr<const CutFace>;
 SMFILTERSNURBS_EXPORT std::size_t CountBytes(const CutFace& face);
 
 /**
- * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is cut once. Faces that only caches
- * of the process still hold, as after an edit, are removed before others are cut. When the budget is spent, the faces that were requested
- * longest ago are removed; a pointer to a cut face stays valid. Panels, ribbons and caps depend on the face alone: a face that was removed
- * and is cut again has the same ones, bit for bit.
+ * Cuts faces (BuildFacePanels) in parallel, by vtkSMPTools, and keeps them by their ids, so that a face is
+ * cut once. Faces that only caches of the process still hold, as after an edit, are removed before others are
+ * cut. When the budget is spent, the faces that were requested longest ago are removed; a pointer to a cut
+ * face stays valid. Panels, ribbons and caps depend on the face alone: a face that was removed and is cut
+ * again has the same ones, bit for bit.
  *
  * Not thread safe: one thread at a time calls Acquire().
  */
@@ -55,9 +56,10 @@ public:
   explicit FacePanelsCache(CacheBudget& budget = CacheBudget::GetProcessBudget());
   ~FacePanelsCache();
 
-  /// `cut` gets one entry per face, never null. `progress` (may be empty) gets the fraction done, between cuts, and
-  /// returns false to stop. Returns false, with GetError() and an empty `cut`, when stopped or when two different faces have one id; faces
-  /// cut until then stay in the cache. A single request may exceed the budget while Acquire() runs.
+  /// `cut` gets one entry per face, never null. `progress` (may be empty) gets the fraction done, between
+  /// cuts, and returns false to stop. Returns false, with GetError() and an empty `cut`, when stopped or when
+  /// two different faces have one id; faces cut until then stay in the cache. A single request may exceed the
+  /// budget while Acquire() runs.
   bool Acquire(const std::vector<FacePointer>& faces, std::vector<CutFacePointer>& cut,
     const ProgressCallback& progress);
 
@@ -65,7 +67,8 @@ public:
   void Clear() { this->Faces.Clear(); }
 
   ///@{
-  /// Counters: faces and bytes in the cache now; faces cut and faces removed, for either reason, since construction.
+  /// Counters: faces and bytes in the cache now; faces cut and faces removed, for either reason, since
+  /// construction.
   std::size_t GetNumberOfFaces() const { return this->Faces.GetNumberOfFaces(); }
   std::size_t GetBytes() const { return this->Faces.GetBytes(); }
   std::uint64_t GetNumberOfCuts() const { return this->Cuts; }

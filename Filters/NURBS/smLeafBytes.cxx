@@ -30,7 +30,8 @@ namespace
 /// The number that stands for a null pointer.
 constexpr std::uint32_t Nothing = std::numeric_limits<std::uint32_t>::max();
 
-/// Numbers objects in the order in which they are written. For an object that occurs again the message has only its number.
+/// Numbers objects in the order in which they are written. For an object that occurs again the message has
+/// only its number.
 template <typename Object>
 class SharedWriter
 {
@@ -57,8 +58,8 @@ template <typename Object>
 class SharedReader
 {
 public:
-  /// Reads a number and returns its object, whose content `read` reads when the number is new. Returns null for a null pointer and for
-  /// invalid bytes.
+  /// Reads a number and returns its object, whose content `read` reads when the number is new. Returns null
+  /// for a null pointer and for invalid bytes.
   template <typename Function>
   Object* Get(ByteReader& from, const Function& read)
   {

@@ -17,7 +17,8 @@ using Point2 = std::array<double, 2>;
 
 /// Largest distance of a chord from its curve, relative to the extent of the loops in u and v.
 constexpr double Flatness = 5e-4;
-/// Overlaps that are excused, relative to the longer side of the face: at least, and at most by the tolerance of its edges.
+/// Overlaps that are excused, relative to the longer side of the face: at least, and at most by the tolerance
+/// of its edges.
 constexpr double LeastExcuse = 1e-4;
 constexpr double LargestExcuse = 1e-3;
 /// The largest part of the face's extent in u and in v that a gap at a corner may have.
@@ -60,12 +61,14 @@ public:
   bool IsFarFromLoops(const Point2& uv);
 
 private:
-  /// Returns true if the loops overlap beside the place where two chords cross, at the fraction x of the first one.
+  /// Returns true if the loops overlap beside the place where two chords cross, at the fraction x of the
+  /// first one.
   bool IsOverlap(const Chord& a, const Chord& b, double x);
   void WidenSlack();
   void SortIntoRows();
   const std::vector<std::size_t>& GetRow(double v) const;
-  /// Looks on one side of a chord; returns 1 for a point there that is wound wrongly, 0 for a right one, -1 if none is far from all loops.
+  /// Looks on one side of a chord; returns 1 for a point there that is wound wrongly, 0 for a right one, -1
+  /// if none is far from all loops.
   int ExamineBeside(const Chord& chord, double side) const;
   /// How far the ends of a coedge are apart if it closes a gap between its neighbours.
   Point2 GetFilledGap(const Coedge& coedge) const;
@@ -191,7 +194,8 @@ int FlatLoops::GetWindingNumber(const Point2& p) const
 
 bool FlatLoops::IsFarFrom(const Point2& p) const
 {
-  // A chord meets the box of half widths Slack about p if it does so in u, in v, and across its own direction.
+  // A chord meets the box of half widths Slack about p if it does so in u, in v, and across its own
+  // direction.
   const std::vector<std::size_t>& row = this->GetRow(p[1]);
   return std::none_of(row.begin(), row.end(),
     [this, &p](std::size_t index)
@@ -269,8 +273,8 @@ void FlatLoops::SortIntoRows()
   }
 }
 
-/// Returns true if two chords cross, at the fraction x of the first one. A chord that begins or ends on the other one crosses it, or
-/// the chord beside it does.
+/// Returns true if two chords cross, at the fraction x of the first one. A chord that begins or ends on the
+/// other one crosses it, or the chord beside it does.
 bool DoCross(const Chord& a, const Chord& b, double& x)
 {
   const Point2 alongA = Subtract2(a.To, a.From);
@@ -320,7 +324,8 @@ bool FlatLoops::HasCrossing()
     for (std::size_t j = i + 1; j < sorted.size() && sorted[j].GetLow(0) <= a.GetHigh(0); ++j)
     {
       const Chord& b = sorted[j];
-      // A loop does not cross itself at a corner between two chords; but it may where it comes back to that corner.
+      // A loop does not cross itself at a corner between two chords; but it may where it comes back to that
+      // corner.
       const bool areNeighbours = a.Next == b.Index || b.Next == a.Index;
       double x = 0.0;
       if (areNeighbours || b.GetLow(1) > a.GetHigh(1) || b.GetHigh(1) < a.GetLow(1) || !DoCross(a, b, x))

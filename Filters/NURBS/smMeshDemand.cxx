@@ -12,8 +12,8 @@ namespace sm
 {
 namespace
 {
-/// Marks the output that is connected to this input. ParaView appends a filter (vtkPVPostFilter) to every output, which only converts
-/// arrays on demand; in that case the output before that filter is marked.
+/// Marks the output that is connected to this input. ParaView appends a filter (vtkPVPostFilter) to every
+/// output, which only converts arrays on demand; in that case the output before that filter is marked.
 void LeaveExactMark(vtkInformation* input)
 {
   while (input)
@@ -36,9 +36,9 @@ void LeaveExactMark(vtkInformation* input)
   }
 }
 
-/// Returns true if something is connected to an output with the mesh other than `port`. This matters because mappers that draw one port
-/// call Update() of their filter, which asks for port 0. A consumer that was deleted without being disconnected still counts, so that a
-/// mesh is made which nobody uses.
+/// Returns true if something is connected to an output with the mesh other than `port`. This matters because
+/// mappers that draw one port call Update() of their filter, which asks for port 0. A consumer that was
+/// deleted without being disconnected still counts, so that a mesh is made which nobody uses.
 bool IsOtherMeshOutputConnected(vtkAlgorithm* filter, vtkInformationVector* outputs, int port)
 {
   for (int i = 0; i < filter->GetNumberOfOutputPorts(); ++i)

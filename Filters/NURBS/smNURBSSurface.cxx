@@ -13,7 +13,8 @@ namespace
 {
 using Homogeneous = std::array<double, 4>;
 
-// Patches are extracted in extended precision and stored in double, so that neighbours differ by the rounding of their stored points only.
+// Patches are extracted in extended precision and stored in double, so that neighbours differ by the rounding
+// of their stored points only.
 using Wide = long double;
 
 /// Index k with knots[k] <= x < knots[k+1], clamped to the domain.
@@ -49,15 +50,17 @@ Number GetBlend(const std::vector<double>& knots, int degree, int k, int level, 
   return (argument - low) / (high - low);
 }
 
-/// True where span k is [a,b] and its knots have full multiplicity: de Boor points are Bézier coefficients then.
+/// True where span k is [a,b] and its knots have full multiplicity: de Boor points are Bézier coefficients
+/// then.
 bool IsBezierSpan(const std::vector<double>& knots, int degree, int k, double a, double b)
 {
   return a == knots[k] && b == knots[k + 1] && knots[k - degree + 1] == a && knots[k + degree] == b;
 }
 
-/// Bézier coefficients on [a,b] of the polynomials that B-splines have on span k: coefficient i is the blossom (polar form) at
-/// (a, .., a, b, .., b) with i times b. `points` holds the degree+1 active de Boor points of each line. The lines share the
-/// factors, whose divisions cost more than the rest, and the coefficients the levels that they have in common.
+/// Bézier coefficients on [a,b] of the polynomials that B-splines have on span k: coefficient i is the
+/// blossom (polar form) at (a, .., a, b, .., b) with i times b. `points` holds the degree+1 active de Boor
+/// points of each line. The lines share the factors, whose divisions cost more than the rest, and the
+/// coefficients the levels that they have in common.
 template <class Number>
 void Blossom(const std::vector<double>& knots, int degree, int k, double a, double b,
   const std::array<Number, 4>* points, std::array<Number, 4>* result, const Lines& lines)
@@ -138,8 +141,8 @@ void ExtractCell(const NURBSSurface& surface, int ku, int kv, const double (&u)[
   Blossom(surface.Knots[1], q, kv, v[0], v[1], partial, cell, { p + 1, p + 1, 1 });
 }
 
-/// Point and derivatives of a cell at local parameters. P, Q: its degrees where these are known to the compiler, else 0; every sum runs in
-/// the same order.
+/// Point and derivatives of a cell at local parameters. P, Q: its degrees where these are known to the
+/// compiler, else 0; every sum runs in the same order.
 template <int P, int Q>
 void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, double s, double r,
   Homogeneous& h, Homogeneous& hs, Homogeneous& hr)
@@ -168,8 +171,8 @@ void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, do
 
 namespace
 {
-/// True if the control points at an index of a direction are those at another one, but for a common factor and rounding: the surface has
-/// the same curve on both sides.
+/// True if the control points at an index of a direction are those at another one, but for a common factor
+/// and rounding: the surface has the same curve on both sides.
 bool AreRowsEqual(const NURBSSurface& surface, int direction, int first, int second)
 {
   const int columns = surface.NumberOfControlPoints[0];
@@ -199,8 +202,8 @@ bool AreRowsEqual(const NURBSSurface& surface, int direction, int first, int sec
   return true;
 }
 
-/// Returns the first knot inside the domain that occurs more often than the degree, with other control points on either side; NaN if there
-/// is none.
+/// Returns the first knot inside the domain that occurs more often than the degree, with other control points
+/// on either side; NaN if there is none.
 double FindJump(const NURBSSurface& surface, int direction)
 {
   const std::vector<double>& knots = surface.Knots[direction];
@@ -342,11 +345,11 @@ std::array<double, 3> NURBSSurface::ExtractBezier(
       largest[c] = std::max(largest[c], std::abs(points[i][c]) / points[i][3]);
     }
   }
-  // The rounding of the result, of w x and where weights differ of w. Before it, a level of blossoming rounds a convex sum of
-  // neighbours, two products, a sum, and factors of three roundings that shift weight between neighbours: at most 9 u of the
-  // largest, of w x and of w alike. There are p + q levels; on a whole Bézier span the factors are 0 and 1, exactly. Centring rounds
-  // twice, and multiplies the error of w by the centre. For these u is that of the wider numbers (where there are none, that of
-  // double).
+  // The rounding of the result, of w x and where weights differ of w. Before it, a level of blossoming rounds
+  // a convex sum of neighbours, two products, a sum, and factors of three roundings that shift weight between
+  // neighbours: at most 9 u of the largest, of w x and of w alike. There are p + q levels; on a whole Bézier
+  // span the factors are 0 and 1, exactly. Centring rounds twice, and multiplies the error of w by the
+  // centre. For these u is that of the wider numbers (where there are none, that of double).
   const double distance = farthest + (center ? std::hypot(center[0], center[1], center[2]) : 0.0);
   int levels = 0;
   for (int d = 0; d < 2; ++d)

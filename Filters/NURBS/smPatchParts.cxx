@@ -40,7 +40,8 @@ std::uint32_t AppendPatchPart(const FacePanels& from, std::uint32_t index, const
       least = std::min(least, source[i][3]);
       most = std::max(most, source[i][3]);
     }
-    // De Casteljau's scheme runs twice in either direction, 2 (p + q) steps. Each rounds a convex combination of points and of weights.
+    // De Casteljau's scheme runs twice in either direction, 2 (p + q) steps. Each rounds a convex combination
+    // of points and of weights.
     const Point3 reach = GetReach(source, count);
     for (int d = 0; d < 2; ++d)
     {
@@ -64,7 +65,8 @@ std::uint32_t AppendPatchPart(const FacePanels& from, std::uint32_t index, const
         lowest = std::min(lowest, point[c] / point[3]);
         highest = std::max(highest, point[c] / point[3]);
       }
-      // The centre is rounded to a double; the translation to it is exact, or rounded as a length of the patch.
+      // The centre is rounded to a double; the translation to it is exact, or rounded as a length of the
+      // patch.
       patch.Center[c] = whole.Center[c] + 0.5 * (lowest + highest);
       const double step = patch.Center[c] - whole.Center[c];
       for (std::array<double, 4>& point : points)

@@ -224,7 +224,8 @@ void CutAtKnotLines(const BernsteinPiece<2>& piece, const CellGrid& grid, std::v
   std::vector<double> knots[2];
   for (std::size_t i = 0; i < cuts.size();)
   {
-    // At a corner of the grid both families are cut at one parameter, and so are neighbouring knots that are closer than rounding.
+    // At a corner of the grid both families are cut at one parameter, and so are neighbouring knots that are
+    // closer than rounding.
     const double parameter = cuts[i].Parameter;
     knots[0].clear();
     knots[1].clear();

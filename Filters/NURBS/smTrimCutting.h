@@ -14,7 +14,8 @@
 
 namespace sm
 {
-/// The cells of a surface: the grid of its distinct knots. Column c is [U[c], U[c+1]], row j is [V[j], V[j+1]].
+/// The cells of a surface: the grid of its distinct knots. Column c is [U[c], U[c+1]], row j is [V[j],
+/// V[j+1]].
 struct SMFILTERSNURBS_EXPORT CellGrid
 {
   std::vector<double> U;
@@ -24,7 +25,8 @@ struct SMFILTERSNURBS_EXPORT CellGrid
   int GetNumberOfRows() const { return static_cast<int>(this->V.size()) - 1; }
   /// Cell index of a coordinate; the nearest cell outside the domain.
   static int Find(const std::vector<double>& breaks, double x);
-  /// Returns true if points are no farther apart than the rounding of a panel in their cells, which may be narrow beside the parameters.
+  /// Returns true if points are no farther apart than the rounding of a panel in their cells, which may be
+  /// narrow beside the parameters.
   bool AreSame(const std::array<double, 2>& a, const std::array<double, 2>& b) const;
 };
 

@@ -43,9 +43,9 @@ private:
 /// Adds the points of one part of a piece after its first one.
 void Flattener::AddPart(const Point2* b, int degree, int depth)
 {
-  // Over a parameter interval of length h a function leaves its chord by at most h^2/8 max |c''|, and Bernstein
-  // coefficients bound c'' = d (d-1) sum_i (b_i - 2 b_i+1 + b_i+2) B_i^(d-2). So N equal chords deviate by at most
-  // d (d-1) max|second difference| / (8 N^2).
+  // Over a parameter interval of length h a function leaves its chord by at most h^2/8 max |c''|, and
+  // Bernstein coefficients bound c'' = d (d-1) sum_i (b_i - 2 b_i+1 + b_i+2) B_i^(d-2). So N equal chords
+  // deviate by at most d (d-1) max|second difference| / (8 N^2).
   Point2 low = b[0];
   Point2 high = b[0];
   Point2 bound{};

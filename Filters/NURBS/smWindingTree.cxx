@@ -11,11 +11,12 @@ namespace sm
 {
 namespace
 {
-/// A cluster is first parted into triangles that are larger than this fraction of its extent and the others, if either part has at least a
-/// 16th of the triangles.
+/// A cluster is first parted into triangles that are larger than this fraction of its extent and the others,
+/// if either part has at least a 16th of the triangles.
 constexpr double LargeShare = 0.5;
 constexpr std::ptrdiff_t LeastShare = 16;
-/// Each child has at most 15/16 of the triangles of its parent, so this depth reaches the leaves of any mesh that fits into memory.
+/// Each child has at most 15/16 of the triangles of its parent, so this depth reaches the leaves of any mesh
+/// that fits into memory.
 constexpr int MaximumStack = 512;
 
 Vector3 GetAreaVector(const std::array<Vector3, 3>& t)
@@ -55,10 +56,12 @@ double GetDistanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b
   return Norm(Vector3{ toPoint[0] - x * along[0], toPoint[1] - x * along[1], toPoint[2] - x * along[2] });
 }
 
-/// Returns the dipole and its first moment at the vector r from the point to the cluster's centre, without the factor 1/(4 pi).
+/// Returns the dipole and its first moment at the vector r from the point to the cluster's centre, without
+/// the factor 1/(4 pi).
 double EvaluateExpansion(const Vector3& r, const Vector3& area, const std::array<double, 6>& m)
 {
-  // The integral of n.f(x-p) over the cluster with f(r) = r/|r|^3, expanded at its centre: df_i/dr_j = d_ij/|r|^3 - 3 r_i r_j/|r|^5.
+  // The integral of n.f(x-p) over the cluster with f(r) = r/|r|^3, expanded at its centre: df_i/dr_j =
+  // d_ij/|r|^3 - 3 r_i r_j/|r|^5.
   const double squared = Dot(r, r);
   const double quadratic = m[0] * r[0] * r[0] + m[1] * r[1] * r[1] + m[2] * r[2] * r[2] +
     2.0 * (m[3] * r[0] * r[1] + m[4] * r[1] * r[2] + m[5] * r[0] * r[2]);
@@ -90,8 +93,8 @@ struct HalfAngle
 
 double EstimateDeviation(const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals)
 {
-  // A surface that is inclined by the angle a against a chord of length h at the chord's ends deviates from it by about h a / 4
-  // at most; twice this distance is assumed.
+  // A surface that is inclined by the angle a against a chord of length h at the chord's ends deviates from
+  // it by about h a / 4 at most; twice this distance is assumed.
   const Vector3 own = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
   const double area = Norm(own);
   double longest = 0.0;

@@ -27,17 +27,18 @@ struct MeshTriangle
 SMFILTERSNURBS_EXPORT double EstimateDeviation(
   const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals);
 
-/// Returns the solid angle of a triangle seen from p (Van Oosterom and Strackee 1983): positive if p is behind it.
+/// Returns the solid angle of a triangle seen from p (Van Oosterom and Strackee 1983): positive if p is
+/// behind it.
 SMFILTERSNURBS_EXPORT double GetSolidAngle(const Vector3& p, const std::array<Vector3, 3>& corners);
 
 /// Returns the distance of p from a triangle.
 SMFILTERSNURBS_EXPORT double GetDistance(const Vector3& p, const std::array<Vector3, 3>& corners);
 
 /**
- * A hierarchy of triangles. The winding number about a point is the sum of their solid angles over 4 pi; triangles far away enter by
- * their area vector, a dipole, and its first moment, as in Barill, Dickson, Schmidt, Levin and Jacobson, Fast winding numbers for
- * soups and clouds, ACM Transactions on Graphics 37(4), 2018. A query is thread safe, and depends on nothing but the triangles and the
- * point.
+ * A hierarchy of triangles. The winding number about a point is the sum of their solid angles over 4 pi;
+ * triangles far away enter by their area vector, a dipole, and its first moment, as in Barill, Dickson,
+ * Schmidt, Levin and Jacobson, Fast winding numbers for soups and clouds, ACM Transactions on Graphics 37(4),
+ * 2018. A query is thread safe, and depends on nothing but the triangles and the point.
  */
 class SMFILTERSNURBS_EXPORT WindingTree
 {
@@ -47,7 +48,8 @@ public:
   /// No triangle is left out.
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-  /// Returns the winding number, to 0.1 for the meshes of the tests. `without` is the index of a triangle to leave out.
+  /// Returns the winding number, to 0.1 for the meshes of the tests. `without` is the index of a triangle to
+  /// leave out.
   double EvaluateWindingNumber(const Vector3& p, std::size_t without = None) const
   {
     return this->Evaluate(p, without, FarRatio);
@@ -56,8 +58,9 @@ public:
   double EvaluateExactWindingNumber(const Vector3& p, std::size_t without = None) const;
 
   /**
-   * Returns true if p is farther from every triangle than its deviation plus `slack`. The triangles can then be moved to the surface
-   * without passing p, so that the winding number of the surface about p is that of the mesh.
+   * Returns true if p is farther from every triangle than its deviation plus `slack`. The triangles can then
+   * be moved to the surface without passing p, so that the winding number of the surface about p is that of
+   * the mesh.
    */
   bool IsFarFrom(const Vector3& p, double slack) const;
 
@@ -69,10 +72,12 @@ private:
     double Deviation = 0.0;
     /// Sum of the areas.
     double Weight = 0.0;
-    /// Point of the expansion, the mean of the centroids by area, and a distance from it that no corner exceeds.
+    /// Point of the expansion, the mean of the centroids by area, and a distance from it that no corner
+    /// exceeds.
     Vector3 Center{};
     double Radius = 0.0;
-    /// Sum of area vectors, and of the products of each with its centroid relative to Center: xx yy zz xy yz xz, symmetrised.
+    /// Sum of area vectors, and of the products of each with its centroid relative to Center: xx yy zz xy yz
+    /// xz, symmetrised.
     Vector3 Area{};
     std::array<double, 6> Moment{};
     std::size_t Begin = 0;
@@ -109,8 +114,9 @@ private:
   std::vector<Node> Nodes;
   /// Index of each triangle in the constructor's argument, leaf after leaf.
   std::vector<std::size_t> Order;
-  /// Coordinates 0 to 2 of corner 0, then those of corners 1 and 2, of the triangles in this order, so that the compiler computes the solid
-  /// angles of a leaf side by side; and zeros for as many triangles as a leaf has.
+  /// Coordinates 0 to 2 of corner 0, then those of corners 1 and 2, of the triangles in this order, so that
+  /// the compiler computes the solid angles of a leaf side by side; and zeros for as many triangles as a leaf
+  /// has.
   std::array<std::vector<double>, 9> Coordinates;
   std::vector<double> Deviations;
 };

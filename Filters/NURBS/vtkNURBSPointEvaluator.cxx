@@ -86,8 +86,8 @@ vtkSmartPointer<vtkDataArray> Copy(vtkDataArray* array)
   return copy;
 }
 
-/// Puts the results, which are in the model's frame, into copies of the mesh's points and normals, and the edited model into the mesh. A
-/// point where the surface has no normal keeps the old one.
+/// Puts the results, which are in the model's frame, into copies of the mesh's points and normals, and the
+/// edited model into the mesh. A point where the surface has no normal keeps the old one.
 void MovePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited, const sm::PointLayout& layout,
   const std::vector<Range>& ranges, const std::vector<sm::PointAndNormal>& results)
 {

@@ -2,19 +2,22 @@
  * @class   vtkNURBSPointEvaluator
  * @brief   evaluates the display points of a mesh again on faces that an edit changed
  *
- * A display point remembers its face and its parameters there (arrays FaceIndex and Parameters of vtkNURBSDataSet). After an edit
- * (smModelEdit.h), UpdatePoints() gives the mesh the edited model, with positions and unit normals of the points of new faces
- * evaluated on the exact surfaces; all others keep their bits.
+ * A display point remembers its face and its parameters there (arrays FaceIndex and Parameters of
+ * vtkNURBSDataSet). After an edit (smModelEdit.h), UpdatePoints() gives the mesh the edited model, with
+ * positions and unit normals of the points of new faces evaluated on the exact surfaces; all others keep
+ * their bits.
  *
  * This class evaluates on the CPU, by vtkSMPTools. New() makes a vtkNURBSPointEvaluatorGPU where the module
- * SolidMoments::RenderingNURBS is loaded, by VTK's object factory: programs that link or import FiltersMassProperties, and ParaView's
- * plugin, have it. That one uses OpenGL 4.3 with doubles and falls back to this one. The two agree to rounding of the part's size.
+ * SolidMoments::RenderingNURBS is loaded, by VTK's object factory: programs that link or import
+ * FiltersMassProperties, and ParaView's plugin, have it. That one uses OpenGL 4.3 with doubles and falls back
+ * to this one. The two agree to rounding of the part's size.
  *
- * A point whose normal vanishes (a pole, a collapsed edge) gets the normal a 4096th of the way to the middle of its Bezier
- * patch; where there is none either, it keeps the old normal.
+ * A point whose normal vanishes (a pole, a collapsed edge) gets the normal a 4096th of the way to the middle
+ * of its Bezier patch; where there is none either, it keeps the old normal.
  *
- * An evaluator remembers how the points of a mesh lie on faces, for meshes that still exist and by their FaceIndex and Parameters
- * arrays, so that the second update of a mesh evaluates only the changes. One object serves many meshes. Not thread safe.
+ * An evaluator remembers how the points of a mesh lie on faces, for meshes that still exist and by their
+ * FaceIndex and Parameters arrays, so that the second update of a mesh evaluates only the changes. One object
+ * serves many meshes. Not thread safe.
  */
 #ifndef vtkNURBSPointEvaluator_h
 #define vtkNURBSPointEvaluator_h
@@ -53,20 +56,21 @@ public:
   ///@}
 
   /**
-   * Gives `mesh` the model `edited`: new points and normals, whatever the mesh shared before stays as it is. Both models have the
-   * same faces but for those that were edited, index by index; the placement of the mesh holds, mirrored or not. The precision
-   * of points and normals stays. A mesh without normals gets none.
+   * Gives `mesh` the model `edited`: new points and normals, whatever the mesh shared before stays as it is.
+   * Both models have the same faces but for those that were edited, index by index; the placement of the mesh
+   * holds, mirrored or not. The precision of points and normals stays. A mesh without normals gets none.
    *
-   * Returns false, with GetMessage() and without changes, if the mesh has no model, no points, or no FaceIndex and Parameters for
-   * its points; if `edited` is null or has a different number of faces; or if points have to be evaluated, Backend is OPENGL, and
-   * OpenGL cannot evaluate them.
+   * Returns false, with GetMessage() and without changes, if the mesh has no model, no points, or no
+   * FaceIndex and Parameters for its points; if `edited` is null or has a different number of faces; or if
+   * points have to be evaluated, Backend is OPENGL, and OpenGL cannot evaluate them.
    */
   bool UpdatePoints(vtkNURBSDataSet* mesh, vtkTrimmedNURBSModel* edited);
 
   ///@{
   /**
-   * Results of the last UpdatePoints(): the number of points evaluated; the device, "opengl", "cpu", or "none" when it failed or nothing
-   * had to be evaluated; the reason why it failed, or why the CPU evaluated where OpenGL would have been preferred, else an empty text.
+   * Results of the last UpdatePoints(): the number of points evaluated; the device, "opengl", "cpu", or
+   * "none" when it failed or nothing had to be evaluated; the reason why it failed, or why the CPU evaluated
+   * where OpenGL would have been preferred, else an empty text.
    */
   vtkGetMacro(NumberOfEvaluations, vtkTypeInt64);
   std::string GetBackendName() const { return this->BackendName; }
@@ -88,8 +92,8 @@ protected:
     std::size_t NumberOfPoints = 0;
   };
 
-  /// Evaluates `work` into one entry per point, face by face, in the layout's order. Returns false, with `reason`, when OpenGL cannot do
-  /// so.
+  /// Evaluates `work` into one entry per point, face by face, in the layout's order. Returns false, with
+  /// `reason`, when OpenGL cannot do so.
   virtual bool EvaluateByOpenGL(
     const Work& work, std::vector<sm::PointAndNormal>& results, std::string& reason);
 #endif

@@ -30,7 +30,8 @@ std::string FormatRange(const sm::PolynomialCurve<Dimension>& curve)
   return "[" + sm::FormatDigits(curve.GetStart(), 6) + ", " + sm::FormatDigits(curve.GetEnd(), 6) + "]";
 }
 
-/// All values of an array with this number of components; empty, with a sentence in `problem`, where it is not such an array.
+/// All values of an array with this number of components; empty, with a sentence in `problem`, where it is
+/// not such an array.
 std::vector<double> GetValues(vtkDataArray* array, int components, const char* what, std::string& problem)
 {
   std::vector<double> values;
@@ -323,7 +324,8 @@ bool vtkTrimmedNURBSModel::AddCoedge(int face, int loop, int edge, bool reversed
     return false;
   }
   coedge.Reversed = reversed;
-  // Faces are immutable values, so one that others share is copied. To copy a face for each of its coedges would take quadratic time.
+  // Faces are immutable values, so one that others share is copied. To copy a face for each of its coedges
+  // would take quadratic time.
   if (this->GrowingFace != this->Faces[face] || this->GrowingFace.use_count() > 2)
   {
     this->GrowingFace = std::make_shared<sm::Face>(*this->Faces[face]);

@@ -55,42 +55,45 @@ public:
   vtkSetMacro(LengthUnit, std::string);
   vtkGetMacro(LengthUnit, std::string);
 
-  /** Unit of the file that the body was read from, as LengthUnit names it; empty when it was read from none, or in a unit
-   * without a name here. A writer saves in it. */
+  /** Unit of the file that the body was read from, as LengthUnit names it; empty when it was read from none,
+   * or in a unit without a name here. A writer saves in it. */
   vtkSetMacro(FileUnit, std::string);
   vtkGetMacro(FileUnit, std::string);
 
   ///@{
-  /** Material name and density (kg/m^3) the file states; empty and 0 when it states none. A density that is negative or not finite is an
-   * error, and changes nothing. */
+  /** Material name and density (kg/m^3) the file states; empty and 0 when it states none. A density that is
+   * negative or not finite is an error, and changes nothing. */
   vtkSetMacro(Material, std::string);
   vtkGetMacro(Material, std::string);
   void SetDensity(double density);
   vtkGetMacro(Density, double);
   ///@}
 
-  /** Volume (LengthUnit^3) and area (LengthUnit^2) that the originating CAD system wrote into the file; NaN if it wrote none. */
+  /** Volume (LengthUnit^3) and area (LengthUnit^2) that the originating CAD system wrote into the file; NaN
+   * if it wrote none. */
   vtkSetMacro(FileVolume, double);
   vtkGetMacro(FileVolume, double);
   vtkSetMacro(FileArea, double);
   vtkGetMacro(FileArea, double);
 
-  /** Accuracy of coordinates that the file states for the body (UNCERTAINTY_MEASURE_WITH_UNIT), in LengthUnit; 0 when it states
-   * none. Gaps up to this width do not make a result suspect; see vtkSurfaceIntegralBase::SetGapLimit(). */
+  /** Accuracy of coordinates that the file states for the body (UNCERTAINTY_MEASURE_WITH_UNIT), in
+   * LengthUnit; 0 when it states none. Gaps up to this width do not make a result suspect; see
+   * vtkSurfaceIntegralBase::SetGapLimit(). */
   vtkSetMacro(FileUncertainty, double);
   vtkGetMacro(FileUncertainty, double);
 
-  /** Faces of the file that could not be carried over and are missing here; GetMessages() names them. Default 0. */
+  /** Faces of the file that could not be carried over and are missing here; GetMessages() names them. Default
+   * 0. */
   vtkSetMacro(NumberOfMissingFaces, int);
   vtkGetMacro(NumberOfMissingFaces, int);
 
   ///@{
   /**
-   * Places where the faces here are not what the file says, besides missing ones: loops that close neither within
-   * the tolerances of their vertices and edges nor within 1e-5 of the body's size, loops that go round a periodic
-   * surface without a seam, edges and coedges left out, edges without a curve on their face, edges that end 1e-2 of
-   * the body's size or more away from their vertices, scales and mirrors of the body's instances that were dropped.
-   * 0 for a sound body; GetMessages() names them. Default: 0. Clamped to >= 0.
+   * Places where the faces here are not what the file says, besides missing ones: loops that close neither
+   * within the tolerances of their vertices and edges nor within 1e-5 of the body's size, loops that go round
+   * a periodic surface without a seam, edges and coedges left out, edges without a curve on their face, edges
+   * that end 1e-2 of the body's size or more away from their vertices, scales and mirrors of the body's
+   * instances that were dropped. 0 for a sound body; GetMessages() names them. Default: 0. Clamped to >= 0.
    */
   vtkSetClampMacro(NumberOfDefects, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfDefects, int);
@@ -106,8 +109,8 @@ public:
   vtkGetVector6Macro(LocalBounds, double);
 
   /** Fixed scales that tolerances are relative to: about the volume and the area of the body, from a coarse
-   * mesh that does not depend on the one that is shown. They set the accuracy asked of each face, not the result. 0: not known, use
-   * LocalBounds. */
+   * mesh that does not depend on the one that is shown. They set the accuracy asked of each face, not the
+   * result. 0: not known, use LocalBounds. */
   vtkSetMacro(VolumeScale, double);
   vtkGetMacro(VolumeScale, double);
   vtkSetMacro(AreaScale, double);
@@ -115,10 +118,10 @@ public:
 
   ///@{
   /**
-   * The mesh that the scales were taken from, in part coordinates, with the arrays of vtkNURBSDataSet; all instances share it. Filters
-   * judge by it whether shells enclose each other or cross themselves, so that their results do not depend on what is shown. Null, the
-   * default:
-   * there is none, and the display mesh takes its place. Setting, exchanging or adding faces drops it. Set the faces first.
+   * The mesh that the scales were taken from, in part coordinates, with the arrays of vtkNURBSDataSet; all
+   * instances share it. Filters judge by it whether shells enclose each other or cross themselves, so that
+   * their results do not depend on what is shown. Null, the default: there is none, and the display mesh
+   * takes its place. Setting, exchanging or adding faces drops it. Set the faces first.
    */
   void SetScaleMesh(vtkPolyData* mesh);
   vtkPolyData* GetScaleMesh() const;
@@ -130,32 +133,37 @@ public:
 
   ///@{
   /**
-   * Builds the body from arrays: edges first, then faces, then the coedges of each face's loops. C++ can make sm::Face objects and
-   * hand them to SetFaces() instead. Coordinates are relative to Origin, in LengthUnit. Documentation/Libraries.md, "Build a
-   * dataset by hand", has a complete example.
+   * Builds the body from arrays: edges first, then faces, then the coedges of each face's loops. C++ can make
+   * sm::Face objects and hand them to SetFaces() instead. Coordinates are relative to Origin, in LengthUnit.
+   * Documentation/Libraries.md, "Build a dataset by hand", has a complete example.
    *
-   * Curves are piecewise polynomials in Bernstein form, all pieces of one degree d (at most 25): `breaks` holds the n + 1
-   * increasing parameters where the n pieces begin and end, `coefficients` holds n d + 1 tuples; the last coefficient of a piece is
-   * the first of the next. A curve that is not polynomial, a circle for example, has to be fitted; `residual` is then the largest
-   * distance of the fit from the curve in any coordinate (not negative, 0: exact), and the bounds of the results include it.
+   * Curves are piecewise polynomials in Bernstein form, all pieces of one degree d (at most 25): `breaks`
+   * holds the n + 1 increasing parameters where the n pieces begin and end, `coefficients` holds n d + 1
+   * tuples; the last coefficient of a piece is the first of the next. A curve that is not polynomial, a
+   * circle for example, has to be fitted; `residual` is then the largest distance of the fit from the curve
+   * in any coordinate (not negative, 0: exact), and the bounds of the results include it.
    *
-   * AddEdge() adds the curve in space (3 components) that the faces on both sides of an edge share; its first and last points are the
-   * vertices. One coefficient over one interval makes a degenerate edge, the pole of a sphere. Any curve near the faces'
-   * common boundary will do: the integrals close the gap between a face and its edge.
+   * AddEdge() adds the curve in space (3 components) that the faces on both sides of an edge share; its first
+   * and last points are the vertices. One coefficient over one interval makes a degenerate edge, the pole of
+   * a sphere. Any curve near the faces' common boundary will do: the integrals close the gap between a face
+   * and its edge.
    *
-   * AddFace() adds a B-spline surface. Knots do not decrease; there are (degree + 1 + number of control points) of them in each
-   * direction; where a knot occurs more often than the degree the points on both sides have to be equal. `controlPoints` holds all control
-   * points, u fastest: 4 components are homogeneous coordinates (w x, w y, w z, w) with w > 0, 3 components are points of weight 1. With `reversed` the outward normal is -(Su x Sv). Without a coedge the face covers the
-   * whole domain of the surface, but only coedges connect it with other faces: a solid has coedges along all boundaries.
+   * AddFace() adds a B-spline surface. Knots do not decrease; there are (degree + 1 + number of control
+   * points) of them in each direction; where a knot occurs more often than the degree the points on both
+   * sides have to be equal. `controlPoints` holds all control points, u fastest: 4 components are homogeneous
+   * coordinates (w x, w y, w z, w) with w > 0, 3 components are points of weight 1. With `reversed` the
+   * outward normal is -(Su x Sv). Without a coedge the face covers the whole domain of the surface, but only
+   * coedges connect it with other faces: a solid has coedges along all boundaries.
    *
-   * AddCoedge() appends a use of the edge to a loop of the face: 0 to the number of its loops, which begins a new one. Coedges of a
-   * loop follow each other counter-clockwise in the (u,v) plane, with the face on their left, whatever `reversed` of the face
-   * says; holes run clockwise. `reversed` says that the loop runs against the parameter of the edge. The trim curve has 2 components
-   * (u, v) and runs over the same parameter range as the edge, in the direction of the edge. The face becomes a new face with a new id.
+   * AddCoedge() appends a use of the edge to a loop of the face: 0 to the number of its loops, which begins a
+   * new one. Coedges of a loop follow each other counter-clockwise in the (u,v) plane, with the face on their
+   * left, whatever `reversed` of the face says; holes run clockwise. `reversed` says that the loop runs
+   * against the parameter of the edge. The trim curve has 2 components (u, v) and runs over the same
+   * parameter range as the edge, in the direction of the edge. The face becomes a new face with a new id.
    *
-   * Both Add methods return the index of what they added, AddCoedge() returns true. A missing array, a wrong number of
-   * components or values, a value that is not finite, an index that does not exist, and whatever NURBSSurface::Check() refuses
-   * are errors: they return -1 or false and change nothing.
+   * Both Add methods return the index of what they added, AddCoedge() returns true. A missing array, a wrong
+   * number of components or values, a value that is not finite, an index that does not exist, and whatever
+   * NURBSSurface::Check() refuses are errors: they return -1 or false and change nothing.
    */
   int AddEdge(vtkDataArray* breaks, vtkDataArray* coefficients, double residual = 0.0);
   int AddFace(int degreeU, vtkDataArray* knotsU, int degreeV, vtkDataArray* knotsV,
@@ -173,8 +181,9 @@ public:
   /** Exchanges one face; the model is modified. */
   void SetFace(vtkIdType index, sm::FacePointer face);
 
-  /** Number of shells of a solid that enclose volume, all others being voids inside them; a STEP file has one for each solid. A result
-   * is suspect if another number lies outside all others. 0, the default: not known. Clamped to >= 0. */
+  /** Number of shells of a solid that enclose volume, all others being voids inside them; a STEP file has one
+   * for each solid. A result is suspect if another number lies outside all others. 0, the default: not known.
+   * Clamped to >= 0. */
   vtkSetClampMacro(NumberOfOuterShells, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfOuterShells, int);
 
@@ -196,7 +205,8 @@ public:
   /** Shares all faces of `source` and copies the rest. */
   void ShallowCopy(vtkTrimmedNURBSModel* source);
 
-  /** Memory of faces, edges and the scale mesh in kibibytes. Shared faces count in every model that uses them. */
+  /** Memory of faces, edges and the scale mesh in kibibytes. Shared faces count in every model that uses
+   * them. */
   unsigned long GetActualMemorySize() const;
 
 protected:

@@ -59,7 +59,8 @@ double FindParameter(const Function& x, double start, double end, double knot)
   return std::abs(x(start) - knot) < std::abs(x(end) - knot) ? start : end;
 }
 
-/// Replaces `values` at the local parameters `nodes` by the Bernstein coefficients of degree n that interpolate them.
+/// Replaces `values` at the local parameters `nodes` by the Bernstein coefficients of degree n that
+/// interpolate them.
 void SolveBernstein(int n, const std::vector<Wide>& nodes, std::vector<WidePoint>& values)
 {
   std::vector<std::vector<Wide>> matrix(n + 1, std::vector<Wide>(n + 1));
@@ -241,7 +242,8 @@ private:
         residual[c] = std::max(residual[c], static_cast<double>(std::abs(fitted[c] - exact[c])));
       }
     }
-    // Halving stops at a residual of FitTolerance: the rest is rounding of the samples, because trim curves are evaluated in double.
+    // Halving stops at a residual of FitTolerance: the rest is rounding of the samples, because trim curves
+    // are evaluated in double.
     if (*std::max_element(residual.begin(), residual.end()) > FitTolerance * this->Scale && halvings > 1)
     {
       const double middle = 0.5 * (start + end);
@@ -258,7 +260,8 @@ private:
     this->Result.AppendPiece(end, points.data(), degree);
     for (int c = 0; c < 3; ++c)
     {
-      // The residual was sampled between the nodes, where it is largest. It is doubled because samples may miss its maximum.
+      // The residual was sampled between the nodes, where it is largest. It is doubled because samples may
+      // miss its maximum.
       this->Result.RaiseResidual(c, this->Origin.Source->Curve.Residual[c] + 2.0 * residual[c]);
     }
   }

@@ -25,12 +25,14 @@ struct BoundaryRow
   bool Falling = false;
 
   int GetSize(const NURBSSurface& surface) const { return surface.NumberOfControlPoints[this->Direction]; }
-  /// Returns the index, among the control points of the surface, of the row's point `k`, counted from the edge's start.
+  /// Returns the index, among the control points of the surface, of the row's point `k`, counted from the
+  /// edge's start.
   std::size_t GetEntry(const NURBSSurface& surface, int k) const;
 };
 
-/// Finds the row that a trim curve runs along. Returns false unless the curve lies on one side of the domain (to 1e-12 of its width) and
-/// runs monotonically from corner to corner, and the knots are clamped, so that the row alone determines that side of the surface.
+/// Finds the row that a trim curve runs along. Returns false unless the curve lies on one side of the domain
+/// (to 1e-12 of its width) and runs monotonically from corner to corner, and the knots are clamped, so that
+/// the row alone determines that side of the surface.
 bool FindBoundaryRow(const NURBSSurface& surface, const TrimCurve& trim, BoundaryRow& row);
 
 /// A rational B-spline curve over [0,1], in the edge's direction.
@@ -48,11 +50,12 @@ struct RowCurve
   std::array<long double, 3> Evaluate(long double x) const;
 };
 
-/// Returns true if two rows have the same degree and knots, points within `tolerance` (a length), and proportional weights.
+/// Returns true if two rows have the same degree and knots, points within `tolerance` (a length), and
+/// proportional weights.
 bool Coincide(const RowCurve& a, const RowCurve& b, double tolerance);
 
-/// An edge with the row along it before the first edit, and the row as it was when the edge last followed it. If the row has moved since
-/// without the edge, the edge at its present position becomes a new origin.
+/// An edge with the row along it before the first edit, and the row as it was when the edge last followed it.
+/// If the row has moved since without the edge, the edge at its present position becomes a new origin.
 struct EdgeOrigin
 {
   std::shared_ptr<const Edge> Source;
@@ -61,9 +64,9 @@ struct EdgeOrigin
 };
 
 /**
- * Returns the curve of `origin`, displaced as its row was: C(t) + now(x(t)) - origin.Row(x(t)), where x(t) is the row's
- * parameter along `trim`. Exact but for rounding where both rows are polynomial; else fitted, and the fit's residual is added to
- * the curve's.
+ * Returns the curve of `origin`, displaced as its row was: C(t) + now(x(t)) - origin.Row(x(t)), where x(t) is
+ * the row's parameter along `trim`. Exact but for rounding where both rows are polynomial; else fitted, and
+ * the fit's residual is added to the curve's.
  */
 EdgeCurve Displace(const EdgeOrigin& origin, const RowCurve& now, const NURBSSurface& surface,
   const BoundaryRow& row, const TrimCurve& trim);

@@ -10,7 +10,8 @@ namespace sm
 {
 namespace
 {
-// A difference quotient that deviates from 1 or 0 by no more than this is set to 1 or 0: the deviation is rounding.
+// A difference quotient that deviates from 1 or 0 by no more than this is set to 1 or 0: the deviation is
+// rounding.
 constexpr double SlopeNoise = 1e-9;
 }
 

@@ -11,8 +11,9 @@
 
 namespace sm
 {
-/// Derivatives of a map, by differences over a length `step`: the largest absolute value of every entry of the Jacobian over the points,
-/// and the largest factor by which the map lengthens a vector. A map that only translates has exactly 1 and 0.
+/// Derivatives of a map, by differences over a length `step`: the largest absolute value of every entry of
+/// the Jacobian over the points, and the largest factor by which the map lengthens a vector. A map that only
+/// translates has exactly 1 and 0.
 struct MapSlopes
 {
   std::array<std::array<double, 3>, 3> Entries{};

@@ -332,8 +332,8 @@ void NetChange::CarryEdge(std::size_t index)
     { return end % 2 == 0 ? row.Points.front() : row.Points.back(); };
     if (get(now) != get(before))
     {
-      // The vertex is displaced from its position before the first edit, so that an undo restores its bits; if other edges moved it since,
-      // from its present position.
+      // The vertex is displaced from its position before the first edit, so that an undo restores its bits;
+      // if other edges moved it since, from its present position.
       const Point& vertex = GetVertex(*edge.Source, end);
       const Point& source = GetVertex(*origin->Source, end);
       const bool followed = Move(source, get(origin->Row), get(before)) == vertex;
@@ -361,7 +361,8 @@ void NetChange::MapEdge(std::size_t index)
   }
   const Point ends[2] = { this->Map(edge.Source->StartVertex), this->Map(edge.Source->EndVertex) };
   const bool moves = curve.Coefficients != edge.Source->Curve.Coefficients;
-  // An edge with coincident rows whose control points do not move is not changed, even if the map moves points between them.
+  // An edge with coincident rows whose control points do not move is not changed, even if the map moves
+  // points between them.
   if ((!moves && ends[0] == edge.Source->StartVertex && ends[1] == edge.Source->EndVertex) ||
     this->FindRows(edge))
   {

@@ -19,11 +19,12 @@
 
 namespace sm
 {
-/// Returns the diagonal of the model's LocalBounds, or of the box of its control points if LocalBounds are not set.
+/// Returns the diagonal of the model's LocalBounds, or of the box of its control points if LocalBounds are
+/// not set.
 double GetBodySize(vtkTrimmedNURBSModel* model);
 
-/// Collects new control points of faces, and then moves the neighbours' boundary rows, the edges and the vertices that belong to
-/// them.
+/// Collects new control points of faces, and then moves the neighbours' boundary rows, the edges and the
+/// vertices that belong to them.
 class NetChange
 {
 public:
@@ -33,14 +34,16 @@ public:
   void SetTemplate(int face, const FacePointer& face_);
   /// Length of difference quotients, see MapSlopes.
   double GetStep() const { return this->Step; }
-  /// Scales Residual and Rounding of a face by the derivatives of the map. They are never reduced, because edges follow their rows.
+  /// Scales Residual and Rounding of a face by the derivatives of the map. They are never reduced, because
+  /// edges follow their rows.
   void RaiseErrors(int face, const MapSlopes& slopes);
-  /// Sets the faces whose common edges follow regardless of the rule, and the map that moves edges without rows.
+  /// Sets the faces whose common edges follow regardless of the rule, and the map that moves edges without
+  /// rows.
   void SetMap(const std::vector<bool>& faces, const PointMap& map);
   void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
 
-  /// Moves the dependent rows, edges and vertices, and stores the changed faces in a copy of the model. It changes nothing if the
-  /// map gives a value for an edge that is not finite.
+  /// Moves the dependent rows, edges and vertices, and stores the changed faces in a copy of the model. It
+  /// changes nothing if the map gives a value for an edge that is not finite.
   void Finish(ModelEdit& edit);
 
 private:
@@ -74,7 +77,8 @@ private:
   }
   const std::vector<Homogeneous>& GetNet(int face) const;
   void CollectEdges();
-  /// Searches the rows of an edge's uses, when they are first needed, so that the cost of an edit depends on the edges that it changes.
+  /// Searches the rows of an edge's uses, when they are first needed, so that the cost of an edit depends on
+  /// the edges that it changes.
   bool FindRows(EdgeUses& edge);
   /// Returns true if control points of a face at the edge were set.
   bool IsTouched(const EdgeUses& edge) const;
@@ -108,9 +112,9 @@ private:
   std::map<const Edge*, std::shared_ptr<const Edge>> NewEdges;
   /// True if all results of the map for edges are finite.
   bool Finite = true;
-  /// Union-find over ends of edges, numbered 2 index + (0: start, 1: end): entry i is another end at the same vertex, or i itself. Two ends
-  /// are the same vertex if they follow one another in a loop and have bitwise equal coordinates. Equal coordinates elsewhere may be a
-  /// coincidence of one edit.
+  /// Union-find over ends of edges, numbered 2 index + (0: start, 1: end): entry i is another end at the same
+  /// vertex, or i itself. Two ends are the same vertex if they follow one another in a loop and have bitwise
+  /// equal coordinates. Equal coordinates elsewhere may be a coincidence of one edit.
   std::vector<std::size_t> SameVertex;
   /// Present position of each vertex, by its representative end.
   std::map<std::size_t, Point> Vertices;

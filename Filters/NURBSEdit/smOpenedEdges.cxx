@@ -12,15 +12,16 @@ namespace sm
 {
 namespace
 {
-// Least number of parameters of a coedge at which gaps are measured. They are distributed over the pieces of its curves, at least one in
-// each.
+// Least number of parameters of a coedge at which gaps are measured. They are distributed over the pieces of
+// its curves, at least one in each.
 constexpr std::size_t Samples = 32;
-// Increase of a gap, relative to the size of the body, above which an edge counts as opened; many times the rounding of the points that are
-// compared.
+// Increase of a gap, relative to the size of the body, above which an edge counts as opened; many times the
+// rounding of the points that are compared.
 constexpr double OpeningTolerance = 1e-12;
 constexpr int FootSteps = 3;
 
-/// Returns the distance of a point from a curve near parameter t, by Newton's method for the foot point; at most the distance at t itself.
+/// Returns the distance of a point from a curve near parameter t, by Newton's method for the foot point; at
+/// most the distance at t itself.
 double GetDistance(const EdgeCurve& curve, double t, const double point[3])
 {
   double least = std::numeric_limits<double>::max();
@@ -62,8 +63,8 @@ double MeasureGap(const Face& face, const Coedge& coedge)
   NURBSSurface::Walker surface(face.Surface);
   for (std::size_t i = 0; i < breaks.size(); ++i)
   {
-    // Samples at a break, and inside the piece from there to the next: a fitted curve interpolates at the breaks, so that its error is
-    // larger between them.
+    // Samples at a break, and inside the piece from there to the next: a fitted curve interpolates at the
+    // breaks, so that its error is larger between them.
     const double width = i + 1 < breaks.size() ? breaks[i + 1] - breaks[i] : 0.0;
     for (std::size_t k = 0; k <= (width > 0.0 ? each : 0); ++k)
     {
@@ -114,8 +115,9 @@ public:
     }
   }
 
-  /// Returns true if the control polygon of a curve lies outside the region, so that both surfaces agree along it. A curve that leaves the
-  /// domain, where the polynomials of the last spans are continued, gives false.
+  /// Returns true if the control polygon of a curve lies outside the region, so that both surfaces agree
+  /// along it. A curve that leaves the domain, where the polynomials of the last spans are continued, gives
+  /// false.
   bool Spares(const TrimCurve& trim) const
   {
     if (!this->SameLayout || !this->Some || trim.Coefficients.empty())
@@ -279,7 +281,8 @@ std::vector<OpenedEdge> FindOpenedEdges(vtkTrimmedNURBSModel* before, vtkTrimmed
   {
     FindLostUses(before, after, opened);
   }
-  // Sorted by width, NaN first; edges of equal width by their ids, because the order of the map is not determined.
+  // Sorted by width, NaN first; edges of equal width by their ids, because the order of the map is not
+  // determined.
   const auto width = [](const OpenedEdge& edge)
   { return std::isnan(edge.Gap) ? std::numeric_limits<double>::infinity() : edge.Gap; };
   std::sort(opened.begin(), opened.end(),

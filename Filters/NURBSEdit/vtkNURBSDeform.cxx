@@ -29,8 +29,8 @@ vtkStandardNewMacro(vtkNURBSDeform);
 
 namespace
 {
-/// Gap that an edit opens, relative to the diagonal of its solid's box, above which the mass properties are suspect (the default of
-/// vtkSurfaceIntegralBase::SetGapLimit()).
+/// Gap that an edit opens, relative to the diagonal of its solid's box, above which the mass properties are
+/// suspect (the default of vtkSurfaceIntegralBase::SetGapLimit()).
 constexpr double TornShare = 1e-3;
 }
 

@@ -31,7 +31,8 @@ vtkStandardNewMacro(vtkNURBSTransform);
 
 namespace
 {
-/// Returns the largest deviation of a matrix from a rotation or reflection with a translation; infinity if an entry is not finite.
+/// Returns the largest deviation of a matrix from a rotation or reflection with a translation; infinity if an
+/// entry is not finite.
 double GetDeviation(const double m[16])
 {
   double deviation = std::max({ std::abs(m[12]), std::abs(m[13]), std::abs(m[14]), std::abs(m[15] - 1.0) });

@@ -2,14 +2,15 @@
  * @class   vtkNURBSTransform
  * @brief   moves solids rigidly and keeps their exact geometry
  *
- * VTK's own transform filters move points and drop the exact geometry. This one changes the placement of every
- * vtkNURBSDataSet in its input (one, or the leaves of a composite dataset) by a rotation, a reflection and a translation, and
- * moves the points and normals of every leaf alike, of plain meshes too. Models, and with them all data kept for their faces,
- * stay shared: after a move no face is integrated again. A reflection also reverses the cells of polydata, so that they
- * stay counter-clockwise from outside.
+ * VTK's own transform filters move points and drop the exact geometry. This one changes the placement of
+ * every vtkNURBSDataSet in its input (one, or the leaves of a composite dataset) by a rotation, a reflection
+ * and a translation, and moves the points and normals of every leaf alike, of plain meshes too. Models, and
+ * with them all data kept for their faces, stay shared: after a move no face is integrated again. A
+ * reflection also reverses the cells of polydata, so that they stay counter-clockwise from outside.
  *
- * p' = Translation + Rz Rx Ry M p in world coordinates, with M the mirror image and R the rotations about the axes through the origin; or
- * the given Transform instead. A transform that is not rigid (to 1e-12) is an error, and the output is empty.
+ * p' = Translation + Rz Rx Ry M p in world coordinates, with M the mirror image and R the rotations about the
+ * axes through the origin; or the given Transform instead. A transform that is not rigid (to 1e-12) is an
+ * error, and the output is empty.
  *
  * Not thread safe.
  */
@@ -37,8 +38,8 @@ public:
   ///@}
 
   ///@{
-  /** Angles in degrees about the x, y and z axis through the origin; rotated about y first, then x, then z, as vtkProp3D does.
-   * Default: 0 0 0. */
+  /** Angles in degrees about the x, y and z axis through the origin; rotated about y first, then x, then z,
+   * as vtkProp3D does. Default: 0 0 0. */
   vtkSetVector3Macro(Rotation, double);
   vtkGetVector3Macro(Rotation, double);
   ///@}
@@ -53,22 +54,24 @@ public:
   };
 
   ///@{
-  /** Reflection at the plane through the origin across this axis, before the rotation. Clamped to these. Default: NONE. */
+  /** Reflection at the plane through the origin across this axis, before the rotation. Clamped to these.
+   * Default: NONE. */
   vtkSetClampMacro(Mirror, int, NONE, Z);
   vtkGetMacro(Mirror, int);
   ///@}
 
   ///@{
-  /** A transform to use instead of all of the above: a rotation, reflection and translation. Default: null. */
+  /** A transform to use instead of all of the above: a rotation, reflection and translation. Default: null.
+   */
   void SetTransform(vtkLinearTransform* transform);
   vtkLinearTransform* GetTransform();
   ///@}
 
   ///@{
   /**
-   * Number of time steps of the output, at the times 0 to 1 at equal distances; at time t Translation and Rotation are multiplied by t.
-   * Mirror is always whole, and so is the transform of SetTransform().
-   * Clamped to 0 .. 100000. Below 2 (default: 0): no times, and the whole edit.
+   * Number of time steps of the output, at the times 0 to 1 at equal distances; at time t Translation and
+   * Rotation are multiplied by t. Mirror is always whole, and so is the transform of SetTransform(). Clamped
+   * to 0 .. 100000. Below 2 (default: 0): no times, and the whole edit.
    */
   vtkSetClampMacro(TimeSteps, int, 0, 100000);
   vtkGetMacro(TimeSteps, int);

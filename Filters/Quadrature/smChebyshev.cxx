@@ -16,7 +16,8 @@ ChebyshevRule::ChebyshevRule(int n)
   , WideNodes(n)
   , Values(n * n)
 {
-  // cos(m pi / 2n) for all m; the cosine of k times a rounded angle would be wrong by many u for high degrees k.
+  // cos(m pi / 2n) for all m; the cosine of k times a rounded angle would be wrong by many u for high degrees
+  // k.
   std::vector<Wide> cosines(n + 1);
   std::vector<Wide>& transform = std::get<std::vector<Wide>>(this->Transform);
   transform.resize(n * n);

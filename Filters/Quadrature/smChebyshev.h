@@ -11,8 +11,9 @@
 
 namespace sm
 {
-/// n Chebyshev nodes cos((i + 1/2) pi / n), the values of T_0 .. T_{n-1} there, and the transform that takes samples at
-/// the nodes to the coefficients of the interpolating series: exact for polynomials of degree n - 1.
+/// n Chebyshev nodes cos((i + 1/2) pi / n), the values of T_0 .. T_{n-1} there, and the transform that takes
+/// samples at the nodes to the coefficients of the interpolating series: exact for polynomials of degree
+/// below n.
 class SMFILTERSQUADRATURE_EXPORT ChebyshevRule
 {
 public:
@@ -33,7 +34,8 @@ public:
   {
     return std::get<std::vector<Real>>(this->Transform).data() + k * this->Size;
   }
-  /// Row k: coefficient k is the sum of row[i] times the Bernstein coefficient i, of degree n - 1 on [0,1]. n <= 26.
+  /// Row k: coefficient k is the sum of row[i] times the Bernstein coefficient i, of degree n - 1 on [0,1]. n
+  /// <= 26.
   template <class Real = double>
   const Real* GetFromBernstein(int k) const
   {
@@ -51,8 +53,8 @@ private:
   std::tuple<std::vector<double>, std::vector<long double>> FromBernstein;
 };
 
-/// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form. Both have degree + 1 coefficients of
-/// `size` numbers each. 0 <= start < end <= 1.
+/// The Chebyshev series on [start,end], mapped to [-1,1], of a polynomial on [0,1] in Bernstein form. Both
+/// have degree + 1 coefficients of `size` numbers each. 0 <= start < end <= 1.
 template <class Real>
 void ExpandBernstein(const Real* coefficients, int size, int degree, Real start, Real end, Real* series)
 {
@@ -91,11 +93,13 @@ void ExpandBernstein(const Real* coefficients, int size, int degree, Real start,
   }
 }
 
-/// Coefficients of the derivative of a series of `count` coefficients that lie `stride` doubles apart; the last one is 0.
+/// Coefficients of the derivative of a series of `count` coefficients that lie `stride` doubles apart; the
+/// last one is 0.
 SMFILTERSQUADRATURE_EXPORT void DifferentiateChebyshev(
   const double* series, double* derivative, int count, int stride);
 
-/// An ellipse with foci -1 and 1: the points with |z - 1| + |z + 1| <= 2 A, A = (rho + 1/rho) / 2. On it |T_k| <= T_k(A).
+/// An ellipse with foci -1 and 1: the points with |z - 1| + |z + 1| <= 2 A, A = (rho + 1/rho) / 2. On it
+/// |T_k| <= T_k(A).
 class SMFILTERSQUADRATURE_EXPORT Ellipse
 {
 public:

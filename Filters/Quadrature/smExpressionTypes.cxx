@@ -114,7 +114,8 @@ const std::map<std::string, Function>& GetFunctions()
   return functions;
 }
 
-/// Functions that have no version for doubles. With a whole number as argument they would compute in single precision.
+/// Functions that have no version for doubles. With a whole number as argument they would compute in single
+/// precision.
 bool HasSinglePrecisionOnly(const std::string& name)
 {
   static const std::set<std::string> names = { "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh",

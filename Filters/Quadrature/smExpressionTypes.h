@@ -55,9 +55,10 @@ struct ExpressionMistake
   std::size_t Token = 0;
 };
 
-/// Finds the first mistake of an expression whose value has to be a number. `What` is empty if there is none, or none in what is known: a driver
-/// may refuse more. What GLSL 4.3 with doubles accepts is not refused, except what may have single precision: some functions, arrays, and columns of a matrix by an index
-/// that is computed.
+/// Finds the first mistake of an expression whose value has to be a number. `What` is empty if there is none,
+/// or none in what is known: a driver may refuse more. What GLSL 4.3 with doubles accepts is not refused,
+/// except what may have single precision: some functions, arrays, and columns of a matrix by an index that is
+/// computed.
 ExpressionMistake FindMistake(const std::vector<ExpressionToken>& tokens);
 }
 

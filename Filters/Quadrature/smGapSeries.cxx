@@ -14,16 +14,18 @@ namespace sm
 namespace
 {
 constexpr double GapRadii[] = { 1.6, 2.5, 4.2, 9.0, 30.0 };
-// Numbers of sampling nodes: up to which a search for fewer nodes costs more than it saves; the least of a search; the most.
+// Numbers of sampling nodes: up to which a search for fewer nodes costs more than it saves; the least of a
+// search; the most.
 constexpr int AffordableNodes = 16;
 constexpr int FewNodes = 10;
 constexpr int MostNodes = 128;
-// Largest bilinear term of a parallelogram's patch, relative to the differences of its corners: rounding, which is computed in double.
+// Largest bilinear term of a parallelogram's patch, relative to the differences of its corners: rounding,
+// which is computed in double.
 constexpr double LargestCorner = 1e-6;
 // Least degree from which raising the lower of two degrees saves time.
 constexpr int LeastRaised = 4;
-// Gaps wider than this, relative to the patch, are transformed in extended precision. For narrower ones double suffices, because its
-// rounding is relative to the small gap.
+// Gaps wider than this, relative to the patch, are transformed in extended precision. For narrower ones
+// double suffices, because its rounding is relative to the small gap.
 constexpr double WideGap = 1e-6;
 
 template <class Real>
@@ -32,16 +34,17 @@ constexpr double GetRoundoff()
   return std::is_same<Real, double>::value ? UnitRoundoff : WideRoundoff;
 }
 
-/// Roundings of a sum of Bernstein polynomials at start + (end - start) t, relative to its largest coefficient: 2n + 2 of the
-/// polynomials (smWideEvaluation.h), n + 1 of products and sums, 3 of the coefficients, 3 of the parameter, which count 2n times, and 4 to
-/// raise the degree to n by one.
+/// Roundings of a sum of Bernstein polynomials at start + (end - start) t, relative to its largest
+/// coefficient: 2n + 2 of the polynomials (smWideEvaluation.h), n + 1 of products and sums, 3 of the
+/// coefficients, 3 of the parameter, which count 2n times, and 4 to raise the degree to n by one.
 double GetCurveRoundings(int degree, int raised, double start, double end)
 {
   return 3.0 * raised + (start == 0.0 && end == 1.0 ? 0.0 : 6.0) * degree + 6.0 + 4.0 * (raised - degree);
 }
 
-/// Roundings of the n coefficients of ExpandBernstein(), likewise: its scheme rounds 6 times a degree; the entries of the transform, whose
-/// absolute values add up to at most 2 in a row, are within 8 n roundings; products and sums round n + 1 times.
+/// Roundings of the n coefficients of ExpandBernstein(), likewise: its scheme rounds 6 times a degree; the
+/// entries of the transform, whose absolute values add up to at most 2 in a row, are within 8 n roundings;
+/// products and sums round n + 1 times.
 double GetSeriesRoundings(int n)
 {
   return 30.0 * n * n;
@@ -246,8 +249,9 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   this->Rough = false;
   this->Tail = 0.0;
   this->WeightNoise = {};
-  // Roundings of every coordinate: 20 of the terms and their sum, 4 in each of three terms to raise the degree by one. The series of the
-  // gap and of the trim are doubles: the gap is small, and the trim enters only through d.
+  // Roundings of every coordinate: 20 of the terms and their sum, 4 in each of three terms to raise the
+  // degree by one. The series of the gap and of the trim are doubles: the gap is small, and the trim enters
+  // only through d.
   const int raised = std::abs(ribbon.TrimDegree - ribbon.EdgeDegree);
   this->Noise = std::sqrt(3.0) *
     (WideRoundoff * (20.0 + 12.0 * raised) * size +
@@ -284,7 +288,8 @@ int GapSeries::ChooseNodes(const Ribbon& ribbon)
   {
     return exact;
   }
-  // Interpolation in n nodes errs by at most 4 M rho^(1-n) / (rho - 1) for a function with modulus below M in the ellipse.
+  // Interpolation in n nodes errs by at most 4 M rho^(1-n) / (rho - 1) for a function with modulus below M in
+  // the ellipse.
   PatchTraits traits;
   traits.Polynomial = false;
   const ParameterBox box = this->Trim.GetBox(1.0, 1.0);
@@ -379,15 +384,17 @@ void GapSeries::Sample(const Ribbon& ribbon, double start, double end, int nodes
   {
     this->TransformSamples<double>(samples, largest, weight);
   }
-  // The series interpolates rounded samples; between the nodes their rounding is multiplied by at most Lebesgue's constant.
+  // The series interpolates rounded samples; between the nodes their rounding is multiplied by at most
+  // Lebesgue's constant.
   this->Noise += this->GetSampleNoise(ribbon, weight) * (1.0 + std::log(static_cast<double>(nodes)));
 }
 
 double GapSeries::GetSampleNoise(const Ribbon& ribbon, double weight) const
 {
-  // P is a sum of the control points times 2p + 2 and 2q + 2 roundings of the polynomials, and p + q + 2 of sums and products; their
-  // absolute values add up to the radius times the weight. An error d of the trim point in s changes U by w |Ss| d, up to a rounding of the
-  // gap. C's coefficients and those of the trim piece count over the whole piece, which may be longer than the ribbon, and leave the patch.
+  // P is a sum of the control points times 2p + 2 and 2q + 2 roundings of the polynomials, and p + q + 2 of
+  // sums and products; their absolute values add up to the radius times the weight. An error d of the trim
+  // point in s changes U by w |Ss| d, up to a rounding of the gap. C's coefficients and those of the trim
+  // piece count over the whole piece, which may be longer than the ribbon, and leave the patch.
   const Patch& patch = this->Panels.Patches[ribbon.Patch];
   const std::array<double, 4>* points = this->GetPoints(ribbon);
   const int p = patch.Degree[0];

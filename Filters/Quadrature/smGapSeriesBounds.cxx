@@ -1,4 +1,5 @@
-// Bounds that follow from the series of a ribbon: their differences from the curves, tangents of the patch, and majorants on ellipses.
+// Bounds that follow from the series of a ribbon: their differences from the curves, tangents of the patch,
+// and majorants on ellipses.
 #include "smGapSeries.h"
 
 #include "smUnitRoundoff.h"
@@ -26,8 +27,8 @@ GapSeries::Remainder GapSeries::GetRemainder(const Majorants& real) const
     gap.Add(k, UnitRoundoff * Norm(this->Gap[k].data()));
     weight.Add(k, UnitRoundoff * std::abs(this->Gap[k][3]));
   }
-  // With U and w off by e and f, G = U/w is off by d = (e + f |G|) / w, and G' = (U' - G w') / w by (e' + f' |G| + d |w'| + f |G'|) / w,
-  // but for products of these.
+  // With U and w off by e and f, G = U/w is off by d = (e + f |G|) / w, and G' = (U' - G w') / w by (e' + f'
+  // |G| + d |w'| + f |G'|) / w, but for products of these.
   const double off = (gap.Value + weight.Value * real.Gap) / real.Weight;
   return { curve.Value, curve.Slope, off,
     (gap.Slope + weight.Slope * (real.Gap + off) + off * real.WeightSlope + weight.Value * real.GapSlope) /

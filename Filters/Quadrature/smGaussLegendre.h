@@ -17,7 +17,8 @@ constexpr int MaximumRuleSize = 32;
 SMFILTERSQUADRATURE_EXPORT void ComputeGaussLegendre(
   int n, std::vector<double>& nodes, std::vector<double>& weights);
 
-/// All rules as (node, weight) pairs back to back: that of n points starts at double n (n-1). Computed once. Thread safe.
+/// All rules as (node, weight) pairs back to back: that of n points starts at double n (n-1). Computed once.
+/// Thread safe.
 SMFILTERSQUADRATURE_EXPORT const std::vector<double>& GetRuleTable();
 }
 

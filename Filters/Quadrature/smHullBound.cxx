@@ -87,11 +87,13 @@ double GetBeyond(const double* coefficients, int degree, const Patch& patch, dou
 }
 
 /**
- * Adds the part of a patch that the trim curve encloses with the patch's left edge. Returns false if its weight may vanish.
+ * Adds the part of a patch that the trim curve encloses with the patch's left edge. Returns false if its
+ * weight may vanish.
  *
- * Beyond the patch by d, with weights of neighbours up to q apart and n = p + q degrees, the negative terms of the Bernstein sums add up to at
- * most N = (1 + q d)^n - 1 times the positive ones, see TrimSeries::IsOnPatch(): a point is N / (1 - N) of the hull's diameter away from it,
- * which is less than a quarter of the patch's radius for n q d <= 0.1.
+ * Beyond the patch by d, with weights of neighbours up to q apart and n = p + q degrees, the negative terms
+ * of the Bernstein sums add up to at most N = (1 + q d)^n - 1 times the positive ones, see
+ * TrimSeries::IsOnPatch(): a point is N / (1 - N) of the hull's diameter away from it, which is less than a
+ * quarter of the patch's radius for n q d <= 0.1.
  */
 bool AddPatch(const FacePanels& panels, std::uint32_t index, double beyond, Hull& hull)
 {
@@ -113,7 +115,8 @@ bool AddPatch(const FacePanels& panels, std::uint32_t index, double beyond, Hull
   return true;
 }
 
-/// Adds what a panel or a ribbon, along its trim curve, has of its patch. Returns false if it has no hull, or needs none.
+/// Adds what a panel or a ribbon, along its trim curve, has of its patch. Returns false if it has no hull, or
+/// needs none.
 template <class Item>
 bool AddPatchOf(const FacePanels& panels, const Item& item, Hull& hull)
 {
@@ -159,7 +162,8 @@ HullBound BoundPanelByHull(const FacePanels& panels, const Panel& panel, const s
   {
     return Unbounded;
   }
-  // A point of the patch is covered once for every t with its r, of which there are no more than r(t)'s degree.
+  // A point of the patch is covered once for every t with its r, of which there are no more than r(t)'s
+  // degree.
   const int* degree = panels.Patches[panel.Patch].Degree;
   return hull.GetBound(
     static_cast<double>(std::max<int>(panel.TrimDegree, 1)) * degree[0] * degree[1], shift);

@@ -35,13 +35,14 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   std::string Expression;
   /// Integrated over ribbons and caps too.
   bool ClosedChain = false;
-  /// Total degree of the polynomial g in x.n g(x), n g(x), |n| g(x) or x_i n_z g(x); -1: not such a polynomial.
+  /// Total degree of the polynomial g in x.n g(x), n g(x), |n| g(x) or x_i n_z g(x); -1: not such a
+  /// polynomial.
   int Degree = -1;
   /// GLSL expression in `size` = |position|: the factor of a sample's relative rounding error, see Bounds.md.
   std::string Magnitude;
 
-  /// The same formulas as structure, to be evaluated in the order of operations of the texts: factors from left to right, x
-  /// before y before z. The magnitude is MagnitudeFactor * size^MagnitudePower.
+  /// The same formulas as structure, to be evaluated in the order of operations of the texts: factors from
+  /// left to right, x before y before z. The magnitude is MagnitudeFactor * size^MagnitudePower.
   Kind Form = Kind::User;
   double Factor = 1.0;
   std::array<int, 3> Powers{};
@@ -50,7 +51,8 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
 
   /// The checked and translated expression; null unless Form is User.
   std::shared_ptr<const UserExpression> Source{};
-  /// The integral scales as size^(2 + ScalePower); tolerances of a User integrand are relative to area * size^ScalePower.
+  /// The integral scales as size^(2 + ScalePower); tolerances of a User integrand are relative to area *
+  /// size^ScalePower.
   int ScalePower = 0;
 
   /// Flux of x g(x) / (3 + i + j + k) with g = x^i y^j z^k: the volume integral of g.
@@ -59,11 +61,11 @@ struct SMFILTERSQUADRATURE_EXPORT Integrand
   static Integrand AreaMoment(const std::string& name, int i, int j, int k);
   /// A component of the vector area, 0 on a closed surface.
   static Integrand VectorArea(const std::string& name, int component);
-  /// Flux of (0, 0, z) g(x) / (k + 1) with g = x^i y^j z^k: the volume integral of g, too. It vanishes on the plane z = 0, so a section
-  /// there adds nothing.
+  /// Flux of (0, 0, z) g(x) / (k + 1) with g = x^i y^j z^k: the volume integral of g, too. It vanishes on the
+  /// plane z = 0, so a section there adds nothing.
   static Integrand HeightMoment(const std::string& name, int i, int j, int k);
-  /// Flux of the divergence-free field (0, 0, 1) x^i y^j: through the part of a closed surface below z = 0 it is minus the moment of the
-  /// section at z = 0. i + j is at most 2.
+  /// Flux of the divergence-free field (0, 0, 1) x^i y^j: through the part of a closed surface below z = 0 it
+  /// is minus the moment of the section at z = 0. i + j is at most 2.
   static Integrand SectionMoment(const std::string& name, int i, int j);
   static Integrand User(const std::string& name, const std::string& expression, bool closedChain,
     const UserExpression::Constants& constants = {});

@@ -7,8 +7,8 @@ namespace sm
 {
 namespace
 {
-// Steps wide enough that two orders do not agree by chance, the first of them a doubling: N against N+1 was wrong by
-// up to 1700 times where N against 2N never was (Bounds.md).
+// Steps wide enough that two orders do not agree by chance, the first of them a doubling: N against N+1 was
+// wrong by up to 1700 times where N against 2N never was (Bounds.md).
 constexpr std::array<int, 6> Ladder = { 3, 6, 9, 14, 20, 30 };
 // Where an exact rule needs more points than this, increasing the order until two agree costs less.
 constexpr int LargestExactOrder = 10;
@@ -30,8 +30,8 @@ OrderLadder::OrderLadder(const std::vector<Integrand>& integrands)
 
 int OrderLadder::GetAcross(PanelShape shape) const
 {
-  // Along a straight ruling of constant normal direction x.n is constant (Flat) or linear, |n| too, and g has its degree D: rules
-  // exact to D or D + 1.
+  // Along a straight ruling of constant normal direction x.n is constant (Flat) or linear, |n| too, and g has
+  // its degree D: rules exact to D or D + 1.
   if (this->Degree < 0 || shape == PanelShape::General)
   {
     return 0;

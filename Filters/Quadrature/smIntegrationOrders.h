@@ -13,7 +13,8 @@
 
 namespace sm
 {
-/// Numbers of Gauss points along t and across. Across is the xi of a panel; the shader has the fixed number of a ribbon.
+/// Numbers of Gauss points along t and across. Across is the xi of a panel; the shader has the fixed number
+/// of a ribbon.
 struct Orders
 {
   int Along = 1;

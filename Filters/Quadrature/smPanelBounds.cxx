@@ -36,8 +36,8 @@ PanelBounds::PanelBounds(const FacePanels& panels, const PlanRequest& request, F
 
 void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector<double>& change) const
 {
-  // A sum of control points times weights is at most `growth` times the weight and the longest of them, and its derivative at most
-  // 2 n growth (1 + growth) times that.
+  // A sum of control points times weights is at most `growth` times the weight and the longest of them, and
+  // its derivative at most 2 n growth (1 + growth) times that.
   double growth = 1.0;
   for (int d = 0; d < 2; ++d)
   {
@@ -142,7 +142,8 @@ bool PanelBounds::IsPatch() const
 
 Ellipse PanelBounds::Embed(const Ellipse& ellipse, int direction) const
 {
-  // The box lies within that of the majorants: distances to the ends of the larger interval are longer by the distances between the ends.
+  // The box lies within that of the majorants: distances to the ends of the larger interval are longer by the
+  // distances between the ends.
   const double ratio = this->Box.Half[direction] / this->MajorantsBox.Half[direction];
   return Ellipse::FromHalfAxis(1.0 + ratio * (ellipse.GetHalfAxis() - 1.0));
 }
@@ -163,7 +164,8 @@ void PanelBounds::Bound(const Panel& panel, const PanelPart& part)
   {
     this->Supremum.assign(count, std::numeric_limits<double>::infinity());
   }
-  // Each direction gets half of the tolerance. An integral that is smaller than its tolerance needs no order of its own (share 0).
+  // Each direction gets half of the tolerance. An integral that is smaller than its tolerance needs no order
+  // of its own (share 0).
   this->Shares.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -235,8 +237,8 @@ EllipseGain PanelBounds::AddEllipse(
 
 void PanelBounds::SetPolynomialOrders(const Patch& patch)
 {
-  // Numerators have degree 3p-2 in s and 3q-2 in r, heights times normals one more, positions p and q; in t all of these times
-  // the trim's degree, and s(t) r'(t).
+  // Numerators have degree 3p-2 in s and 3q-2 in r, heights times normals one more, positions p and q; in t
+  // all of these times the trim's degree, and s(t) r'(t).
   const int p = patch.Degree[0];
   const int q = patch.Degree[1];
   const int d = this->Trim.GetDegree();

@@ -2,8 +2,8 @@
  * @file smPanelBounds.h
  * @brief Bounds of the integrands on a part of a panel, along its trim curve and across, see Bounds.md
  *
- * A part can be bounded by two sets of series: those of its patch, which all panels of the patch share at no further cost, and those of its
- * own box, which give smaller bounds.
+ * A part can be bounded by two sets of series: those of its patch, which all panels of the patch share at no
+ * further cost, and those of its own box, which give smaller bounds.
  */
 #ifndef smPanelBounds_h
 #define smPanelBounds_h
@@ -30,8 +30,8 @@ public:
   /// `degree`: highest degree of the factors g.
   PanelBounds(const FacePanels& panels, const PlanRequest& request, FaceSeries& series, int degree);
 
-  /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a zero there. `withForm`: |n| may be
-  /// taken for a polynomial.
+  /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a
+  /// zero there. `withForm`: |n| may be taken for a polynomial.
   bool ExpandByPatch(const Panel& panel, const PanelPart& part, bool withForm);
   /// Bounds a part by series of its own. `withForm`: |n| may be taken for a polynomial.
   void ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm = true);
@@ -50,8 +50,8 @@ public:
   double GetError(std::size_t integrand, int along, int across) const;
   /// Largest distance from the point that moments are about, over all parts so far.
   double GetReach() const { return this->Reach; }
-  /// Bounds of the differences of the integrands from those whose error is bounded, because edges that are nearly points were made points;
-  /// without the Jacobian. Empty where nothing was changed.
+  /// Bounds of the differences of the integrands from those whose error is bounded, because edges that are
+  /// nearly points were made points; without the Jacobian. Empty where nothing was changed.
   const std::vector<double>& GetChange();
 
 private:
@@ -63,7 +63,8 @@ private:
   void ExpandTrim(const Panel& panel, const PanelPart& part);
   void Bound(const Panel& panel, const PanelPart& part);
   void BoundAcross(const Panel& panel);
-  /// Adds the bounds on the ellipses `s` and `r`, times `factor`, as those on the ellipse of a radius along a direction.
+  /// Adds the bounds on the ellipses `s` and `r`, times `factor`, as those on the ellipse of a radius along a
+  /// direction.
   EllipseGain AddEllipse(const Ellipse& s, const Ellipse& r, double factor, const EllipseRadius& radius,
     DirectionBound& direction);
   void BoundAlong(const PanelPart& part);

@@ -12,36 +12,41 @@ namespace sm
 {
 namespace
 {
-// Halvings of a panel, and parts of it, before the area is compared instead of bounded. An isolated point without a
-// normal needs some 12 halvings in both directions until what is left is below its share, with a few parts of each depth. Along a line on
-// which normals vanish the parts double with every other halving, and no depth is enough. Such a line is recognised by many parts at a
-// depth at which other panels have no part left.
+// Halvings of a panel, and parts of it, before the area is compared instead of bounded. An isolated point
+// without a normal needs some 12 halvings in both directions until what is left is below its share, with a
+// few parts of each depth. Along a line on which normals vanish the parts double with every other halving,
+// and no depth is enough. Such a line is recognised by many parts at a depth at which other panels have no
+// part left.
 constexpr int LargestDepth = 30;
 constexpr std::size_t MostParts = 128;
 constexpr std::size_t MostAbreast = 16;
 constexpr int DepthOfLines = 6;
-// The limit of parts where the moments, too, need more points than one part may have, because weights differ much.
+// The limit of parts where the moments, too, need more points than one part may have, because weights differ
+// much.
 constexpr std::size_t MostPartsOfMoments = 8192;
 // Where an exact rule needs more points than this, the order that a bound gives costs less.
 constexpr int LargestFlatOrder = 10;
-// Rounding of a crossing's parameter, in units of u times its largest coordinate: 2 (degree + 2) for trim pieces up to degree 25.
+// Rounding of a crossing's parameter, in units of u times its largest coordinate: 2 (degree + 2) for trim
+// pieces up to degree 25.
 constexpr double EndRounding = 54.0;
 // An end this close to a patch's corner is that corner: cuts at knots are the knots themselves.
 constexpr double RowBorder = 1e-15;
 constexpr int LeastCompared = 4;
 constexpr int MostCompared = 15;
-// Up to this number of points, evaluating them costs less than series of the part's own, which might need fewer points.
+// Up to this number of points, evaluating them costs less than series of the part's own, which might need
+// fewer points.
 constexpr int EvaluationsOfSeries = 150;
 
-/// Largest change of the normal of a prismatic panel along its straight lines, relative to the largest normal: 1e-14 at the samples of
-/// smFacePanels.cxx, times Lebesgue's constant, which is at most 2^n / n for n <= 20 equal steps.
+/// Largest change of the normal of a prismatic panel along its straight lines, relative to the largest
+/// normal: 1e-14 at the samples of smFacePanels.cxx, times Lebesgue's constant, which is at most 2^n / n for
+/// n <= 20 equal steps.
 double GetPrismaticDeviation(int q)
 {
   return 1e-14 * (q <= 5 ? std::exp2(4 * q) / (4 * q) : 5.0);
 }
 
-/// Bound of the part of the parameters that a panel covers: |s| up to extent[0], times the way of r, which is no longer than that of the
-/// coefficients of its trim piece.
+/// Bound of the part of the parameters that a panel covers: |s| up to extent[0], times the way of r, which is
+/// no longer than that of the coefficients of its trim piece.
 double GetCovered(const FacePanels& panels, const Panel& panel, const double extent[2])
 {
   double way = 0.0;
@@ -79,9 +84,10 @@ PanelPlanner::PanelPlanner(
 void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], double reach)
 {
   const Patch& patch = this->Panels.Patches[panel.Patch];
-  // With d = P00 - P10 - P01 + P11, a position is within |d| / 4 of the parallelogram's, and Ss and Sr are within |d| / 2 of their
-  // means; for s and r of up to an extent beyond 1, within that minus 1/2 times |d|, and their product minus 3/4 times |d|. A rule is off by
-  // at most twice the largest difference from what it is exact for.
+  // With d = P00 - P10 - P01 + P11, a position is within |d| / 4 of the parallelogram's, and Ss and Sr are
+  // within |d| / 2 of their means; for s and r of up to an extent beyond 1, within that minus 1/2 times |d|,
+  // and their product minus 3/4 times |d|. A rule is off by at most twice the largest difference from what it
+  // is exact for.
   const std::array<double, 4>* p = this->Panels.Points.data() + patch.FirstPoint;
   double d[3];
   for (int c = 0; c < 3; ++c)
@@ -106,8 +112,8 @@ void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], doub
 
 bool PanelPlanner::PlanExactly(std::uint32_t index)
 {
-  // A parallelogram: x.n and |n| are constant, so g(x(t)) of degree D d times s of degree d times r' of degree d - 1 in
-  // t, and xi^(D+1) .. across.
+  // A parallelogram: x.n and |n| are constant, so g(x(t)) of degree D d times s of degree d times r' of
+  // degree d - 1 in t, and xi^(D+1) .. across.
   const Panel& panel = this->Panels.Panels[index];
   const int trimDegree = std::max<int>(panel.TrimDegree, 1);
   const int along = ((this->Degree + 2) * trimDegree + 1) / 2;
@@ -212,7 +218,8 @@ bool PanelPlanner::IsSmall(double kink, double share) const
 
 void PanelPlanner::AddEndError(const Panel& panel, const PanelPart& part)
 {
-  // The covered part of a patch's right edge ends where a trim curve crosses it: known to the rounding of that curve.
+  // The covered part of a patch's right edge ends where a trim curve crosses it: known to the rounding of
+  // that curve.
   if (!panel.Covered)
   {
     return;
@@ -262,7 +269,8 @@ int PanelPlanner::ChooseDirection(const PanelPart& part) const
 void PanelPlanner::Keep(
   std::uint32_t index, const PanelPart& part, int along, int across, bool compared, double noise)
 {
-  // Where weights differ much, or no order suffices for the moments, |n| may have peaks between the points of two orders.
+  // Where weights differ much, or no order suffices for the moments, |n| may have peaks between the points of
+  // two orders.
   const bool mayEstimate =
     compared && std::max(along, across) <= LargestOrder && this->Bounds.GetMajorants().HasEvenWeight();
   if (compared)
@@ -369,7 +377,8 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
   double noise = this->GetNoise(panel, kink);
   if (!this->IsSmall(2.0 * this->GetNoise(panel, 0.0), share))
   {
-    // |n| may be a polynomial whose bound of the deviation is too large for the tolerance: tried again without this form.
+    // |n| may be a polynomial whose bound of the deviation is too large for the tolerance: tried again
+    // without this form.
     this->Bounds.ExpandByPart(panel, part, false);
     noise = this->GetNoise(panel, kink);
   }

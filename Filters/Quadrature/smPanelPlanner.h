@@ -30,18 +30,20 @@ private:
   void PlanInParts(std::uint32_t index);
   /// Adds the error of exact orders for what a flat patch deviates from a parallelogram.
   void AddFlatError(const Panel& panel, const double extent[2], double reach);
-  /// Plans a panel by the series of its patch. Returns false if their bounds do not suffice, or if series of the panel's own may need far
-  /// fewer points. `withForm`: |n| may be taken for a polynomial, and the panel covers its patch or needs few points.
+  /// Plans a panel by the series of its patch. Returns false if their bounds do not suffice, or if series of
+  /// the panel's own may need far fewer points. `withForm`: |n| may be taken for a polynomial, and the panel
+  /// covers its patch or needs few points.
   bool PlanByPatch(std::uint32_t index, const PanelPart& part, bool withForm);
   void PlanPart(std::uint32_t index, const PanelPart& part);
-  /// Bound of the errors of the area that the series do not contain: rounding, the kinks of collapsed edges, and the deviation of a nearly
-  /// constant normal.
+  /// Bound of the errors of the area that the series do not contain: rounding, the kinks of collapsed edges,
+  /// and the deviation of a nearly constant normal.
   double GetNoise(const Panel& panel, double kink) const;
   bool FindOrders(double share, bool withArea, int& along, int& across) const;
   bool IsSmall(double kink, double share) const;
   void AddEndError(const Panel& panel, const PanelPart& part);
   int ChooseDirection(const PanelPart& part) const;
-  /// Adds a part with these orders; `compared`: the error of its area is estimated by comparing orders where its bounds permit that.
+  /// Adds a part with these orders; `compared`: the error of its area is estimated by comparing orders where
+  /// its bounds permit that.
   void Keep(std::uint32_t index, const PanelPart& part, int along, int across, bool compared, double noise);
 
   const FacePanels& Panels;

@@ -12,15 +12,17 @@ namespace sm
 {
 namespace
 {
-// Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of the samples: in an
-// ellipse they would grow with their degree. They are left out of it, and their absolute values are added to the bound.
+// Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of
+// the samples: in an ellipse they would grow with their degree. They are left out of it, and their absolute
+// values are added to the bound.
 constexpr int MostKept = 12;
 constexpr double NoiseSize = 2e-16; // times the number of coefficients in both directions
 
 /// The sum of `count` factors times points of four numbers, which lie `stride` numbers apart.
 inline void SumFours(const double* factors, const double* points, int count, int stride, double* sum)
 {
-  // Summed in local variables, which stay in registers: the compiler cannot know that `sum` does not overlap `points`.
+  // Summed in local variables, which stay in registers: the compiler cannot know that `sum` does not overlap
+  // `points`.
   double value[4] = {};
   for (int i = 0; i < count; ++i)
   {
@@ -32,7 +34,8 @@ inline void SumFours(const double* factors, const double* points, int count, int
   std::copy_n(value, 4, sum);
 }
 
-/// Chebyshev coefficients k of the Bernstein polynomials j of a degree on [middle - half, middle + half]: row k.
+/// Chebyshev coefficients k of the Bernstein polynomials j of a degree on [middle - half, middle + half]: row
+/// k.
 void MakeConversion(int degree, double middle, double half, std::vector<double>& conversion)
 {
   const int n = degree + 1;
@@ -84,8 +87,8 @@ void PatchMajorants::ExpandNet(const double* net, int countS, int countR, std::v
 
 void PatchMajorants::ExpandDerivatives(const std::array<double, 4>* points)
 {
-  // Derivatives from differences of control points: differentiating a series would amplify its rounding by the square of
-  // the degree, and on a small box again.
+  // Derivatives from differences of control points: differentiating a series would amplify its rounding by
+  // the square of the degree, and on a small box again.
   const int columns = this->P + 1;
   const int rows = this->Q + 1;
   static thread_local std::vector<double> net;

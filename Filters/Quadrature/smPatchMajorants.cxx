@@ -167,7 +167,8 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   }
   else
   {
-    // m~.m~ = (|m~_00| + a)^2 + b.b with |a| <= D1, |b.b| <= D2^2: the root is analytic where D1 + D2 < |m~_00|.
+    // m~.m~ = (|m~_00| + a)^2 + b.b with |a| <= D1, |b.b| <= D2^2: the root is analytic where D1 + D2 <
+    // |m~_00|.
     const double across = products[Across];
     if (along - this->FirstLength + across < 0.999999 * this->FirstLength)
     {
@@ -235,7 +236,8 @@ double PatchMajorants::GetLengthDeviation() const
   {
     return 0.0;
   }
-  // ||m~| - h| (|m~| + h) is the deviation of the squares. With a constant direction h is m~.e, e taken on the box.
+  // ||m~| - h| (|m~| + h) is the deviation of the squares. With a constant direction h is m~.e, e taken on
+  // the box.
   const Ellipse real = Ellipse::FromRadius(1.0);
   const double weight = this->GetLowestWeight();
   return this->Traits.SquareDeviation / this->LeastLength * this->GetFactorMajorant(real, real) /

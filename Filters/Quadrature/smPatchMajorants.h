@@ -2,13 +2,14 @@
  * @file smPatchMajorants.h
  * @brief Bounds of the integrands on a box of a rational Bézier patch, also for complex parameters
  *
- * See Bounds.md. Position, normal and weight of the patch are expanded in Chebyshev series on the box; sums of absolute
- * coefficients times T_k T_l bound them on a product of ellipses. With P = (w x, w y, w z) homogeneous,
+ * See Bounds.md. Position, normal and weight of the patch are expanded in Chebyshev series on the box; sums
+ * of absolute coefficients times T_k T_l bound them on a product of ellipses. With P = (w x, w y, w z)
+ * homogeneous,
  *
  *     m = w Ps x Pr + ws Pr x P + wr P x Ps,   n = Ss x Sr = m / w^3,   x.n = D / w^3,   D = det(P, Ps, Pr),
  *
- * so every integrand but the area's is a polynomial over a power of w: the numerators, which have degrees 3p-2 and
- * 3q-2, are sampled at 3p-1 by 3q-1 nodes and so known exactly. For the area see Area below.
+ * so every integrand but the area's is a polynomial over a power of w: the numerators, which have degrees
+ * 3p-2 and 3q-2, are sampled at 3p-1 by 3q-1 nodes and so known exactly. For the area see Area below.
  */
 #ifndef smPatchMajorants_h
 #define smPatchMajorants_h
@@ -59,12 +60,12 @@ struct ParameterBox
 class SMFILTERSQUADRATURE_EXPORT PatchMajorants
 {
 public:
-  /// Expands the patch on the box. `origin`: the patch's centre as seen from the point that moments are about, so that
-  /// x = origin + P / w.
+  /// Expands the patch on the box. `origin`: the patch's centre as seen from the point that moments are
+  /// about, so that x = origin + P / w.
   void Expand(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
     const ParameterBox& box, const std::array<double, 3>& origin);
-  /// The same of a whole patch; also finds the traits of its normals, `withForm`: PolynomialLength, too. `traits` has those of
-  /// FindPatchTraits().
+  /// The same of a whole patch; also finds the traits of its normals, `withForm`: PolynomialLength, too.
+  /// `traits` has those of FindPatchTraits().
   void ExpandPatch(const std::array<double, 4>* points, int p, int q, PatchTraits& traits,
     const ParameterBox& box, const std::array<double, 3>& origin, bool withForm = true);
   /// Frees the memory that only the next expansion needs.
@@ -73,26 +74,31 @@ public:
   void ExpandWithoutNormal(
     const std::array<double, 4>* points, int p, int q, const PatchTraits& traits, const ParameterBox& box);
 
-  /// Bounds of the integrands of each class, without the Jacobian of the panel, for s and r (scaled to [-1,1] on the
-  /// box) in the two ellipses. Returns false when the weight may vanish there; the bound of an area is infinite where |m| may vanish.
+  /// Bounds of the integrands of each class, without the Jacobian of the panel, for s and r (scaled to [-1,1]
+  /// on the box) in the two ellipses. Returns false when the weight may vanish there; the bound of an area is
+  /// infinite where |m| may vanish.
   bool Evaluate(const Ellipse& s, const Ellipse& r, const std::vector<BoundClass>& classes,
     std::vector<double>& bounds) const;
-  /// Largest distance from the point that moments are about; infinite where the weight may vanish, as the next bounds are.
+  /// Largest distance from the point that moments are about; infinite where the weight may vanish, as the
+  /// next bounds are.
   double GetReach() const;
   /// A lower bound of w on the box; 0 if there is none above it.
   double GetLowestWeight() const;
-  /// True if w is nowhere on the box below a tenth of its mean, so that the polynomial m divided by w^3 has no narrow peaks.
+  /// True if w is nowhere on the box below a tenth of its mean, so that the polynomial m divided by w^3 has
+  /// no narrow peaks.
   bool HasEvenWeight() const;
 
-  /// Upper bound, for real parameters, of the difference between |n| and its series where |n| is taken for a polynomial.
+  /// Upper bound, for real parameters, of the difference between |n| and its series where |n| is taken for a
+  /// polynomial.
   double GetLengthDeviation() const;
 
   /// |n| has no zero on the box, but at collapsed edges.
   bool HasLength() const;
   /// Bounds, for real parameters, of the terms that the series omit as rounding; without the Jacobian.
   void GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const;
-  /// Where the box extends beyond a collapsed edge, |n| has a kink at the edge, but its factor (s, for example) has none. Returns twice the
-  /// length by which the box extends, relative to the factor's largest value, in s (0) or r (1).
+  /// Where the box extends beyond a collapsed edge, |n| has a kink at the edge, but its factor (s, for
+  /// example) has none. Returns twice the length by which the box extends, relative to the factor's largest
+  /// value, in s (0) or r (1).
   double GetKink(int direction) const;
 
   /// Upper bounds in the ellipses of |w x| relative to the patch's centre, and of w.
@@ -112,22 +118,23 @@ private:
   };
   using ProductEntry = std::array<double, 4>;
   ProductEntry SumProducts(const std::vector<double>& s, const std::vector<double>& r) const;
-  /// The cube of the weight at a point of the box: n = factors m~ / w^3, so lengths of m~ are compared after division by it.
+  /// The cube of the weight at a point of the box: n = factors m~ / w^3, so lengths of m~ are compared after
+  /// division by it.
   double EvaluateCube(double x, double y) const;
   /// Calls visit(sample, cube of the weight there) for all nodes.
   template <class Visit>
   void VisitSamples(const Visit& visit) const;
   /// The largest |m~| / w^3 of all samples; `longest` becomes that sample.
   double FindLongestSample(const double*& longest) const;
-  /// The largest part of a sample across the longest one, relative to the cube of the weight; `bound` bounds |m~ - (m~.e) e|, which has
-  /// the degrees of m~.
+  /// The largest part of a sample across the longest one, relative to the cube of the weight; `bound` bounds
+  /// |m~ - (m~.e) e|, which has the degrees of m~.
   double MeasureAcross(const std::array<double, 4>* points, const double* longest, double& bound) const;
   /// The least product of the collapsed edges' factors at the nodes of samples.
   double GetLeastFactor() const;
   /// The series of m~ and of |m~| in extended precision, four numbers a coefficient, s fastest.
   std::vector<long double> ExpandWideNormal(const std::array<double, 4>* points) const;
-  /// True when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`; `square` bounds |m~.m~ - h^2|, known in
-  /// extended precision.
+  /// True when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`; `square`
+  /// bounds |m~.m~ - h^2|, known in extended precision.
   bool MeasureLengthDeviation(
     const std::array<double, 4>* points, double allowed, double largest, double& square) const;
   /// |m~| is a polynomial on the box.
@@ -143,7 +150,8 @@ private:
   void Transform(int countS, int countR);
   void MakeTables(int countS, int countR);
   void DropNoise(std::size_t count, double noise);
-  /// The product of the factors of collapsed edges (s, 1-s, r, 1-r): at a point; its largest modulus in the ellipses.
+  /// The product of the factors of collapsed edges (s, 1-s, r, 1-r): at a point; its largest modulus in the
+  /// ellipses.
   template <class Real>
   Real GetFactor(Real s, Real r) const
   {

@@ -8,12 +8,15 @@ namespace sm
 {
 namespace
 {
-// The box of a patch's series is larger than the patch by this, so that it contains trim curves that leave the patch by rounding.
+// The box of a patch's series is larger than the patch by this, so that it contains trim curves that leave
+// the patch by rounding.
 constexpr double Margin = 1e-6;
-// An edge whose control points are this close together, relative to the patch, is nearly, or certainly, one point.
+// An edge whose control points are this close together, relative to the patch, is nearly, or certainly, one
+// point.
 constexpr double NearlyCollapsed = 1e-9;
 constexpr double CertainlyCollapsed = 1e-15;
-// The largest number of samples of a patch, in both directions, whose form is cheap: bilinear to biquadratic ones, and long arcs.
+// The largest number of samples of a patch, in both directions, whose form is cheap: bilinear to biquadratic
+// ones, and long arcs.
 constexpr int SamplesOfCheapForm = 40;
 
 /// Beyond a collapsed edge |n| is not what it is on the patch.

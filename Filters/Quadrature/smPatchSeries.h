@@ -1,6 +1,7 @@
 /**
  * @file smPatchSeries.h
- * @brief The series of whole patches, which all panels of a patch share, computed when they are first asked for
+ * @brief The series of whole patches, which all panels of a patch share, computed when they are first asked
+ * for
  */
 #ifndef smPatchSeries_h
 #define smPatchSeries_h
@@ -15,12 +16,12 @@
 
 namespace sm
 {
-/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at most `normal` long, and points
-/// no farther than `reach`.
+/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at
+/// most `normal` long, and points no farther than `reach`.
 double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach);
 
-/// The changes of the integrands of all classes where points move by `moved` and derivatives by `slope`, if the patch has the radius and
-/// derivatives of at most `stretch`; without the Jacobian.
+/// The changes of the integrands of all classes where points move by `moved` and derivatives by `slope`, if
+/// the patch has the radius and derivatives of at most `stretch`; without the Jacobian.
 void FillIntegrandChange(const Patch& patch, const PlanRequest& request, double moved, const double slope[2],
   double radius, const double stretch[2], std::vector<double>& change);
 
@@ -29,8 +30,9 @@ std::array<double, 3> GetOrigin(const Patch& patch, const PlanRequest& request);
 
 struct PatchSeries
 {
-  /// Control points of the patch with poles made points; bounds of the change of points and derivatives; and bounds of the change of the
-  /// integrands on the patch, without the Jacobian, empty where nothing was changed.
+  /// Control points of the patch with poles made points; bounds of the change of points and derivatives; and
+  /// bounds of the change of the integrands on the patch, without the Jacobian, empty where nothing was
+  /// changed.
   std::vector<std::array<double, 4>> Points;
   double Moved = 0.0;
   /// True if that is of the size of rounding, so that the series hold everywhere.

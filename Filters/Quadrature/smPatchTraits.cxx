@@ -15,15 +15,16 @@ namespace sm
 {
 namespace
 {
-// A row of control points this close together, relative to the patch, is taken for one point, and a length this close to a polynomial for a
-// polynomial. Both differences are of the size of rounding.
+// A row of control points this close together, relative to the patch, is taken for one point, and a length
+// this close to a polynomial for a polynomial. Both differences are of the size of rounding.
 constexpr double CollapsedSize = 1e-15;
 constexpr double LengthTolerance = 3e-15; // times the degrees, whose rounding adds up
 
 /// Doubles of a sample: D, m~ (3) and |m~|.
 constexpr int SampleSize = 5;
 
-/// Lebesgue's constant of n Chebyshev nodes: a polynomial of degree n - 1 is at most that many times its largest value at them.
+/// Lebesgue's constant of n Chebyshev nodes: a polynomial of degree n - 1 is at most that many times its
+/// largest value at them.
 double GetLebesgueConstant(int n)
 {
   return 1.0 + 2.0 / M_PI * std::log(static_cast<double>(n));
@@ -35,8 +36,8 @@ int GetEdgePoint(int edge, int i, int p, int q)
   return edge < 2 ? (edge == 1 ? p : 0) + i * (p + 1) : (edge == 3 ? (p + 1) * q : 0) + i;
 }
 
-/// Largest control points, and largest differences of neighbours times the degree, of the homogeneous net in s and in r: a bound of P, P_s
-/// and P_r, and of w, w_s and w_r.
+/// Largest control points, and largest differences of neighbours times the degree, of the homogeneous net in
+/// s and in r: a bound of P, P_s and P_r, and of w, w_s and w_r.
 struct NetSize
 {
   double Position[3] = { 0.0, 0.0, 0.0 };
@@ -76,22 +77,25 @@ private:
 };
 
 /**
- * Roundings of a sample of m in units of its terms. In double: a Chebyshev coefficient of P, w or their derivatives has at most
- * 4 (5 (p + q) + 14) roundings of the net, as rows of the conversion and of the transform sum up to 2 each, their value 4 (p + 1) (q + 1) times
- * that and the p + q + 4 of its evaluation, and a term of m three such factors.
+ * Roundings of a sample of m in units of its terms. In double: a Chebyshev coefficient of P, w or their
+ * derivatives has at most 4 (5 (p + q) + 14) roundings of the net, as rows of the conversion and of the
+ * transform sum up to 2 each, their value 4 (p + 1) (q + 1) times that and the p + q + 4 of its evaluation,
+ * and a term of m three such factors.
  */
 double GetSampleRoundings(int p, int q)
 {
   return 12.0 * (p + 1) * (q + 1) * (6.0 * (p + q) + 20.0);
 }
 
-/// The same from control points in extended precision: 2 n + 2 for a basis of degree n, one for each point, three factors and their sums.
+/// The same from control points in extended precision: 2 n + 2 for a basis of degree n, one for each point,
+/// three factors and their sums.
 double GetWideRoundings(int p, int q)
 {
   return 3.0 * (2.0 * (p + q) + 4.0 + (p + 1) * (q + 1)) + 16.0;
 }
 
-/// A patch at r = constant: points, steps in s from each to the next, and differences in r of its Bezier curve in s, as in smPatch.glsl.
+/// A patch at r = constant: points, steps in s from each to the next, and differences in r of its Bezier
+/// curve in s, as in smPatch.glsl.
 struct WideRow
 {
   Wide Points[3][MaximumDegree + 1][4] = {};
@@ -117,7 +121,8 @@ struct WideRow
   }
 };
 
-/// m = w Ps x Pr + ws Pr x P + wr P x Ps at a point of a row, where the bases of degrees p and p - 1 have these values.
+/// m = w Ps x Pr + ws Pr x P + wr P x Ps at a point of a row, where the bases of degrees p and p - 1 have
+/// these values.
 void EvaluateNormal(const WideRow& row, int p, int q, const Wide* basis, const Wide* lower, Wide m[3])
 {
   Wide h[3][4];
@@ -200,8 +205,8 @@ bool IsCollapsed(const std::array<double, 4>* points, int p, int q, int edge, do
   return true;
 }
 
-/// Returns false if |m~| is not a polynomial: its interpolation differs from it at a point between the nodes by more than `getAllowed`
-/// returns for this point.
+/// Returns false if |m~| is not a polynomial: its interpolation differs from it at a point between the nodes
+/// by more than `getAllowed` returns for this point.
 template <class GetAllowed>
 bool MayBePolynomialLength(const double* samples, int countS, int countR, const GetAllowed& getAllowed)
 {
@@ -300,8 +305,8 @@ void PatchMajorants::ExpandPatch(const std::array<double, 4>* points, int p, int
   if (across <= tolerance * largest)
   {
     traits.ConstantDirection = true;
-    // Across the mean direction of a box on which |m~| varies by less than 2 it is at most three times as much as across the
-    // longest sample's.
+    // Across the mean direction of a box on which |m~| varies by less than 2 it is at most three times as
+    // much as across the longest sample's.
     traits.SquareDeviation = 9.0 * acrossBound * acrossBound;
   }
   const bool mayBePolynomial = withForm && !traits.ConstantDirection &&
@@ -464,7 +469,8 @@ bool PatchMajorants::MeasureLengthDeviation(
 {
   const int countS = 3 * this->P - 1;
   const int countR = 3 * this->Q - 1;
-  // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): values at as many nodes and one more bound it.
+  // h^2 - m~.m~ has the degrees 2 (countS - 1) and 2 (countR - 1): values at as many nodes and one more bound
+  // it.
   const ChebyshevRule& checkS = ChebyshevRule::Get(2 * countS - 1);
   const ChebyshevRule& checkR = ChebyshevRule::Get(2 * countR - 1);
   const std::vector<Wide> series = this->ExpandWideNormal(points);
@@ -473,7 +479,8 @@ bool PatchMajorants::MeasureLengthDeviation(
   {
     sum += std::abs(coefficient);
   }
-  // Samples of m~ through the interpolation, and the evaluation of series, where T_k by its recurrence has at most k^2 roundings.
+  // Samples of m~ through the interpolation, and the evaluation of series, where T_k by its recurrence has at
+  // most k^2 roundings.
   const double hidden = WideRoundoff *
     (GetLebesgueConstant(countS) * GetLebesgueConstant(countR) * GetWideRoundings(this->P, this->Q) *
         NetSize(points, this->P, this->Q).GetNumerator() / this->GetLeastFactor() +

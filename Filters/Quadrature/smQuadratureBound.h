@@ -2,14 +2,15 @@
  * @file smQuadratureBound.h
  * @brief The error of a Gauss rule from bounds of the integrand on ellipses, and the order that meets a share
  *
- * f analytic where |z| + |z - 1| <= (rho + 1/rho) / 2 and |f| <= M there: the N-point Gauss rule on [0,1] errs by at most
+ * f analytic where |z| + |z - 1| <= (rho + 1/rho) / 2 and |f| <= M there: the N-point Gauss rule on [0,1]
+ * errs by at most
  *
  *     (32/15) M rho^(-2N) / (1 - rho^-2).
  *
- * The Chebyshev coefficients of f are at most 2 M rho^-k, the rule is exact up to degree 2N - 1, odd terms vanish by
- * symmetry, and each even term costs at most 32/15 on [-1,1] (Filters/Quadrature/Bounds.md; compare Trefethen, Approximation Theory and
- * Approximation Practice, theorem 19.3). For a product rule the errors of the two directions add up: the weights of a Gauss rule are
- * positive and have the sum 1.
+ * The Chebyshev coefficients of f are at most 2 M rho^-k, the rule is exact up to degree 2N - 1, odd terms
+ * vanish by symmetry, and each even term costs at most 32/15 on [-1,1] (Filters/Quadrature/Bounds.md; compare
+ * Trefethen, Approximation Theory and Approximation Practice, theorem 19.3). For a product rule the errors of
+ * the two directions add up: the weights of a Gauss rule are positive and have the sum 1.
  */
 #ifndef smQuadratureBound_h
 #define smQuadratureBound_h
@@ -35,8 +36,8 @@ private:
   double Powers[MostPoints + 1];
 };
 
-/// The result of adding an ellipse: its bounds need no more points than those of the ellipses before it, or more points, or it has no
-/// finite bounds (None).
+/// The result of adding an ellipse: its bounds need no more points than those of the ellipses before it, or
+/// more points, or it has no finite bounds (None).
 enum class EllipseGain
 {
   None,
@@ -44,8 +45,8 @@ enum class EllipseGain
   Useful
 };
 
-/// Tries ellipses from a middle one outwards and inwards, as long as they are useful: errors fall with the radius until the bounds rise
-/// faster. `add` takes an EllipseRadius and returns an EllipseGain.
+/// Tries ellipses from a middle one outwards and inwards, as long as they are useful: errors fall with the
+/// radius until the bounds rise faster. `add` takes an EllipseRadius and returns an EllipseGain.
 template <std::size_t Count, class Add>
 void SearchEllipses(const EllipseRadius (&radii)[Count], const Add& add)
 {
@@ -62,21 +63,24 @@ void SearchEllipses(const EllipseRadius (&radii)[Count], const Add& add)
 class DirectionBound
 {
 public:
-  /// Removes all ellipses. `shares` holds the error allowed in this direction for every integrand; a value that is not positive, or
-  /// infinite, allows any error. Orders are at most `largest`.
+  /// Removes all ellipses. `shares` holds the error allowed in this direction for every integrand; a value
+  /// that is not positive, or infinite, allows any error. Orders are at most `largest`.
   void Reset(const std::vector<double>& shares, int largest);
-  /// Adds an ellipse of this radius (> 1), which stays where it is. `bounds` holds the bound of |f| on it for every integrand; infinite
-  /// where f may not be analytic. Returns false if the ellipse asks for more points of every integrand than one before it, so that larger
-  /// ones will not ask for fewer: orders fall with the radius until the bounds rise faster.
+  /// Adds an ellipse of this radius (> 1), which stays where it is. `bounds` holds the bound of |f| on it for
+  /// every integrand; infinite where f may not be analytic. Returns false if the ellipse asks for more points
+  /// of every integrand than one before it, so that larger ones will not ask for fewer: orders fall with the
+  /// radius until the bounds rise faster.
   bool AddEllipse(const EllipseRadius& radius, const std::vector<double>& bounds);
-  /// Returns whether the last ellipse has a smaller error of `points` points for some integrand than all before it.
+  /// Returns whether the last ellipse has a smaller error of `points` points for some integrand than all
+  /// before it.
   bool IsLastBest(int points) const;
   /// States that this integrand is a polynomial that `order` points integrate exactly.
   void SetExactOrder(std::size_t integrand, int order);
 
   /// Bound of the error of `order` points.
   double GetError(std::size_t integrand, int order) const;
-  /// The smallest number of points whose bound is at most the share; `largest` + 1 or more if `largest` points do not suffice.
+  /// The smallest number of points whose bound is at most the share; `largest` + 1 or more if `largest`
+  /// points do not suffice.
   int GetOrder(std::size_t integrand) const
   {
     return std::min(this->Orders[integrand], this->ExactOrders[integrand]);

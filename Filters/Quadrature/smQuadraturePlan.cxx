@@ -35,8 +35,8 @@ struct Division
   }
 };
 
-/// Adds the error of a fitted surface: it may move the solid by its residual over the area. The normals of a fit are not bounded by its
-/// distance; Markov's inequality for the pieces' degree gives their size.
+/// Adds the error of a fitted surface: it may move the solid by its residual over the area. The normals of a
+/// fit are not bounded by its distance; Markov's inequality for the pieces' degree gives their size.
 void AddFitError(const Face& face, const FacePanels& panels, const std::vector<BoundClass>& classes,
   double reach, double area, FacePlan& plan)
 {
@@ -65,14 +65,16 @@ void AddFitError(const Face& face, const FacePanels& panels, const std::vector<B
         plan.Estimated = true;
         break;
       default:
-        // The residual of a fitted surface does not move the boundary of the chain, so its vector area has no such error.
+        // The residual of a fitted surface does not move the boundary of the chain, so its vector area has no
+        // such error.
         break;
     }
   }
 }
 
-/// Limits the effect of residuals of trim curves on areas. The face with its curves as they are and that with exact ones both lie on the
-/// patches, and cover them once: their areas differ by no more than that of the patches.
+/// Limits the effect of residuals of trim curves on areas. The face with its curves as they are and that with
+/// exact ones both lie on the patches, and cover them once: their areas differ by no more than that of the
+/// patches.
 void LimitResidualError(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
 {
   if (panels.CoverageDefects > 0 || panels.Outside.Distance > 0.0)
@@ -119,10 +121,10 @@ double GetReach(const Patch& patch, const PlanRequest& request)
 }
 
 /**
- * Adds the error of rounding of the patches' control points, by d; a point of the patch is a convex sum of theirs. The ribbons
- * start from the same rounded patch, so the chain's moments change by the flux of d through the area, `area` at most; but
- * along interior knot lines each of two patches has moved by itself, and a slit opens. The area changes with
- * the tangents.
+ * Adds the error of rounding of the patches' control points, by d; a point of the patch is a convex sum of
+ * theirs. The ribbons start from the same rounded patch, so the chain's moments change by the flux of d
+ * through the area, `area` at most; but along interior knot lines each of two patches has moved by itself,
+ * and a slit opens. The area changes with the tangents.
  */
 void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, double area, FacePlan& plan)
 {
@@ -169,7 +171,8 @@ double GetReach(const FacePanels& panels, const PlanRequest& request)
   return reach + panels.Outside.Distance;
 }
 
-/// Adds the bounds of integrals over a part of the closed chain that belongs to no face, so that it has no area.
+/// Adds the bounds of integrals over a part of the closed chain that belongs to no face, so that it has no
+/// area.
 void AddChainMagnitude(
   const HullBound& part, const std::vector<BoundClass>& classes, std::vector<double>& bounds)
 {
@@ -198,9 +201,9 @@ void AddCap(const FacePanels& panels, const PlanRequest& request, std::uint32_t 
 }
 
 /**
- * Edges that do not meet leave a hole in the closed chain at their corner, whose border has as many sides as faces meet there, n, and is
- * closed by a surface of no more than its length squared over 4 pi, at most n / (4 pi) times the sum of the squares of the sides. The factor
- * 4 is for up to 50 faces.
+ * Edges that do not meet leave a hole in the closed chain at their corner, whose border has as many sides as
+ * faces meet there, n, and is closed by a surface of no more than its length squared over 4 pi, at most n /
+ * (4 pi) times the sum of the squares of the sides. The factor 4 is for up to 50 faces.
  */
 void AddOpenCorners(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
 {
@@ -212,7 +215,8 @@ void AddOpenCorners(const FacePanels& panels, const PlanRequest& request, FacePl
   }
 }
 
-/// The request for one item: with a class for the area, and equal shares of the tolerances; ribbons have no area.
+/// The request for one item: with a class for the area, and equal shares of the tolerances; ribbons have no
+/// area.
 PlanRequest MakeShares(const FacePanels& panels, const PlanRequest& request)
 {
   PlanRequest all = request;
@@ -239,9 +243,9 @@ FacePlan MakePlan(std::size_t classes)
   return plan;
 }
 
-/// The rest of the areas' tolerances that the bounds leave, at least the share of one panel, is for the items that are compared, in equal
-/// shares, since a line on which normals vanish needs the same of all its parts. Half of it: each of the four parts of an item gets half of
-/// its share.
+/// The rest of the areas' tolerances that the bounds leave, at least the share of one panel, is for the items
+/// that are compared, in equal shares, since a line on which normals vanish needs the same of all its parts.
+/// Half of it: each of the four parts of an item gets half of its share.
 void ShareOut(const FacePanels& panels, const PlanRequest& request, FacePlan& plan)
 {
   const auto compared = std::count_if(
@@ -262,7 +266,8 @@ void ShareOut(const FacePanels& panels, const PlanRequest& request, FacePlan& pl
   }
 }
 
-/// Leaves out the panels if no moment of the face, whose tolerances are `shares` of one item, has a bound that is less than its magnitude.
+/// Leaves out the panels if no moment of the face, whose tolerances are `shares` of one item, has a bound
+/// that is less than its magnitude.
 void LeaveOut(const PlanRequest& shares, FacePlan& plan)
 {
   bool isUseless = plan.IsLimitedByHull;
@@ -400,7 +405,8 @@ FacePlan FacePlanner::Join() const
     { &plan.QuadratureBound, &plan.ConversionBound, &plan.ResidualBound, &plan.Magnitude })
   {
     values->resize(this->Request.Classes.size());
-    // Bounds are computed with rounding to nearest. One that is no number, which a difference of infinite values is, is none.
+    // Bounds are computed with rounding to nearest. One that is no number, which a difference of infinite
+    // values is, is none.
     std::transform(values->begin(), values->end(), values->begin(),
       [](double bound)
       { return bound >= 0.0 ? BoundGrowth * bound : std::numeric_limits<double>::infinity(); });

@@ -1,11 +1,13 @@
 /**
  * @file smQuadraturePlan.h
- * @brief The Gauss orders of a face's panels and ribbons, chosen by a proved bound before a point is evaluated
+ * @brief The Gauss orders of a face's panels and ribbons, chosen by a proved bound before a point is
+ * evaluated
  *
- * See Bounds.md. Every panel and ribbon gets the fewest points whose bound is within its share of the face's tolerances; where
- * more than LargestOrder would be needed it is bisected. The bounds of all items add up to the face's, so nothing has to
- * be evaluated twice. Where the bound of the area cannot hold, because normals nearly vanish, a panel that has been
- * bisected often enough is to be evaluated at two orders and compared: the face is then `estimated`.
+ * See Bounds.md. Every panel and ribbon gets the fewest points whose bound is within its share of the face's
+ * tolerances; where more than LargestOrder would be needed it is bisected. The bounds of all items add up to
+ * the face's, so nothing has to be evaluated twice. Where the bound of the area cannot hold, because normals
+ * nearly vanish, a panel that has been bisected often enough is to be evaluated at two orders and compared:
+ * the face is then `estimated`.
  */
 #ifndef smQuadraturePlan_h
 #define smQuadraturePlan_h
@@ -48,26 +50,32 @@ struct PlannedItem
   int Across = 1;
   /// The fraction of the face's tolerances that this item may use, if it is compared.
   double Share = 1.0;
-  /// True if the item is evaluated again with twice the points and the results are compared, because its area has no bound.
+  /// True if the item is evaluated again with twice the points and the results are compared, because its area
+  /// has no bound.
   bool Compared = false;
 };
 
 struct FacePlan
 {
   std::vector<PlannedItem> Items;
-  /// One number for each class of integrands (BoundClass): bound of the quadrature error of all items; where items are compared the area's
-  /// is not in it.
+  /// One number for each class of integrands (BoundClass): bound of the quadrature error of all items; where
+  /// items are compared the area's is not in it.
   std::vector<double> QuadratureBound;
-  /// Per class: bound of the error from residuals of trim curves, edge curves and surface, and rounding of control points.
+  /// Per class: bound of the error from residuals of trim curves, edge curves and surface, and rounding of
+  /// control points.
   std::vector<double> ConversionBound;
-  /// The part of ConversionBound that comes from residuals of curves and surfaces, which are measured, not proved (Bounds.md, 3).
+  /// The part of ConversionBound that comes from residuals of curves and surfaces, which are measured, not
+  /// proved (Bounds.md, 3).
   std::vector<double> ResidualBound;
-  /// Per class: bound of the integral's magnitude, panels, ribbons and caps together, for a face that is not evaluated.
+  /// Per class: bound of the integral's magnitude, panels, ribbons and caps together, for a face that is not
+  /// evaluated.
   std::vector<double> Magnitude;
-  /// True if Magnitude counts a panel or ribbon by its hull, because no ellipse gave as small a bound: weights differ by orders of magnitude.
-  /// Then the quadrature's bound may be larger than Magnitude, and useless.
+  /// True if Magnitude counts a panel or ribbon by its hull, because no ellipse gave as small a bound:
+  /// weights differ by orders of magnitude. Then the quadrature's bound may be larger than Magnitude, and
+  /// useless.
   bool IsLimitedByHull = false;
-  /// True if the bounds of all moments are useless: nothing but the ribbons and caps, which measure gaps, is evaluated.
+  /// True if the bounds of all moments are useless: nothing but the ribbons and caps, which measure gaps, is
+  /// evaluated.
   bool IsLeftOut = false;
   /// Bound of the face's area that is known before anything is evaluated.
   double Area = 0.0;
@@ -75,7 +83,8 @@ struct FacePlan
   ReadingError Reading;
   /// Points of all items, caps aside.
   std::int64_t Evaluations = 0;
-  /// True if the area of an item is compared, or if the surface is a fit whose normals have no bound: the bounds of areas are estimates.
+  /// True if the area of an item is compared, or if the surface is a fit whose normals have no bound: the
+  /// bounds of areas are estimates.
   bool Estimated = false;
 
   /// Limits what was added to Magnitude, which was `before`, by that of a hull.
@@ -88,8 +97,8 @@ struct PlanRequest
   std::vector<BoundClass> Classes;
   /// Absolute tolerance per class for the face; not positive: no requirement.
   std::vector<double> Tolerances;
-  /// Position relative to the point that moments are about, minus that in model coordinates, rotated back by the
-  /// placement: zero without one.
+  /// Position relative to the point that moments are about, minus that in model coordinates, rotated back by
+  /// the placement: zero without one.
   std::array<double, 3> Shift{};
   /// Points that integrate the flat directions of ribbons and caps exactly.
   int StripPoints = 3;
@@ -107,8 +116,8 @@ SMFILTERSQUADRATURE_EXPORT FacePlan PlanFace(
 
 class FaceSeries;
 
-/// PlanFace() in portions, for threads: they are planned in any order, then joined. The division into portions depends on the panels alone,
-/// so the plan has the same bits with any number of threads.
+/// PlanFace() in portions, for threads: they are planned in any order, then joined. The division into
+/// portions depends on the panels alone, so the plan has the same bits with any number of threads.
 class SMFILTERSQUADRATURE_EXPORT FacePlanner
 {
 public:

@@ -18,11 +18,11 @@ double GetSpread(const Patch& patch)
 }
 
 /**
- * With control points moved by d_i, |d_i| <= d, and D the displacement here, a step w_(i+1) d_(i+1) - w_i d_i - (w_(i+1) - w_i) D is at
- * most 2 d max(w_i, w_(i+1)), and dS/ds is moved by at most p sum B_i^(p-1) of these over w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)). With
- * weights of neighbours up to q apart that is 2 p d q / (1 + (q - 1) min(s, 1-s)), on average over s
- * 4 p d q / (q - 1) ln((q + 1) / 2); without weights 2 p d. A curve in r is no longer than its control polygon, at most 2 q rc.
- * Sr likewise.
+ * With control points moved by d_i, |d_i| <= d, and D the displacement here, a step w_(i+1) d_(i+1) - w_i d_i
+ * - (w_(i+1) - w_i) D is at most 2 d max(w_i, w_(i+1)), and dS/ds is moved by at most p sum B_i^(p-1) of
+ * these over w = sum B_i^(p-1) ((1-s) w_i + s w_(i+1)). With weights of neighbours up to q apart that is 2 p
+ * d q / (1 + (q - 1) min(s, 1-s)), on average over s 4 p d q / (q - 1) ln((q + 1) / 2); without weights 2 p
+ * d. A curve in r is no longer than its control polygon, at most 2 q rc. Sr likewise.
  */
 double GetTurnedLength(const Patch& patch)
 {
@@ -80,7 +80,8 @@ double ReadingError::GetBound(const BoundClass& integrand, double area, double g
   {
     case BoundClass::VolumeMoment:
     case BoundClass::HeightMoment:
-      // Each of the two is a bound by itself. Both borders of a ribbon move independently, so it may also widen by twice the displacement.
+      // Each of the two is a bound by itself. Both borders of a ribbon move independently, so it may also
+      // widen by twice the displacement.
       return power *
         (std::fmin(this->Moved * (area + this->Area), this->Swept) +
           this->Moved * (gaps + 2.0 * this->Moved * this->Border));

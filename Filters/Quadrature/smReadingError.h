@@ -2,9 +2,9 @@
  * @file smReadingError.h
  * @brief Largest change of a face's integrals by rounding of the numbers that it was read from
  *
- * Surface and edges move together by a displacement d with |d| <= Moved, a B-spline surface as they are (NURBSSurface::Rounding), so
- * the chain of a body stays closed. Its volume integrals change by the flux of d, an area by the change of the tangents and by what
- * d sweeps along the border. See Bounds.md, section 4.
+ * Surface and edges move together by a displacement d with |d| <= Moved, a B-spline surface as they are
+ * (NURBSSurface::Rounding), so the chain of a body stays closed. Its volume integrals change by the flux of
+ * d, an area by the change of the tangents and by what d sweeps along the border. See Bounds.md, section 4.
  */
 #ifndef smReadingError_h
 #define smReadingError_h
@@ -29,8 +29,8 @@ struct SMFILTERSQUADRATURE_EXPORT ReadingError
 
   /// Computes the errors of a face; `reach` is stored in Reach.
   static ReadingError Make(const Face& face, const FacePanels& panels, double reach);
-  /// Returns the bound for an integral of this class over a face; `area` and `gaps` are upper bounds of the areas of its panels and of its
-  /// ribbons.
+  /// Returns the bound for an integral of this class over a face; `area` and `gaps` are upper bounds of the
+  /// areas of its panels and of its ribbons.
   double GetBound(const BoundClass& integrand, double area, double gaps) const;
 };
 

@@ -19,7 +19,8 @@ constexpr int LargestRibbonDepth = 12;
 // Points along a ribbon that also measures the gap between coedge and edge.
 constexpr int LeastGapPoints = 3;
 
-// Estimated error of evaluating a ribbon: rounding of its width, in units of u times the patch's radius and its stretch.
+// Estimated error of evaluating a ribbon: rounding of its width, in units of u times the patch's radius and
+// its stretch.
 constexpr double RibbonRoundings = 8.0;
 constexpr double TrimRoundings = 3.0;
 }
@@ -75,8 +76,9 @@ bool RibbonPlanner::IsRounding(const Ribbon& ribbon, const Majorants& real) cons
 
 void RibbonPlanner::AddNoiseError(const Majorants& real)
 {
-  // The bounds of Bound() are polynomials in |C|, |C'|, |G| and |G'| with positive coefficients: where these are off, the integrands
-  // change by the polynomials' derivatives at the upper ends. A rule errs by at most twice that.
+  // The bounds of Bound() are polynomials in |C|, |C'|, |G| and |G'| with positive coefficients: where these
+  // are off, the integrands change by the polynomials' derivatives at the upper ends. A rule errs by at most
+  // twice that.
   const GapSeries::Remainder off = this->Gap.GetRemainder(real);
   const double gap = real.Gap + off.Gap;
   const double slopes = real.CurveSlope + off.CurveSlope + real.GapSlope + off.GapSlope;
@@ -116,8 +118,9 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, bool sound, const Maj
     this->HasUnboundedResidual = true;
     return;
   }
-  // The faces' boundary moves by Ss ds + Sr dr, and sweeps |Ss x Sr| |ds r' - dr s'| of their area. The chain stays closed, and its
-  // volume changes by what the ribbon sweeps: a triangle of the gap and the displacement along the length.
+  // The faces' boundary moves by Ss ds + Sr dr, and sweeps |Ss x Sr| |ds r' - dr s'| of their area. The chain
+  // stays closed, and its volume changes by what the ribbon sweeps: a triangle of the gap and the
+  // displacement along the length.
   const double area =
     this->Gap.GetNormalLength() * (ds * this->Gap.GetTrimSlope()[1] + dr * this->Gap.GetTrimSlope()[0]);
   const double moved = ds * this->Gap.GetStretch()[0] + dr * this->Gap.GetStretch()[1] + edge;
@@ -245,7 +248,8 @@ void RibbonPlanner::Plan(std::uint32_t index)
   this->Result.LimitMagnitude(before, this->Request.Classes, hull);
   if (this->HasUnboundedResidual)
   {
-    // The ribbon of the exact curves, and what lies between both trim curves on the patch, are in the same hulls.
+    // The ribbon of the exact curves, and what lies between both trim curves on the patch, are in the same
+    // hulls.
     const HullBound patch =
       BoundPatchByHull(this->Panels, this->Panels.Ribbons[index].Patch, this->Request.Shift);
     for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)

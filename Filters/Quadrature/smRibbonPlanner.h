@@ -19,7 +19,8 @@ class RibbonPlanner
 public:
   RibbonPlanner(const Face& face, const FacePanels& panels, const PlanRequest& request, FacePlan& plan);
 
-  /// Appends the parts of a ribbon to the plan and adds their bounds, and those of the residuals of its curves.
+  /// Appends the parts of a ribbon to the plan and adds their bounds, and those of the residuals of its
+  /// curves.
   void Plan(std::uint32_t index);
 
 private:
@@ -30,8 +31,8 @@ private:
   /// Returns the lowest order that meets all tolerances; more than LargestOrder when none does.
   int ChooseOrder() const;
   void AddItem(const PlannedItem& item);
-  /// Returns true if the part is narrower than the rounding bound of its evaluation. It is left out then, with the bound of its magnitude
-  /// as its error, and its gap counts as 0.
+  /// Returns true if the part is narrower than the rounding bound of its evaluation. It is left out then,
+  /// with the bound of its magnitude as its error, and its gap counts as 0.
   bool IsRounding(const Ribbon& ribbon, const Majorants& real) const;
   void Bound(const Majorants& majorants, std::vector<double>& bounds) const;
   void AddNoiseError(const Majorants& real);

@@ -99,8 +99,9 @@ Ellipse TrimSeries::Map(
 {
   const std::vector<double>& series = this->Series[direction];
   this->UpdateMajorants(t, series.size());
-  // z = c0 + c1 t + ..: c0 + c1 t is in an ellipse around [c0 - |c1|, c0 + |c1|] whose sum of distances to the ends is
-  // 2 |c1| T_1; to -1 and 1 it is at most 2 (1 - |c1|) more, and what sticks out of [-1,1] counts twice.
+  // z = c0 + c1 t + ..: c0 + c1 t is in an ellipse around [c0 - |c1|, c0 + |c1|] whose sum of distances to
+  // the ends is 2 |c1| T_1; to -1 and 1 it is at most 2 (1 - |c1|) more, and what sticks out of [-1,1] counts
+  // twice.
   const double half = box.Half[direction];
   const double largest = direction == 0 ? std::max(std::abs(xiStart), std::abs(xiEnd)) : 1.0;
   double axis = 1.0;

@@ -29,17 +29,18 @@ public:
   double GetLow(int direction) const { return this->Low[direction]; }
   double GetHigh(int direction) const { return this->High[direction]; }
 
-  /// Returns true for a piece that stays on its patch or leaves it by little. A piece that leaves its patch by d, relative to it, has the
-  /// patch's bounds of positions and derivatives times OnPatchGrowth, as long as n r d <= 1e-3, n = p + q, r: ratio of neighbours' weights.
-  /// For the Bernstein polynomials' negative terms sum to at most (1 + r d)^n - 1 times the positive ones.
+  /// Returns true for a piece that stays on its patch or leaves it by little. A piece that leaves its patch
+  /// by d, relative to it, has the patch's bounds of positions and derivatives times OnPatchGrowth, as long
+  /// as n r d <= 1e-3, n = p + q, r: ratio of neighbours' weights. For the Bernstein polynomials' negative
+  /// terms sum to at most (1 + r d)^n - 1 times the positive ones.
   bool IsOnPatch(const Patch& patch) const;
   static constexpr double OnPatchGrowth = 1.01;
 
   /// The box of {(xi s(t), r(t))} for xi in [xiStart, xiEnd], not thinner than 1e-6.
   ParameterBox GetBox(double xiStart, double xiEnd) const;
 
-  /// An ellipse around the box's interval, scaled to [-1,1], that holds xi s(t) (direction 0) or r(t) (direction 1) for
-  /// all t in the ellipse and real xi in [xiStart, xiEnd]. See Bounds.md.
+  /// An ellipse around the box's interval, scaled to [-1,1], that holds xi s(t) (direction 0) or r(t)
+  /// (direction 1) for all t in the ellipse and real xi in [xiStart, xiEnd]. See Bounds.md.
   Ellipse Map(const Ellipse& t, int direction, const ParameterBox& box, double xiStart, double xiEnd) const;
 
   /// Upper bounds of |s|, and of |ds/dt| (direction 0) or |dr/dt| (1) with t mapped to [0,1], in the ellipse.

@@ -75,7 +75,8 @@ std::string GetCharacter(const std::string& text, std::size_t at)
   return text.substr(at, end - at);
 }
 
-/// Recognises names of single precision. GLSL converts floats to doubles silently, and has functions for single precision only.
+/// Recognises names of single precision. GLSL converts floats to doubles silently, and has functions for
+/// single precision only.
 bool IsSinglePrecision(const std::string& name)
 {
   static const std::set<std::string> names = { "float", "vec2", "vec3", "vec4", "intBitsToFloat",
@@ -223,7 +224,8 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
   }
   if (first == ',' && (this->Open.empty() || !this->Open.back().IsCall))
   {
-    // The sequence operator is refused, too: it would discard the value before it and call functions without a result.
+    // The sequence operator is refused, too: it would discard the value before it and call functions without
+    // a result.
     return this->Fail(
       begin, "',' stands only between the arguments of a function; numbers have a decimal point");
   }
@@ -353,7 +355,8 @@ std::size_t UserExpression::FindBracketEnd(std::size_t token) const
   return token;
 }
 
-/// The last token of a divisor: signs, a name, number or bracket, and indices, arguments and components of it.
+/// The last token of a divisor: signs, a name, number or bracket, and indices, arguments and components of
+/// it.
 std::size_t UserExpression::FindOperandEnd(std::size_t token) const
 {
   const auto isOneOf = [this](std::size_t i, const char* characters)
@@ -396,8 +399,8 @@ std::string UserExpression::MakeFunction(const std::string& name, bool forMessag
     }
     text += std::string(divisorsEnd[i], ')') + "\n";
   }
-  // An integrand with an area element doubles when the normal is doubled. The check is left out for expressions with derivatives of the
-  // surface, which do not change with the normal.
+  // An integrand with an area element doubles when the normal is doubled. The check is left out for
+  // expressions with derivatives of the surface, which do not change with the normal.
   const bool hasDerivatives = std::any_of(std::begin(SampleNames), std::end(SampleNames),
     [this](const SampleName& sample)
     {
@@ -414,8 +417,9 @@ std::string UserExpression::MakeFunction(const std::string& name, bool forMessag
 
 std::string UserExpression::Explain(const std::string& log) const
 {
-  // "0:12(5): error: text" (Mesa), "0(12) : error C1008: text" (NVIDIA), "ERROR: 0:12: text", "ERROR: 0:12: error(#143) text" (others). Lines
-  // of other forms, among them warnings and lists of candidates, say nothing of a place.
+  // "0:12(5): error: text" (Mesa), "0(12) : error C1008: text" (NVIDIA), "ERROR: 0:12: text", "ERROR: 0:12:
+  // error(#143) text" (others). Lines of other forms, among them warnings and lists of candidates, say
+  // nothing of a place.
   static const std::regex pattern(
     R"(^(?:ERROR:\s*)?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:(?!\s*(?:warning|note)))"
     R"(\s*(?:(?:preprocessor |fatal )?error(?: C\d+|\(#\d+\))?:?\s+)?(.*)$)");

@@ -1,6 +1,7 @@
 /**
  * @file smUserExpression.h
- * @brief An integrand as the user wrote it: checked, translated to the shaders' GLSL; compilers' messages are given with its columns
+ * @brief An integrand as the user wrote it: checked, translated to the shaders' GLSL; compilers' messages are
+ * given with its columns
  */
 #ifndef smUserExpression_h
 #define smUserExpression_h
@@ -14,10 +15,10 @@
 namespace sm
 {
 /**
- * GLSL, with four differences: sin, cos, tan, exp, log and pow are of doubles (smElementary.glsl); numbers are
- * doubles, so that 1/3 is a third, unless they have a suffix or stand within [ ]; names of constants are replaced by
- * their values; and where a division or a function is not defined, the expression is NaN (smUserFunctions.glsl). Other names are
- * listed in vtkSurfaceIntegralGPU.h.
+ * GLSL, with four differences: sin, cos, tan, exp, log and pow are of doubles (smElementary.glsl); numbers
+ * are doubles, so that 1/3 is a third, unless they have a suffix or stand within [ ]; names of constants are
+ * replaced by their values; and where a division or a function is not defined, the expression is NaN
+ * (smUserFunctions.glsl). Other names are listed in vtkSurfaceIntegralGPU.h.
  */
 class SMFILTERSQUADRATURE_EXPORT UserExpression
 {
@@ -35,20 +36,22 @@ public:
 
   UserExpression(const std::string& text, const Constants& constants);
 
-  /// The reason why the text is refused, with the place; empty when it was accepted. Names, arities and types are checked here, so that the
-  /// place does not depend on a driver's compiler.
+  /// The reason why the text is refused, with the place; empty when it was accepted. Names, arities and types
+  /// are checked here, so that the place does not depend on a driver's compiler.
   const std::string& GetError() const { return this->Error; }
   int GetDetail() const { return this->Detail; }
-  /// True if it uses functions with kinks or steps: abs, min, ?: and so on. Gauss rules converge slowly there.
+  /// True if it uses functions with kinks or steps: abs, min, ?: and so on. Gauss rules converge slowly
+  /// there.
   bool MayHaveKinks() const;
 
-  /// A GLSL function `double NAME(dvec3 position, dvec3 normal)`, and one that it calls, with each of the user's tokens on a line of
-  /// its own. They need chunk smUserFunctions.
-  /// `forMessages` gives these lines numbers by which Explain() knows them.
+  /// A GLSL function `double NAME(dvec3 position, dvec3 normal)`, and one that it calls, with each of the
+  /// user's tokens on a line of its own. They need chunk smUserFunctions. `forMessages` gives these lines
+  /// numbers by which Explain() knows them.
   std::string MakeFunction(const std::string& name, bool forMessages) const;
 
-  /// The errors of a compiler's log about such a function: "column 8: …; column 30: …", or with lines where the text has
-  /// several. Messages about other lines concern the whole expression, and are returned only when there is no other.
+  /// The errors of a compiler's log about such a function: "column 8: …; column 30: …", or with lines where
+  /// the text has several. Messages about other lines concern the whole expression, and are returned only
+  /// when there is no other.
   std::string Explain(const std::string& log) const;
 
   /// True when a constant may have this name: an identifier without a meaning so far.
@@ -72,7 +75,8 @@ private:
   bool Fail(std::size_t at, const std::string& what);
   std::string GetPlace(std::size_t at) const;
   bool CheckTypes();
-  /// False for an expression that would be integrated over the parameter domain, which has no meaning for the solid.
+  /// False for an expression that would be integrated over the parameter domain, which has no meaning for the
+  /// solid.
   bool HasAreaElement() const;
   std::size_t FindBracketEnd(std::size_t token) const;
   std::size_t FindOperandEnd(std::size_t token) const;

@@ -16,7 +16,8 @@ using Wide = long double;
 /// B_i^degree(t), i = 0 .. degree: products of powers, each with at most 2 degree + 2 roundings.
 void FillWideBasis(int degree, Wide t, Wide* basis);
 
-/// The bases at the nodes of a Chebyshev rule (smChebyshev.h) on [0,1], degree + 1 numbers for each node, which are computed once. Thread safe.
+/// The bases at the nodes of a Chebyshev rule (smChebyshev.h) on [0,1], degree + 1 numbers for each node,
+/// which are computed once. Thread safe.
 const Wide* GetWideBases(int degree, int nodes);
 
 /// Sums of a basis times coefficients.
@@ -35,7 +36,8 @@ void SumBasis(const Wide* basis, const Wide coefficients[][Dimension], int degre
   }
 }
 
-/// The trim and edge pieces of a ribbon: the trim's in the parameters of the patch, the edge's about its centre.
+/// The trim and edge pieces of a ribbon: the trim's in the parameters of the patch, the edge's about its
+/// centre.
 struct WideCurves
 {
   Wide Trim[MaximumDegree + 1][2];

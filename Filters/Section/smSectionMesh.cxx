@@ -32,9 +32,10 @@ constexpr const char* ColorName = "Color";
 constexpr unsigned char CapColor[3] = { 224, 122, 60 };
 constexpr unsigned char PlainColor[3] = { 190, 190, 195 };
 
-/// Clips polygons at a plane, and collects the segments in which they cross it. Points on the plane count as above it. Points of different
-/// polygons are not merged, because their normals differ. Polygons that share an edge get bitwise the same point on it, because its ends
-/// are always taken in the same order, so that the segments of a closed mesh form closed loops.
+/// Clips polygons at a plane, and collects the segments in which they cross it. Points on the plane count as
+/// above it. Points of different polygons are not merged, because their normals differ. Polygons that share
+/// an edge get bitwise the same point on it, because its ends are always taken in the same order, so that the
+/// segments of a closed mesh form closed loops.
 class PlaneClipper
 {
 public:
@@ -81,8 +82,8 @@ public:
     }
     for (std::size_t i = 1; i < crossings.size(); i += 2)
     {
-      // The segment runs from the crossing at which the polygon descends through the plane to the one at which it ascends: the section is
-      // on its left, seen from above.
+      // The segment runs from the crossing at which the polygon descends through the plane to the one at
+      // which it ascends: the section is on its left, seen from above.
       const vtkIdType ends[2] = { crossings[startsFalling ? i - 1 : i],
         crossings[startsFalling ? i : i - 1] };
       if (ends[0] != ends[1])

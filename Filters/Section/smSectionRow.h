@@ -50,8 +50,9 @@ public:
   SectionSide Above;
 };
 
-/// Compares the section as computed from below the plane with that from above it. Returns a message if areas, centroids or second
-/// moments differ by more than their bounds, or a centroid is off the plane by more than its bound; empty if there is no contradiction.
+/// Compares the section as computed from below the plane with that from above it. Returns a message if areas,
+/// centroids or second moments differ by more than their bounds, or a centroid is off the plane by more than
+/// its bound; empty if there is no contradiction.
 SMFILTERSSECTION_EXPORT std::string FindContradiction(
   const SectionMoments& fromBelow, const SectionMoments& fromAbove, const Waterline& plane);
 }

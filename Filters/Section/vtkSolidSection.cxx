@@ -70,7 +70,8 @@ double GetDensityPerVolume(const sm::BodyIntegrals& body, double density)
   return own > 0.0 && metres > 0.0 ? own * metres * metres * metres : vtkMath::Nan();
 }
 
-/// Adds to the findings about a face below the plane those about its part above; where it is cut, both have its defects.
+/// Adds to the findings about a face below the plane those about its part above; where it is cut, both have
+/// its defects.
 void AddFindings(const sm::FaceIntegrals& above, sm::FaceIntegrals& face)
 {
   face.Skipped = face.Skipped || above.Skipped;
@@ -84,8 +85,8 @@ void AddFindings(const sm::FaceIntegrals& above, sm::FaceIntegrals& face)
   sm::AddGaps(above, face);
 }
 
-/// Flags a body with a shell that does not have its material inside: the volumes on the two sides of the plane then do not add up to the
-/// volume that the body encloses.
+/// Flags a body with a shell that does not have its material inside: the volumes on the two sides of the
+/// plane then do not add up to the volume that the body encloses.
 void CheckShells(
   const std::vector<sm::Integrand>& integrands, const sm::BodyBuoyancy& above, sm::BodyIntegrals& body)
 {

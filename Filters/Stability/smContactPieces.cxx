@@ -154,7 +154,8 @@ void ContactSearch::Internals::FindOnCurve(FaceContact& face, const Segment& seg
   this->Found.Spread = std::max(this->Found.Spread, spread);
 }
 
-/// Adds the part of a patch's border that is inside the loops: the whole part if it touches, else its stationary points.
+/// Adds the part of a patch's border that is inside the loops: the whole part if it touches, else its
+/// stationary points.
 void ContactSearch::Internals::FindOnBorder(
   FaceContact& face, const Segment& segment, const GroundCurve& root, bool whole)
 {
@@ -218,9 +219,9 @@ void ContactSearch::Internals::FindOnBorder(
   this->Found.Spread = std::max(this->Found.Spread, spread);
 }
 
-/// Adds a patch that touches as a whole. Where the map to the ground's plane keeps its orientation, the image of the trimmed patch is
-/// bounded by the images of trim curves, which were added before, and of borders of the patch. Borders at an end of the domain are not
-/// needed, because the loops end there, too.
+/// Adds a patch that touches as a whole. Where the map to the ground's plane keeps its orientation, the image
+/// of the trimmed patch is bounded by the images of trim curves, which were added before, and of borders of
+/// the patch. Borders at an end of the domain are not needed, because the loops end there, too.
 void ContactSearch::Internals::FindArea(FaceContact& face, int patch)
 {
   this->Found.FaceIds.insert(face.Cut->Source->FileId);
@@ -269,7 +270,8 @@ void ContactSearch::Internals::FindArea(FaceContact& face, int patch)
   }
 }
 
-/// Adds a box that encloses stationary points as closely as rounding permits: a point, or a strip along a line of them.
+/// Adds a box that encloses stationary points as closely as rounding permits: a point, or a strip along a
+/// line of them.
 double ContactSearch::Internals::AddLeaf(
   const FaceContact& face, int patch, const GroundPatch& box, bool inside)
 {

@@ -1,4 +1,5 @@
-// Computes the curvature samples of ContactSearch, and the directions in which the body continues around a contact.
+// Computes the curvature samples of ContactSearch, and the directions in which the body continues around a
+// contact.
 #include "smContactSearchInternals.h"
 
 #include "smUnitRoundoff.h"
@@ -11,8 +12,8 @@ Point2D GetContactDirection(int k)
   return { std::cos(angle), std::sin(angle) };
 }
 
-/// Returns the directions (a bit for each) in which the face continues at a point where it is tangent to the ground: those in which
-/// neighbouring points are inside the loops, or on a border.
+/// Returns the directions (a bit for each) in which the face continues at a point where it is tangent to the
+/// ground: those in which neighbouring points are inside the loops, or on a border.
 std::uint32_t ContactSearch::Internals::FindDirections(
   const FaceContact& face, int patch, const std::array<double, 2>& sr, const GroundPatch::Shape& shape)
 {
@@ -47,8 +48,9 @@ std::uint32_t ContactSearch::Internals::FindDirections(
   return directions;
 }
 
-/// Returns the same directions at a pole, where the border sr[across] = 0 or 1 of the patch is one point: lines of constant parameter leave
-/// it in the directions of their tangents. Returns 0 if the border is not a pole.
+/// Returns the same directions at a pole, where the border sr[across] = 0 or 1 of the patch is one point:
+/// lines of constant parameter leave it in the directions of their tangents. Returns 0 if the border is not a
+/// pole.
 std::uint32_t ContactSearch::Internals::FindPoleDirections(
   const FaceContact& face, int patch, std::array<double, 2> sr)
 {
@@ -101,7 +103,8 @@ std::uint32_t ContactSearch::Internals::FindPoleDirections(
   return directions;
 }
 
-/// Adds the curvature at a point. Where the surface has no normal (at a pole), it is evaluated at points nearby.
+/// Adds the curvature at a point. Where the surface has no normal (at a pole), it is evaluated at points
+/// nearby.
 void ContactSearch::Internals::AddSample(
   const FaceContact& face, int patch, std::array<double, 2> sr, const Point2D& position)
 {

@@ -1,7 +1,7 @@
 /**
  * @file smContactSearchInternals.h
- * @brief State and constants of ContactSearch, shared by its source files: the searches for the least height and for contacts; not
- * installed
+ * @brief State and constants of ContactSearch, shared by its source files: the searches for the least height
+ * and for contacts; not installed
  */
 #ifndef smContactSearchInternals_h
 #define smContactSearchInternals_h
@@ -18,7 +18,8 @@
 
 namespace sm
 {
-// Rounding of a height, in units of u times the size: compositions have degrees up to some hundred, and each of their products is rounded.
+// Rounding of a height, in units of u times the size: compositions have degrees up to some hundred, and each
+// of their products is rounded.
 constexpr double RoundingUnits = 512.0;
 // Accuracy, relative to the size, to which contacts are located and corners distinguished.
 constexpr double RelativeResolution = 1e-13;
@@ -53,7 +54,8 @@ struct ContactSearch::Internals
   /// Hull of the contacts that are certain.
   SupportPolygon Certain;
 
-  /// Returns the factor between the rounding of coefficients and that of slopes: the degree times the largest weight.
+  /// Returns the factor between the rounding of coefficients and that of slopes: the degree times the largest
+  /// weight.
   static double GetSlackFactor(const std::vector<GroundPoint>& points, double degree)
   {
     double weight = 0.0;

@@ -51,7 +51,8 @@ void FaceContact::Prepare()
   this->AddBorders();
 }
 
-/// Returns true if the surface may have a crease at a knot, that is, if the multiplicity of the knot is at least the degree.
+/// Returns true if the surface may have a crease at a knot, that is, if the multiplicity of the knot is at
+/// least the degree.
 bool FaceContact::IsCrease(int direction, double knot) const
 {
   const NURBSSurface& surface = this->Cut->Source->Surface;

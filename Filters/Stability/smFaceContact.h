@@ -1,6 +1,7 @@
 /**
  * @file smFaceContact.h
- * @brief A face in the ground's frame: its patches, trim curves and creases, and their parts inside the loops; not installed
+ * @brief A face in the ground's frame: its patches, trim curves and creases, and their parts inside the
+ * loops; not installed
  */
 #ifndef smFaceContact_h
 #define smFaceContact_h
@@ -25,7 +26,8 @@ inline double GetHeight(const GroundPoint& p)
   return p[2] / p[3];
 }
 
-/// A curve on a face: a piece of a trim curve in one patch, or (Clipped) a border of a patch, of which a part is inside the loops.
+/// A curve on a face: a piece of a trim curve in one patch, or (Clipped) a border of a patch, of which a part
+/// is inside the loops.
 struct Segment
 {
   int Patch = 0;

@@ -89,14 +89,16 @@ bool ContactSearch::Internals::MayReach(const FaceContact& face, const Segment& 
   {
     return face.Heights[segment.Patch].Low <= height;
   }
-  // The segment is above the limit if its patch is, unless the trim curve leaves the square for which the net is a bound.
+  // The segment is above the limit if its patch is, unless the trim curve leaves the square for which the net
+  // is a bound.
   const FacePanels& panels = face.Cut->Panels;
   const Ribbon& ribbon = panels.Ribbons[segment.Ribbon];
   return !StaysInSquare(panels.Patches[segment.Patch], panels.Coefficients.data() + ribbon.Trim,
     ribbon.TrimDegree, ribbon.Start, ribbon.End);
 }
 
-/// Returns a lower bound of the least height of the face. The search stops above the height that another face reaches.
+/// Returns a lower bound of the least height of the face. The search stops above the height that another face
+/// reaches.
 double ContactSearch::Internals::BoundFace(FaceContact& face)
 {
   face.Prepare();
@@ -154,7 +156,8 @@ bool ContactSearch::Internals::StepCurve(
   }
   if (item.Curve.IsMonotone(this->GetSlack(segment.Curve)))
   {
-    // The lowest point is an end. There a trim curve crosses the border, the next part of the same curve begins, or the whole curve ends.
+    // The lowest point is an end. There a trim curve crosses the border, the next part of the same curve
+    // begins, or the whole curve ends.
     const bool falls = GetHeight(last) < GetHeight(first);
     if (side == TrimSide::Undecided && (falls ? item.Curve.End == 1.0 : item.Curve.Start == 0.0))
     {

@@ -1,24 +1,27 @@
 /**
  * @file smGroundContact.h
- * @brief Contacts of trimmed faces with the ground: enclosure of their least height, and contacts within a tolerance of the ground
+ * @brief Contacts of trimmed faces with the ground: enclosure of their least height, and contacts within a
+ * tolerance of the ground
  *
- * **Least height.** Branch and bound over control nets. On a trimmed face the least height is reached on a trim curve, on a crease
- * (an interior knot line where the surface is only continuous), or at a stationary point inside the loops. Trim curves are
- * composed with their patch, exactly, so a trim is nowhere approximated by a box. A net is discarded when it lies above the least height
- * known so far, when its height has a slope of one sign (then it is lower elsewhere), or when it lies outside the loops. The heights at
- * ends of trim curves and at points inside the loops bound the least height from above; the remaining nets bound it from below.
+ * **Least height.** Branch and bound over control nets. On a trimmed face the least height is reached on a
+ * trim curve, on a crease (an interior knot line where the surface is only continuous), or at a stationary
+ * point inside the loops. Trim curves are composed with their patch, exactly, so a trim is nowhere
+ * approximated by a box. A net is discarded when it lies above the least height known so far, when its height
+ * has a slope of one sign (then it is lower elsewhere), or when it lies outside the loops. The heights at
+ * ends of trim curves and at points inside the loops bound the least height from above; the remaining nets
+ * bound it from below.
  *
  * **Contacts** with a height limit, the ground plus the tolerance:
  *   - corners of loops not above the limit, and kinks of trim curves that are lowest locally;
- *   - pieces of trim curves (one Bézier piece on one patch) that lie below the limit as a whole; of others the stationary
- *     points below it;
- *   - patches that lie below the limit as a whole, with all their parts inside the loops; of others the stationary points below
- *     the limit inside the loops.
- * So a flat face is a contact when all of it is within the tolerance. A dome touches in one point for any tolerance, not in the disc of all
- * points that are low enough.
+ *   - pieces of trim curves (one Bézier piece on one patch) that lie below the limit as a whole; of others
+ * the stationary points below it;
+ *   - patches that lie below the limit as a whole, with all their parts inside the loops; of others the
+ * stationary points below the limit inside the loops. So a flat face is a contact when all of it is within
+ * the tolerance. A dome touches in one point for any tolerance, not in the disc of all points that are low
+ * enough.
  *
- * Every contact is stored as a piece with points that certainly are contacts (Inner) and points whose convex hull encloses the contact
- * (Outer).
+ * Every contact is stored as a piece with points that certainly are contacts (Inner) and points whose convex
+ * hull encloses the contact (Outer).
  */
 #ifndef smGroundContact_h
 #define smGroundContact_h
@@ -40,7 +43,8 @@ struct ContactPiece
 {
   std::vector<Point2D> Inner;
   std::vector<Point2D> Outer;
-  /// The curve of the contact, which can be halved until Inner and Outer are close together; without points when there is none.
+  /// The curve of the contact, which can be halved until Inner and Outer are close together; without points
+  /// when there is none.
   GroundCurve Curve;
 };
 
@@ -48,13 +52,15 @@ struct ContactPiece
 struct ContactSample
 {
   Point2D Position;
-  /// Least radius of curvature of a surface that is tangent to the ground here; infinite where it is flat; 0 for corners and edges.
+  /// Least radius of curvature of a surface that is tangent to the ground here; infinite where it is flat; 0
+  /// for corners and edges.
   double Radius;
   /// Estimate of the error of the radius, not a bound.
   double RadiusError;
   /// Largest radius of curvature at the point; infinite where the surface is flat in some direction.
   double Widest;
-  /// Bit k is set if the surface continues in direction k (see GetContactDirection). Where it ends, the body tips over the border.
+  /// Bit k is set if the surface continues in direction k (see GetContactDirection). Where it ends, the body
+  /// tips over the border.
   std::uint32_t GoesOn = ~0u;
 };
 
@@ -66,13 +72,16 @@ struct GroundContacts
 {
   std::vector<ContactPiece> Pieces;
   std::vector<ContactSample> Samples;
-  /// Entity numbers of the faces that touch with a whole patch, and of the edges that touch with a whole piece.
+  /// Entity numbers of the faces that touch with a whole patch, and of the edges that touch with a whole
+  /// piece.
   std::set<int> FaceIds;
   std::set<int> EdgeIds;
-  /// Accuracy of stationary points, a length: rounding leaves the sign of slopes open in a region of this size. Inner points may be so far
-  /// from true contacts, and true contacts so far outside the hull of all Outer points.
+  /// Accuracy of stationary points, a length: rounding leaves the sign of slopes open in a region of this
+  /// size. Inner points may be so far from true contacts, and true contacts so far outside the hull of all
+  /// Outer points.
   double Spread = 0.0;
-  /// True if the search was stopped at a limit of work somewhere: contacts there are enclosed by their control nets only.
+  /// True if the search was stopped at a limit of work somewhere: contacts there are enclosed by their
+  /// control nets only.
   bool Coarse = false;
 };
 

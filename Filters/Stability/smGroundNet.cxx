@@ -280,8 +280,8 @@ double GroundPatch::GetExtent(int direction) const
 
 bool GroundPatch::IsRegular() const
 {
-  // With x = X/w the determinant of the map is w^-2 of that of the rows X_s - x w_s: linear in x, so intervals of both
-  // directions at the extremes of a and b enclose it.
+  // With x = X/w the determinant of the map is w^-2 of that of the rows X_s - x w_s: linear in x, so
+  // intervals of both directions at the extremes of a and b enclose it.
   double low[2][2];
   double high[2][2];
   for (int c = 0; c < 2; ++c)
@@ -381,8 +381,8 @@ GroundPatch::Shape GroundPatch::GetShape(double s, double r) const
   const double l = Dot(d[3], normal);
   const double m = Dot(d[4], normal);
   const double n = Dot(d[5], normal);
-  // The second form in an orthonormal basis whose first vector is along s: where both curvatures are equal, the root of mean^2 - gauss
-  // would be that of a rounding error.
+  // The second form in an orthonormal basis whose first vector is along s: where both curvatures are equal,
+  // the root of mean^2 - gauss would be that of a rounding error.
   const double skew = f / e;
   const double across = std::sqrt(g - f * skew);
   const double ss = l / e;

@@ -1,12 +1,14 @@
 /**
  * @file smGroundNet.h
- * @brief Curves and patches of faces in the frame of the ground: heights enclosed by control points, and their slopes
+ * @brief Curves and patches of faces in the frame of the ground: heights enclosed by control points, and
+ * their slopes
  *
- * The frame's coordinates are a, b in the ground's plane and the height h along its normal, away from the body's support.
- * A rational Bézier curve or patch lies in the convex hull of its control points (weights are positive), so the least and
- * the largest h_i enclose its heights; halving a net halves its slack at second order. The slope of h = H / W has the sign of
- * H' - h W', linear in h: where its Bernstein coefficients have one sign for the least and the largest h, it has that sign on
- * the whole net, and no height on it is stationary.
+ * The frame's coordinates are a, b in the ground's plane and the height h along its normal, away from the
+ * body's support. A rational Bézier curve or patch lies in the convex hull of its control points (weights are
+ * positive), so the least and the largest h_i enclose its heights; halving a net halves its slack at second
+ * order. The slope of h = H / W has the sign of H' - h W', linear in h: where its Bernstein coefficients have
+ * one sign for the least and the largest h, it has that sign on the whole net, and no height on it is
+ * stationary.
  */
 #ifndef smGroundNet_h
 #define smGroundNet_h
@@ -41,11 +43,13 @@ struct HeightRange
   double High;
 };
 
-/// A curve, or a part of one (the root) after halvings. Low and High are its range in the root's parameter t in [0,1].
+/// A curve, or a part of one (the root) after halvings. Low and High are its range in the root's parameter t
+/// in [0,1].
 struct SMFILTERSSTABILITY_EXPORT GroundCurve
 {
   std::vector<GroundPoint> Points;
-  /// Bernstein coefficients of the derivative of Points in the root's parameter, degree one less; none for a point.
+  /// Bernstein coefficients of the derivative of Points in the root's parameter, degree one less; none for a
+  /// point.
   std::vector<GroundPoint> Steps;
   double Start = 0.0;
   double End = 1.0;
@@ -78,23 +82,25 @@ struct SMFILTERSSTABILITY_EXPORT GroundPatch
   HeightRange GetHeights() const;
   /// Returns true if the height is strictly monotone in `direction` on the whole box.
   bool IsMonotone(int direction, double slack) const;
-  /// Returns the variation of the height's slopes along a direction, in the root's parameters. The box is halved in the direction with the
-  /// larger one.
+  /// Returns the variation of the height's slopes along a direction, in the root's parameters. The box is
+  /// halved in the direction with the larger one.
   double GetVariation(int direction) const;
   std::pair<GroundPatch, GroundPatch> Split(int direction) const;
   /// Returns the border at the low (0) or high (1) `end` of a direction, as a curve in the other direction.
   GroundCurve GetBorder(int direction, int end) const;
-  /// Returns the largest distance, in the ground's plane, of a control point from the first one of its line in this direction.
+  /// Returns the largest distance, in the ground's plane, of a control point from the first one of its line
+  /// in this direction.
   double GetExtent(int direction) const;
-  /// Returns true if the determinant of the map to the ground's plane is proved to have one sign on the box, so that the image of the box
-  /// is bounded by the image of its border.
+  /// Returns true if the determinant of the map to the ground's plane is proved to have one sign on the box,
+  /// so that the image of the box is bounded by the image of its border.
   bool IsRegular() const;
 
   /// Height and curvature at a point of the root (Low = 0, High = 1).
   struct Shape
   {
     double Normal; ///< cosine between the surface's normal and the ground's, not negative
-    /// Largest principal curvature, positive where the surface bends away from the ground; NaN where there is no normal.
+    /// Largest principal curvature, positive where the surface bends away from the ground; NaN where there is
+    /// no normal.
     double Curvature;
     /// Least principal curvature; and the derivatives in s and r, projected to the ground's plane.
     double LeastCurvature;

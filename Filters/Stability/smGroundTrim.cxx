@@ -8,8 +8,8 @@ namespace
 {
 using Points = std::vector<GroundPoint>;
 
-/// A scalar polynomial and a point-valued one with their Bernstein coefficients multiplied by the binomials: products are
-/// convolutions of positive terms, so that nothing cancels.
+/// A scalar polynomial and a point-valued one with their Bernstein coefficients multiplied by the binomials:
+/// products are convolutions of positive terms, so that nothing cancels.
 using Scaled = std::vector<double>;
 
 Points Multiply(const Scaled& f, const Points& g)
@@ -135,7 +135,8 @@ GroundCurve ComposeTrim(
 
 bool StaysInSquare(const Patch& patch, const double* uv, int degree, double start, double end)
 {
-  // Rounding of a trim curve by this much has far less effect on a height than the rounding of the height itself.
+  // Rounding of a trim curve by this much has far less effect on a height than the rounding of the height
+  // itself.
   const double outside = 1e-14;
   const std::vector<std::array<double, 2>> local = RestrictTrim(patch, uv, degree, start, end);
   return std::all_of(local.begin(), local.end(),

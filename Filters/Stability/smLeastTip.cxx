@@ -12,7 +12,8 @@ namespace sm
 namespace
 {
 constexpr double HalfPi = 1.5707963267948966;
-// Largest number of directions evaluated at one corner. Ranges that are left then enter with their current bounds.
+// Largest number of directions evaluated at one corner. Ranges that are left then enter with their current
+// bounds.
 constexpr int MaximumDirections = 20000;
 
 /// A function of the direction, its derivative, and a bound of its rounding and of the centre's error.
@@ -23,9 +24,10 @@ struct DirectionValue
   double Error;
 };
 
-/// Lowers the enclosure to the least of a function inside a range of directions, of which the ends are included already. `curvature`
-/// bounds the second derivative: where the slope at the middle is larger than it can change by, the least is at an end; elsewhere
-/// Taylor's formula bounds the function, which is nowhere below `floor`.
+/// Lowers the enclosure to the least of a function inside a range of directions, of which the ends are
+/// included already. `curvature` bounds the second derivative: where the slope at the middle is larger than
+/// it can change by, the least is at an end; elsewhere Taylor's formula bounds the function, which is nowhere
+/// below `floor`.
 template <typename Function>
 void SearchDirections(
   double from, double to, double curvature, double floor, const Function& evaluate, double (&least)[2])
@@ -89,8 +91,8 @@ struct CornerTip
   }
   double GetReach() const { return std::hypot(this->Offset[0], this->Offset[1]); }
   double GetLean() const { return std::hypot(this->Body.Up[0], this->Body.Up[1]); }
-  /// Returns the least m in a range of directions, below 0 where it is not known: a sine that is positive at both ends, less than pi
-  /// apart, is nowhere less in between.
+  /// Returns the least m in a range of directions, below 0 where it is not known: a sine that is positive at
+  /// both ends, less than pi apart, is nowhere less in between.
   double GetLeastM(double from, double to) const
   {
     return to - from < 3.0 ? std::min(this->Resolve(from).M, this->Resolve(to).M) - this->Bound : -1.0;
@@ -135,7 +137,8 @@ struct CornerTip
       z * mSlope / (m * m + z * z) - uh * leanSlope / (lean * lean + uh * uh), this->GetAngleError() };
   }
 
-  /// The rise is u d - lean m - uh z with u = hypot(lean, uh) and d = hypot(m, z), as long as the angle is positive.
+  /// The rise is u d - lean m - uh z with u = hypot(lean, uh) and d = hypot(m, z), as long as the angle is
+  /// positive.
   double GetRiseCurvature() const
   {
     const double m = this->GetReach();
@@ -183,8 +186,9 @@ Tip ComputeTip(double m, double z, double uv, double uh, double bound)
 
 void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double bound, LeastTip& least)
 {
-  // Corner i belongs to the directions between the outward normals of the sides before and after it. Any point of the polygon gives
-  // a lower bound of m(d), so that the rounding of the normals does no harm as long as the ranges leave no gap.
+  // Corner i belongs to the directions between the outward normals of the sides before and after it. Any
+  // point of the polygon gives a lower bound of m(d), so that the rounding of the normals does no harm as
+  // long as the ranges leave no gap.
   const std::vector<Point2D>& corners = polygon.Corners;
   const std::size_t count = corners.size();
   if (count == 1)

@@ -1,12 +1,14 @@
 /**
  * @file smLeastTip.h
- * @brief Rotation and rise of the centre of mass until a body tips, in one direction and the least over all directions; not installed
+ * @brief Rotation and rise of the centre of mass until a body tips, in one direction and the least over all
+ * directions; not installed
  *
- * Formulas and frame: smStability.h. In a direction d of the ground's plane the body tips over the supporting line of the polygon that is
- * perpendicular to d. The distance of the centre from that line is m(d) = (largest p.d of the polygon) - c.d, and the angle and the rise
- * grow with m. So their least values over all directions grow with the polygon: a polygon of certain contacts gives a lower bound, one that
- * encloses all possible contacts an upper bound. The least values over the sides alone do not grow with the polygon: tangents of a curved
- * contact correspond to corners of an inscribed polygon.
+ * Formulas and frame: smStability.h. In a direction d of the ground's plane the body tips over the supporting
+ * line of the polygon that is perpendicular to d. The distance of the centre from that line is m(d) =
+ * (largest p.d of the polygon) - c.d, and the angle and the rise grow with m. So their least values over all
+ * directions grow with the polygon: a polygon of certain contacts gives a lower bound, one that encloses all
+ * possible contacts an upper bound. The least values over the sides alone do not grow with the polygon:
+ * tangents of a curved contact correspond to corners of an inscribed polygon.
  */
 #ifndef smLeastTip_h
 #define smLeastTip_h
@@ -25,8 +27,8 @@ struct Tip
   double RiseBound;
 };
 
-/// Returns angle and rise for one side. m: distance of the centre from the side; z: its height; uv, uh: components of the upward direction;
-/// `bound`: of the error of (m, z).
+/// Returns angle and rise for one side. m: distance of the centre from the side; z: its height; uv, uh:
+/// components of the upward direction; `bound`: of the error of (m, z).
 Tip ComputeTip(double m, double z, double uv, double uh, double bound);
 
 /// The centre of mass over the ground, and the direction against gravity.
@@ -44,8 +46,8 @@ struct LeastTip
   double Rise[2];
 };
 
-/// Extends the enclosures, which hold for the sides of the polygon, to all directions. Centre and polygon may be off by `bound`,
-/// which is less than the height.
+/// Extends the enclosures, which hold for the sides of the polygon, to all directions. Centre and polygon may
+/// be off by `bound`, which is less than the height.
 void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double bound, LeastTip& least);
 }
 

@@ -17,7 +17,8 @@ constexpr double HalfPi = 1.5707963267948966;
 constexpr double DrawnSagitta = 1e-3;
 // Width of the margin's interval that refinement aims at, relative to the size, and the limit of its cost.
 constexpr double AimedWidth = 1e-10;
-// The same where the sign of the margin is certain: where the margin exceeds the width of its interval by the factor CertainSign.
+// The same where the sign of the margin is certain: where the margin exceeds the width of its interval by the
+// factor CertainSign.
 constexpr double RelaxedWidth = 1e-5;
 constexpr double CertainSign = 100.0;
 constexpr std::size_t MaximumPieces = 12000;
@@ -195,7 +196,8 @@ Frame MakeFrame(const StabilityCase& body, double heightBound)
   }
   // On a slope the height adds to the error of the projected centre.
   const double steep = 1.0 + std::hypot(lean[0], lean[1]);
-  // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is steep.
+  // The directions are rounded, too: the lean by 8 u (1 + its square), more than it is where the ground is
+  // steep.
   frame.Bound =
     steep * (heightBound + body.Rounding + 8.0 * UnitRoundoff * steep * (std::abs(frame.Height) + body.Size));
   return frame;
@@ -224,7 +226,8 @@ LeastTip GetLeastTip(const Frame& frame, const SupportPolygon& polygon, double s
   return least;
 }
 
-/// Sets the sides of the drawn polygon. Their bounds include the distance by which possible contacts lie beyond them.
+/// Sets the sides of the drawn polygon. Their bounds include the distance by which possible contacts lie
+/// beyond them.
 void SetSides(const Frame& frame, const std::vector<StabilitySide>& sides, const SupportPolygon& outer,
   double beyond, StabilityResult& result)
 {
@@ -249,8 +252,9 @@ void SetTipOverPoint(const Frame& frame, const Point2D& p, double beyond, Stabil
   result.CenterOfMassRise = result.CenterOfMassRiseBound = 0.0;
 }
 
-/// Returns the value, at the projected centre of mass, of the upper concave envelope of the radii along the line of contacts, for rolling
-/// in a direction. A surface that ends in that direction has radius 0, as an edge.
+/// Returns the value, at the projected centre of mass, of the upper concave envelope of the radii along the
+/// line of contacts, for rolling in a direction. A surface that ends in that direction has radius 0, as an
+/// edge.
 ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& foot, const Point2D& along,
   double reach, int direction)
 {
@@ -315,7 +319,8 @@ void Roll(
     }
   }
   const double reach = std::max(frame.Body.Tolerance, frame.Bound);
-  // The direction in which the body rolls most easily: one of both sides of a line, any direction for a point.
+  // The direction in which the body rolls most easily: one of both sides of a line, any direction for a
+  // point.
   const bool isLine = result.Support == SupportKind::Line;
   ContactSample sample{ frame.ProjectedCenter, Infinity, 0.0, Infinity };
   for (int k = 0; k < ContactDirections; ++k)
@@ -332,8 +337,9 @@ void Roll(
   {
     return;
   }
-  // On a slope the balanced centre is z / u_h above the contact, along u. A rotation about the axis a moves it horizontally by 1 - (a.u)^2
-  // times that, and the contact by u_h times the radius. So z has the factor (1 - (a.u)^2) / u_h^2.
+  // On a slope the balanced centre is z / u_h above the contact, along u. A rotation about the axis a moves
+  // it horizontally by 1 - (a.u)^2 times that, and the contact by u_h times the radius. So z has the factor
+  // (1 - (a.u)^2) / u_h^2.
   const std::array<double, 3>& up = frame.Body.Up;
   const double slopeAlong = isLine ? along[0] * up[0] + along[1] * up[1] : 0.0;
   const double factor =
@@ -341,7 +347,8 @@ void Roll(
   result.RollingRadius = sample.Radius;
   result.RollingMargin = sample.Radius - factor * frame.Height;
   result.RollingMarginBound = sample.RadiusError + factor * frame.Bound;
-  // The least radius belongs to one direction, which need not be the worst one for a point on a slope, or for two points that form a line.
+  // The least radius belongs to one direction, which need not be the worst one for a point on a slope, or for
+  // two points that form a line.
   if (isLine ? sample.Widest < 1e6 * frame.Body.Size : factor > 1.0)
   {
     result.RollingMarginBound += std::max(0.0, sample.Widest - sample.Radius);
@@ -415,15 +422,16 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
                                                                       : SupportKind::Line;
 
   const Hulls fine = Refine(contacts.Pieces, frame.ProjectedCenter, body.Size, merge);
-  // The outer hull may leave out contacts by this distance: points close to others are merged, and stationary points have the accuracy
-  // Spread.
+  // The outer hull may leave out contacts by this distance: points close to others are merged, and stationary
+  // points have the accuracy Spread.
   const double beyond = 8.0 * merge + contacts.Spread;
   const double inner = fine.Inner.GetMargin(frame.ProjectedCenter);
   double low = inner - contacts.Spread - frame.Bound;
   double high = fine.Outer.GetMargin(frame.ProjectedCenter) + beyond + frame.Bound;
   if (!std::isfinite(low))
   {
-    // There are only possible contacts: the distance of the projected centre of mass from the farthest of them is the only certain limit.
+    // There are only possible contacts: the distance of the projected centre of mass from the farthest of
+    // them is the only certain limit.
     low = -body.Size - std::abs(high);
   }
   SetInterval(low, high, result.StabilityMargin, result.StabilityMarginBound);

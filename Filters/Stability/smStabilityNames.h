@@ -2,7 +2,8 @@
  * @file smStabilityNames.h
  * @brief Names of the arrays of vtkSolidStability, beside those of smMassPropertyNames.h
  *
- * Field data of port 0 and columns of the tables use the same names. L is the length unit of the model. A quantity with a bound has
+ * Field data of port 0 and columns of the tables use the same names. L is the length unit of the model. A
+ * quantity with a bound has
  * `<name>Bound` beside it (sm::names::BoundSuffix), in the same unit.
  */
 #ifndef smStabilityNames_h
@@ -16,9 +17,10 @@ constexpr const char* Stability = "Stability"; // string, one of the verdicts be
 constexpr const char* Support = "Support";     // string: "area", "line", "point", "none"
 constexpr const char* DecidedBy = "DecidedBy"; // string: "margin", "rolling", "none"
 constexpr const char* StabilityMargin =
-  "StabilityMargin"; // 1, L, with bound: signed distance from the projected centre of mass to the nearest edge of the support polygon, positive inside
-constexpr const char* TipAngle =
-  "TipAngle"; // 1, degrees, with bound: the least of all directions; negative: the centre is beyond the polygon
+  "StabilityMargin"; // 1, L, with bound: signed distance from the projected centre of mass to the nearest
+                     // edge of the support polygon, positive inside
+constexpr const char* TipAngle = "TipAngle"; // 1, degrees, with bound: the least of all directions; negative:
+                                             // the centre is beyond the polygon
 constexpr const char* CenterOfMassRise =
   "CenterOfMassRise"; // 1, L, with bound: least rise of the centre of mass on the way to tipping
 constexpr const char* TipEnergy =
@@ -33,8 +35,8 @@ constexpr const char* ContactFaces = "ContactFaces"; // 1 (int), faces that touc
 constexpr const char* ContactEdges = "ContactEdges"; // 1 (int), edges that touch along a piece or more
 constexpr const char* RollingRadius =
   "RollingRadius"; // 1, L: radius of curvature at a point or line of contact
-constexpr const char* RollingMargin =
-  "RollingMargin"; // 1, L, with estimated bound: that radius minus CenterHeight (scaled on a slope, see smStability.h)
+constexpr const char* RollingMargin = "RollingMargin"; // 1, L, with estimated bound: that radius minus
+                                                       // CenterHeight (scaled on a slope, see smStability.h)
 
 // Columns of the table of sides.
 constexpr const char* SideFrom = "From"; // 3, L

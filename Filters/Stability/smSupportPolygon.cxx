@@ -96,7 +96,8 @@ SupportPolygon SupportPolygon::FromPoints(std::vector<Point2D> points, double me
     corners = { one, other };
     return polygon;
   }
-  // Corners that are nearly straight are left out one at a time, so that they stay close to the line that is kept.
+  // Corners that are nearly straight are left out one at a time, so that they stay close to the line that is
+  // kept.
   std::vector<Point2D> kept;
   // Largest distance outside of the points since the last one that was kept.
   double left = 0.0;

@@ -27,8 +27,8 @@ struct GroundDirections
   Vector3 A;
   Vector3 B;
 
-  /// Returns false if the ground is vertical (cosine below 1e-6). A `normal` of length 0 stands for the upward direction. Both vectors may
-  /// have any length.
+  /// Returns false if the ground is vertical (cosine below 1e-6). A `normal` of length 0 stands for the
+  /// upward direction. Both vectors may have any length.
   static bool Make(const double gravity[3], const double normal[3], GroundDirections& directions);
 };
 
@@ -52,7 +52,8 @@ struct SupportedBody
   HeightRange Clearance{ 0.0, 0.0 };
   int ContactFaces = 0;
   int ContactEdges = 0;
-  /// True if the search of contacts was stopped at a limit of work, see GroundContacts::Coarse; bounds hold, but are wider.
+  /// True if the search of contacts was stopped at a limit of work, see GroundContacts::Coarse; bounds hold,
+  /// but are wider.
   bool Coarse = false;
   StabilityResult Result;
   /// Height of the ground in the frame.
@@ -63,16 +64,17 @@ struct SupportedBody
   Vector3 ToWorld(const GroundDirections& ground, const Point2D& ab, double h) const;
 };
 
-/// Returns the frame of the ground for the stored coordinates of a part; `origin` is the world position of the frame's origin.
+/// Returns the frame of the ground for the stored coordinates of a part; `origin` is the world position of
+/// the frame's origin.
 GroundFrame MakeGroundFrame(const GroundDirections& ground, const Vector3& origin, const BodyIntegrals& part);
 
-/// Computes all members after Metres. `groundOrigin`: a point of the ground; null: the ground is under the lowest point. `tolerance`:
-/// distance up to which points are contacts, relative to Size.
+/// Computes all members after Metres. `groundOrigin`: a point of the ground; null: the ground is under the
+/// lowest point. `tolerance`: distance up to which points are contacts, relative to Size.
 void EvaluateStability(SupportedBody& body, const GroundDirections& ground, const double* groundOrigin,
   double tolerance, FacePanelsCache& cache);
 
-/// Draws the support polygon, the centre of mass, its projection onto the ground and the line between them, in the colour of the verdict
-/// (cell data StabilityColor).
+/// Draws the support polygon, the centre of mass, its projection onto the ground and the line between them,
+/// in the colour of the verdict (cell data StabilityColor).
 void DrawSupportedBodies(
   const std::vector<SupportedBody>& bodies, const GroundDirections& ground, vtkPolyData* drawing);
 }

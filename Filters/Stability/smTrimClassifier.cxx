@@ -9,7 +9,8 @@ namespace sm
 {
 namespace
 {
-// Largest distance of chords from their curves, relative to the domain. Boxes closer than that to a curve remain undecided.
+// Largest distance of chords from their curves, relative to the domain. Boxes closer than that to a curve
+// remain undecided.
 constexpr double ChordTolerance = 1e-6;
 
 /// Returns false if no point of the chord is in the box.

@@ -28,9 +28,10 @@ public:
   /// Copies the loops of the face, which need not outlive the classifier.
   explicit TrimClassifier(const Face& face);
 
-  /// Classifies a closed box in the face's own (u, v), which may have width 0. Inside and Outside are proved for the trim curves
-  /// themselves. Points with a winding number other than 0 are inside; without loops all points are. `hopeless`, if not null, becomes true
-  /// when the box is undecided and smaller ones near it would be, too.
+  /// Classifies a closed box in the face's own (u, v), which may have width 0. Inside and Outside are proved
+  /// for the trim curves themselves. Points with a winding number other than 0 are inside; without loops all
+  /// points are. `hopeless`, if not null, becomes true when the box is undecided and smaller ones near it
+  /// would be, too.
   TrimSide Classify(
     const std::array<double, 2>& low, const std::array<double, 2>& high, bool* hopeless = nullptr) const;
 

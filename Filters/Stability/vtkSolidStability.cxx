@@ -36,7 +36,8 @@ namespace names = sm::names;
 /// Fraction of the progress for the mass properties.
 constexpr double MassShare = 0.8;
 
-/// During its lifetime, forwards the progress of the internal filter to its owner, and the owner's abort flag to the internal filter.
+/// During its lifetime, forwards the progress of the internal filter to its owner, and the owner's abort flag
+/// to the internal filter.
 class ProgressRelay
 {
 public:
@@ -390,7 +391,8 @@ void vtkSolidStability::UpdateMassProperties(vtkDataObject* input)
   {
     self.Mass->SetInputDataObject(input);
   }
-  // A leaf of a composite may have changed although the composite is the same. Results of unchanged faces are reused.
+  // A leaf of a composite may have changed although the composite is the same. Results of unchanged faces are
+  // reused.
   self.Mass->Modified();
   {
     const ProgressRelay relay(self.Mass, this, MassShare);

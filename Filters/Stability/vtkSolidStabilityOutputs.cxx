@@ -46,8 +46,9 @@ void SetCenter(sm::SupportedBody& body, vtkFieldData* data, vtkIdType row)
   body.Mass = GetNumber(data, row, names::Mass);
 }
 
-/// Solids of different density have their common centre where their masses balance: c = sum m_i c_i / sum m_i, with bounds e_i of m_i
-/// and d_i of c_i off by at most (sum m_i d_i + e_i (|c_i - c| + d_i)) / (sum m_i - e_i).
+/// Solids of different density have their common centre where their masses balance: c = sum m_i c_i / sum
+/// m_i. With bounds e_i of m_i and d_i of c_i, c is off by at most
+/// (sum m_i d_i + e_i (|c_i - c| + d_i)) / (sum m_i - e_i).
 void SetCommonCenter(sm::SupportedBody& body, vtkFieldData* rows, vtkIdType count)
 {
   std::array<long double, 3> sum{};

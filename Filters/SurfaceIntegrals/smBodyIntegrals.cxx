@@ -26,10 +26,11 @@ namespace sm
 {
 namespace
 {
-// Distance of a trim curve from its surface, relative to the body, above which it is not attributed to rounding.
+// Distance of a trim curve from its surface, relative to the body, above which it is not attributed to
+// rounding.
 constexpr double LargeOverhang = 1e-5;
-// Half the diagonal of a body, below and above which products of lengths, of which second moments have five, may leave the range of doubles:
-// they become 0 without an error that a bound counts.
+// Half the diagonal of a body, below and above which products of lengths, of which second moments have five,
+// may leave the range of doubles: they become 0 without an error that a bound counts.
 constexpr double SmallestSize = 1e-40;
 constexpr double LargestSize = 1e40;
 
@@ -171,14 +172,15 @@ void SetUnknown(BodyIntegrals& body, std::size_t integrands)
 
 namespace
 {
-/// The distances of trim curve and edge add along the edge; the square of the face's own gap has been counted.
+/// The distances of trim curve and edge add along the edge; the square of the face's own gap has been
+/// counted.
 double GetOverhangSquared(const FaceIntegrals& face)
 {
   return face.Outside.Squared + 2.0 * std::sqrt(face.Outside.Squared * face.GapSquared);
 }
 
-/// The strip between the border of a surface and the trim curves beyond it is a gap of the model, next to that between the trim
-/// curves and the edges.
+/// The strip between the border of a surface and the trim curves beyond it is a gap of the model, next to
+/// that between the trim curves and the edges.
 void AddOverhang(BodyIntegrals& body, std::size_t index, const std::string& label)
 {
   const FaceIntegrals& face = (*body.Faces)[index];

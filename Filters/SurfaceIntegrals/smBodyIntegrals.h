@@ -31,7 +31,8 @@ struct FaceDefect
 {
   std::vector<std::size_t> Faces;
   std::string Reason;
-  /// True if the whole faces count wrongly. Otherwise the area and volume that are in doubt are those below, NaN where not known.
+  /// True if the whole faces count wrongly. Otherwise the area and volume that are in doubt are those below,
+  /// NaN where not known.
   bool IsWhole = false;
   double Area = std::numeric_limits<double>::quiet_NaN();
   double Volume = std::numeric_limits<double>::quiet_NaN();
@@ -58,8 +59,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   std::vector<double> Value;
   std::vector<double> FaceValue;
   std::vector<double> Bound;
-  /// The part of Bound that is estimated: the rounding of samples, whose constants were measured and are not proved (Bounds.md, 2), and
-  /// measured residuals (3).
+  /// The part of Bound that is estimated: the rounding of samples, whose constants were measured and are not
+  /// proved (Bounds.md, 2), and measured residuals (3).
   std::vector<double> MeasuredBound;
   double GapSquared = 0.0;
   double GapArea = 0.0;
@@ -68,11 +69,13 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   double MaxOverhang = 0.0;
   /// The widest overlap of a face's loops beside gaps at their corners.
   double MaxOverlap = 0.0;
-  /// Entity numbers of the faces whose bounds are estimated, and of those that were left out; the number of faces that were skipped.
+  /// Entity numbers of the faces whose bounds are estimated, and of those that were left out; the number of
+  /// faces that were skipped.
   std::vector<int> EstimatedFaces;
   std::vector<int> LeftOutFaces;
   int SkippedFaces = 0;
-  /// Defects of faces that make the body suspect. Edges do so if they are open or their gap is wider than ExcusedGap.
+  /// Defects of faces that make the body suspect. Edges do so if they are open or their gap is wider than
+  /// ExcusedGap.
   std::vector<FaceDefect> FaceDefects;
   double ExcusedGap = std::numeric_limits<double>::infinity();
 
@@ -80,8 +83,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   int OpenEdges = 0;
   /// True if the normals of all faces point inwards: the volume was negative and was reversed.
   bool InsideOut = false;
-  /// Number of shells whose normals pointed inwards, which is all of them for an inside-out solid. If only some did, Sides has
-  /// the factor 1 or -1 for each face.
+  /// Number of shells whose normals pointed inwards, which is all of them for an inside-out solid. If only
+  /// some did, Sides has the factor 1 or -1 for each face.
   int FlippedShells = 0;
   std::vector<signed char> Sides;
   sm::Status Status = sm::Status::None;
@@ -113,34 +116,37 @@ struct RejectedInput
 SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<BodyIntegrals> CollectBodies(
   vtkDataObject* input, RejectedInput& rejected);
 
-/// Sets the status from the reader's findings and the signed uses of the edges, before anything is integrated.
+/// Sets the status from the reader's findings and the signed uses of the edges, before anything is
+/// integrated.
 SMFILTERSSURFACEINTEGRALS_EXPORT void CheckTopology(BodyIntegrals& body);
 
 /// Checks the topology, collects the messages of the faces, and sums their results.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands);
 
-/// Adds up the faces' results in face order with compensated sums. The fluxes of reversed shells have the opposite sign. A face
-/// that could not be integrated makes every bound infinite.
+/// Adds up the faces' results in face order with compensated sums. The fluxes of reversed shells have the
+/// opposite sign. A face that could not be integrated makes every bound infinite.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SumValues(
   BodyIntegrals& body, const std::vector<Integrand>& integrands);
 
-/// Collects the gaps of every body's edges (smEdgeGaps.h), and adds a message about the widest gap if it is significant and `reportSmall`. The body is
-/// suspect if that gap, MaxOverhang or MaxOverlap is wider than `limit` times its diagonal and than the file excuses.
+/// Collects the gaps of every body's edges (smEdgeGaps.h), and adds a message about the widest gap if it is
+/// significant and `reportSmall`. The body is suspect if that gap, MaxOverhang or MaxOverlap is wider than
+/// `limit` times its diagonal and than the file excuses.
 SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(
   std::vector<BodyIntegrals>& bodies, double limit, bool reportSmall);
 
-/// Returns the largest gap or change that does not make a body suspect: `limit` times `size`, or `excuse`, which follows from the
-/// uncertainty of the file, if that is larger, but at most ten times `limit` times `size`; infinity if `limit` is 1.
+/// Returns the largest gap or change that does not make a body suspect: `limit` times `size`, or `excuse`,
+/// which follows from the uncertainty of the file, if that is larger, but at most ten times `limit` times
+/// `size`; infinity if `limit` is 1.
 SMFILTERSSURFACEINTEGRALS_EXPORT double GetExcused(double limit, double size, double excuse);
 
-/// Reverses the shells whose normals point inwards (smShellOrientation.h), where `volume` is the index of the volume's integrand,
-/// and sums again. It then marks the whole body as inside out if its volume is negative. Both add a message. The shells of a body
-/// that is not closed remain unchanged.
+/// Reverses the shells whose normals point inwards (smShellOrientation.h), where `volume` is the index of the
+/// volume's integrand, and sums again. It then marks the whole body as inside out if its volume is negative.
+/// Both add a message. The shells of a body that is not closed remain unchanged.
 SMFILTERSSURFACEINTEGRALS_EXPORT void ReverseShells(
   BodyIntegrals& body, const std::vector<Integrand>& integrands, int volume);
 
-/// Flags a closed body as suspect if its shells are not nested, or not oriented, as a solid's are, by the volumes of its display mesh:
-/// needed for integrals over a part of the body, whose values do not show it.
+/// Flags a closed body as suspect if its shells are not nested, or not oriented, as a solid's are, by the
+/// volumes of its display mesh: needed for integrals over a part of the body, whose values do not show it.
 SMFILTERSSURFACEINTEGRALS_EXPORT void CheckShells(BodyIntegrals& body);
 
 /// Sets the values of a body for which nothing was computed to NaN, one per integrand, and adds a message.

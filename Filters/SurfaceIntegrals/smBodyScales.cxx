@@ -12,7 +12,8 @@ namespace sm
 {
 namespace
 {
-/// Rounds a scale down to a power of two, so that small differences of the display mesh do not change the tolerances of faces.
+/// Rounds a scale down to a power of two, so that small differences of the display mesh do not change the
+/// tolerances of faces.
 double RoundDown(double scale)
 {
   return scale > 0.0 ? std::exp2(std::floor(std::log2(scale))) : 0.0;
@@ -100,7 +101,8 @@ double GetVolumeScale(vtkTrimmedNURBSModel& model)
   const double radius = GetRadius(model);
   const double box = radius * radius * radius;
   const double known = model.GetVolumeScale();
-  // A known scale that is not possible for the box, nor for the surface of a wire or a sheet in it, comes from a faulty mesh.
+  // A known scale that is not possible for the box, nor for the surface of a wire or a sheet in it, comes
+  // from a faulty mesh.
   const double least = std::min(1e-9 * box, 1e-12 * radius * GetAreaScale(model));
   return RoundDown(known > least && known < 8.0 * box ? known : box);
 }

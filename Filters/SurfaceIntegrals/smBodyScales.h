@@ -21,7 +21,8 @@ struct BodyIntegrals;
 SMFILTERSSURFACEINTEGRALS_EXPORT bool HaveOneUnit(const std::vector<BodyIntegrals>& bodies);
 constexpr const char* MixedUnitsMessage =
   "the parts have different length units: there is no total; read all files in one output unit";
-/// Returns xmin, xmax, ymin … about the model's origin; computed from the control points if the model has no box.
+/// Returns xmin, xmax, ymin … about the model's origin; computed from the control points if the model has no
+/// box.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::array<double, 6> GetBox(vtkTrimmedNURBSModel& model);
 /// Adds the eight corners of a body's box, in the body's placement, to `box`.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddPlacedBox(const BodyIntegrals& body, vtkBoundingBox& box);

@@ -14,16 +14,16 @@ namespace sm
 {
 struct Face;
 
-/// Adds up measurements so that the list has one entry for each coedge that was measured, in the order of the first measurement. A face may
-/// have 100,000 coedges (a perforated plate): n additions take O(n log n) time.
+/// Adds up measurements so that the list has one entry for each coedge that was measured, in the order of the
+/// first measurement. A face may have 100,000 coedges (a perforated plate): n additions take O(n log n) time.
 class SMFILTERSSURFACEINTEGRALS_EXPORT CoedgeGaps
 {
 public:
   /// Adds to `gaps`, which may hold entries of this face already. Both arguments must outlive the object.
   CoedgeGaps(const Face& face, std::vector<CoedgeGap>& gaps);
 
-  /// Adds a measurement. `coedge` is the index of the coedge, counted through all loops of the face; Loop and Coedge of `measured` are
-  /// ignored.
+  /// Adds a measurement. `coedge` is the index of the coedge, counted through all loops of the face; Loop and
+  /// Coedge of `measured` are ignored.
   void Add(int coedge, const CoedgeGap& measured);
 
 private:

@@ -10,8 +10,8 @@ namespace sm
 {
 namespace
 {
-/// Largest volume between two faces that lie on each other, relative to their area times the size of the body, besides the bounds of their
-/// integrals; and the largest such bound that decides.
+/// Largest volume between two faces that lie on each other, relative to their area times the size of the
+/// body, besides the bounds of their integrals; and the largest such bound that decides.
 constexpr double LargestDistance = 1e-9;
 constexpr double LargestBound = 1e-6;
 /// Largest number of faces with the same edges that are compared, and of pairs that are reported.

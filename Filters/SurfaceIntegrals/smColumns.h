@@ -25,8 +25,9 @@ namespace sm
 namespace columns
 {
 /**
- * The arrays of a filter's tables. A run asks for the same arrays in the same order as the run before it, and gets those again to
- * which nothing else refers: for an edit of one face, making, naming and freeing them takes longer than computing what they hold.
+ * The arrays of a filter's tables. A run asks for the same arrays in the same order as the run before it, and
+ * gets those again to which nothing else refers: for an edit of one face, making, naming and freeing them
+ * takes longer than computing what they hold.
  */
 class KeptArrays
 {
@@ -111,25 +112,28 @@ private:
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddBodyLabels(
   KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
 
-/// Adds the columns LengthUnit, OpenEdges, FlippedShells, BoundsEstimated and Faces with a row for every body.
+/// Adds the columns LengthUnit, OpenEdges, FlippedShells, BoundsEstimated and Faces with a row for every
+/// body.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddBodyCounts(
   KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
 
-/// Adds a row with the values of `totals` that have the name of a column, and an empty Id. Values without a total are NaN, empty or 0.
+/// Adds a row with the values of `totals` that have the name of a column, and an empty Id. Values without a
+/// total are NaN, empty or 0.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AppendTotalRow(
   vtkFieldData* totals, const std::string& name, vtkTable* solids);
 
 /// True for a row that AppendTotalRow() added to a table with the columns of AddBodyLabels().
 SMFILTERSSURFACEINTEGRALS_EXPORT bool IsTotalRow(vtkTable* solids, vtkIdType row);
 
-/// Adds a row per face and instance: Solid, FaceIndex, FaceId, the integrands with indices `wanted` over face, ribbons and caps, their
-/// bounds, and MaxGap. Fluxes of a shell or body that is inside out are reversed.
+/// Adds a row per face and instance: Solid, FaceIndex, FaceId, the integrands with indices `wanted` over
+/// face, ribbons and caps, their bounds, and MaxGap. Fluxes of a shell or body that is inside out are
+/// reversed.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddFaceRows(KeptArrays& arrays,
   const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands, vtkTable* faces,
   const std::vector<int>& wanted);
 
-/// Adds a row per edge and instance, the widest gap first: Solid, EdgeIndex, EdgeId, Name, Uses, Open, MaxGap,
-/// GapArea, GapSquared.
+/// Adds a row per edge and instance, the widest gap first: Solid, EdgeIndex, EdgeId, Name, Uses, Open,
+/// MaxGap, GapArea, GapSquared.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddEdgeRows(
   KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* edges);
 }

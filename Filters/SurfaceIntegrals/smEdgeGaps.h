@@ -39,15 +39,15 @@ constexpr double LargeGap = 1e-5;
 SMFILTERSSURFACEINTEGRALS_EXPORT bool IsWider(const EdgeGap& a, const EdgeGap& b);
 
 /**
- * Adds up the gaps of the coedges of each edge. The result is sorted by the widest gap, then in the order of the faces; edges
- * with unknown gaps are last. `faces` has the results of the model's faces in their order; if it is null, all gaps are unknown.
- * Edges that are one point are omitted.
+ * Adds up the gaps of the coedges of each edge. The result is sorted by the widest gap, then in the order of
+ * the faces; edges with unknown gaps are last. `faces` has the results of the model's faces in their order;
+ * if it is null, all gaps are unknown. Edges that are one point are omitted.
  */
 SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<EdgeGap> CollectEdgeGaps(
   const vtkTrimmedNURBSModel& model, const std::vector<FaceIntegrals>* faces);
 
-/// Returns a sentence about the widest gap if it exceeds the tolerance of its edge in the file, or 1e-5 of `size`; else an empty
-/// string. Gaps below 1e-12 of the size are attributed to rounding.
+/// Returns a sentence about the widest gap if it exceeds the tolerance of its edge in the file, or 1e-5 of
+/// `size`; else an empty string. Gaps below 1e-12 of the size are attributed to rounding.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string DescribeWorstEdge(
   const std::vector<EdgeGap>& edges, double size, const std::string& unit);
 }

@@ -19,7 +19,8 @@ namespace sm
 struct FaceTask
 {
   FacePointer Source;
-  /// Panels of `Source` if the caller has cut it; null if the integrator is to cut it. The Source of both must be the same.
+  /// Panels of `Source` if the caller has cut it; null if the integrator is to cut it. The Source of both
+  /// must be the same.
   CutFacePointer Cut;
   /// Absolute tolerance of each integrand for this face.
   std::vector<double> Tolerances;
@@ -29,8 +30,8 @@ struct FaceTask
   PlacementError PlacementBound{};
 };
 
-/// The gap along one coedge, the distance of the face's curve from the edge's curve at foot points: integral of its square,
-/// integral, and maximum.
+/// The gap along one coedge, the distance of the face's curve from the edge's curve at foot points: integral
+/// of its square, integral, and maximum.
 struct CoedgeGap
 {
   int Loop = 0;
@@ -52,8 +53,8 @@ struct FaceIntegrals
   /// Integral over the face alone, and over its ribbons and caps.
   std::vector<double> Face;
   std::vector<double> Closing;
-  /// Bounds over both: of the quadrature's error (if Estimated, from differences of orders), of the rounding of every sample, and
-  /// of the effect of the residuals of converted curves and surfaces.
+  /// Bounds over both: of the quadrature's error (if Estimated, from differences of orders), of the rounding
+  /// of every sample, and of the effect of the residuals of converted curves and surfaces.
   std::vector<double> QuadratureError;
   std::vector<double> Rounding;
   std::vector<double> Conversion;
@@ -72,11 +73,14 @@ struct FaceIntegrals
       values->push_back(value);
     }
   }
-  /// True if the bound of the area, or of an integrand whose orders cannot be planned (an expression), is estimated and not proved.
+  /// True if the bound of the area, or of an integrand whose orders cannot be planned (an expression), is
+  /// estimated and not proved.
   bool Estimated = false;
-  /// True if the run was stopped before this face: its integrals are 0, with their largest possible magnitude as error.
+  /// True if the run was stopped before this face: its integrals are 0, with their largest possible magnitude
+  /// as error.
   bool Skipped = false;
-  /// True if the bound of some integral would have been larger than its largest possible magnitude, which is its error instead: it is 0.
+  /// True if the bound of some integral would have been larger than its largest possible magnitude, which is
+  /// its error instead: it is 0.
   bool LeftOut = false;
   /// Gaps between all coedges and their edges at foot points: integral of the square, integral, and maximum.
   double GapSquared = 0.0;
@@ -87,7 +91,8 @@ struct FaceIntegrals
   int CoverageDefects = 0;
   /// As FacePanels::Overlap.
   double Overlap = 0.0;
-  /// Trim curves beyond the surface's domain. True if the surface is continued to them; the paper's schemes integrate nothing there.
+  /// Trim curves beyond the surface's domain. True if the surface is continued to them; the paper's schemes
+  /// integrate nothing there.
   Overhang Outside;
   bool IsContinued = false;
   /// Reason why the face could not be integrated, in which case everything else is zero; empty otherwise.

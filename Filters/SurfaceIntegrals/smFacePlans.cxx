@@ -103,7 +103,8 @@ bool FacePlans::PlanAll(const std::vector<PlanRequest>& requests, const std::vec
       return false;
     }
     const std::size_t end = std::min(begin + PlansPerReport, faces.size());
-    // All threads share the portions of all faces, so that a single changed face is planned by all threads too.
+    // All threads share the portions of all faces, so that a single changed face is planned by all threads
+    // too.
     std::vector<std::size_t> missing;
     std::vector<std::unique_ptr<FacePlanner>> planners;
     std::vector<std::pair<std::size_t, std::size_t>> work;

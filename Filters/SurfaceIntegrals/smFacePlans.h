@@ -1,6 +1,7 @@
 /**
  * @file smFacePlans.h
- * @brief Quadrature plans of a run's faces, computed in parallel, kept for the next run, and loosened to meet a budget
+ * @brief Quadrature plans of a run's faces, computed in parallel, kept for the next run, and loosened to meet
+ * a budget
  */
 #ifndef smFacePlans_h
 #define smFacePlans_h
@@ -24,8 +25,8 @@ struct FaceTask;
 class FacePlans
 {
 public:
-  /// Sets the integrands and removes all plans. Returns false if an integrand has no a-priori bound (an expression), so that nothing can be
-  /// planned.
+  /// Sets the integrands and removes all plans. Returns false if an integrand has no a-priori bound (an
+  /// expression), so that nothing can be planned.
   bool SetIntegrands(const std::vector<Integrand>& integrands, int stripPoints);
   /// Removes all plans.
   void Clear();
@@ -36,10 +37,10 @@ public:
     return this->Classes[this->ClassOf[integrand]];
   }
 
-  /// Plans every task by its face; `chosen` has the indices of the task's tolerances that belong to the integrands. Faces that
-  /// could not be cut have an empty plan. Plans of the last run are reused. `addUp` adds the evaluations of other plans with the
-  /// same budget; it is called once for every loosening, whether stopped or not, and returns false to stop. Returns false if
-  /// `progress` or `addUp` stopped it.
+  /// Plans every task by its face; `chosen` has the indices of the task's tolerances that belong to the
+  /// integrands. Faces that could not be cut have an empty plan. Plans of the last run are reused. `addUp`
+  /// adds the evaluations of other plans with the same budget; it is called once for every loosening, whether
+  /// stopped or not, and returns false to stop. Returns false if `progress` or `addUp` stopped it.
   bool Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFacePointer>& faces,
     const std::vector<std::size_t>& chosen, bool usePlacements, std::int64_t maximumEvaluations,
     const ProgressCallback& progress, const std::function<bool(std::int64_t&)>& addUp);

@@ -1,6 +1,7 @@
 /**
  * @file smFaceResultCache.h
- * @brief Integrals of faces, cached by face id and request, so that after an edit only the changed faces are evaluated
+ * @brief Integrals of faces, cached by face id and request, so that after an edit only the changed faces are
+ * evaluated
  */
 #ifndef smFaceResultCache_h
 #define smFaceResultCache_h
@@ -16,8 +17,8 @@
 
 namespace sm
 {
-/// Cache key of the result of a face. The result depends only on the face and this key, and not on other faces, so that a cached
-/// result is bitwise equal to that of a full run.
+/// Cache key of the result of a face. The result depends only on the face and this key, and not on other
+/// faces, so that a cached result is bitwise equal to that of a full run.
 struct FaceResultKey
 {
   std::vector<double> Tolerances;

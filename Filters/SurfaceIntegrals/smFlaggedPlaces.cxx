@@ -37,7 +37,8 @@ Vector3 PlacePoint(const BodyIntegrals& body, const Vector3& stored)
   return sm::PlacePoint(*body.Model, body.Placement.data(), stored);
 }
 
-/// Returns the length of the vector area of closed chains of edges, in their signed directions; NaN if they do not close.
+/// Returns the length of the vector area of closed chains of edges, in their signed directions; NaN if they
+/// do not close.
 double GetVectorArea(const std::vector<const EdgeGap*>& edges)
 {
   const Vector3 origin = edges.front()->Source->StartVertex;

@@ -28,19 +28,21 @@ struct FlaggedPlace
   /// The defect in words, without the figures in doubt.
   std::string Reason;
   /**
-   * Estimates, not bounds, of the errors that the place may cause in the area and volume of its body; NaN where they are not known.
-   * - A gap: its area, and the integral of its square, by which ways of closing it differ. A face in a wrong place may cost more.
-   * - An opening of a solid: the length of the vector area of its edges, which is the least area of a surface that closes it, and
-   *   that times a third of the largest distance of the body's box from the origin of the model: the flux about that origin through a
-   *   plane cover, which the volume lacks, is no larger.
+   * Estimates, not bounds, of the errors that the place may cause in the area and volume of its body; NaN
+   * where they are not known.
+   * - A gap: its area, and the integral of its square, by which ways of closing it differ. A face in a wrong
+   * place may cost more.
+   * - An opening of a solid: the length of the vector area of its edges, which is the least area of a surface
+   * that closes it, and that times a third of the largest distance of the body's box from the origin of the
+   * model: the flux about that origin through a plane cover, which the volume lacks, is no larger.
    * - Faces that count wrongly: the area of their display mesh, and its flux about that origin.
    */
   double AreaInDoubt = std::numeric_limits<double>::quiet_NaN();
   double VolumeInDoubt = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Returns the places of all bodies whose status is suspect or worse, by the volume in doubt, the largest first. Gaps are flagged above
-/// BodyIntegrals::ExcusedGap. The places refer to the bodies.
+/// Returns the places of all bodies whose status is suspect or worse, by the volume in doubt, the largest
+/// first. Gaps are flagged above BodyIntegrals::ExcusedGap. The places refer to the bodies.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<FlaggedPlace> FindFlaggedPlaces(
   const std::vector<BodyIntegrals>& bodies);
 
@@ -48,8 +50,8 @@ SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<FlaggedPlace> FindFlaggedPlaces(
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string ListFlaggedPlaces(
   const std::vector<FlaggedPlace>& places, const std::vector<BodyIntegrals>& bodies, std::size_t most);
 
-/// Fills `output` with a polyline for every edge and with the triangles of all flagged faces, in world coordinates, with the cell data of
-/// port 6 of vtkSurfaceIntegralBase. Curves are drawn by chords.
+/// Fills `output` with a polyline for every edge and with the triangles of all flagged faces, in world
+/// coordinates, with the cell data of port 6 of vtkSurfaceIntegralBase. Curves are drawn by chords.
 SMFILTERSSURFACEINTEGRALS_EXPORT void DrawFlaggedPlaces(
   const std::vector<FlaggedPlace>& places, const std::vector<BodyIntegrals>& bodies, vtkPolyData* output);
 }

@@ -32,7 +32,8 @@ vtkMultiProcessController* IntegralEngine::GetController() const
 
 IntegralEngine::Role IntegralEngine::ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies)
 {
-  // If the update has another number of pieces, it concerns this process alone, and other ranks may not take part.
+  // If the update has another number of pieces, it concerns this process alone, and other ranks may not take
+  // part.
   if (!this->Exchange || pieces < 2 || this->Exchange->GetNumberOfRanks() != pieces)
   {
     return Role::Owner;
@@ -57,8 +58,8 @@ IntegralEngine::Role IntegralEngine::ChooseRole(bool canShare, int pieces, bool 
     const bool isShared = sums[2] != 0.0;
     if (isShared)
     {
-      // A single rank has bodies: the sums are its number, and its choice of a backend, which all make so that results have the same
-      // bits.
+      // A single rank has bodies: the sums are its number, and its choice of a backend, which all make so
+      // that results have the same bits.
       this->PrefersOpenGL = sums[4] != 0.0;
       this->Integrator.BeginSharing(*this->Exchange, static_cast<int>(sums[3]));
     }

@@ -2,8 +2,8 @@
  * @file smIntegralNames.h
  * @brief Names of the arrays and statuses in the outputs of all filters over surface integrals
  *
- * Field data of port 0 and columns of the tables use the same names. Tests, the ParaView plugin, the command line and the
- * documentation use these constants. L is the length unit of the model.
+ * Field data of port 0 and columns of the tables use the same names. Tests, the ParaView plugin, the command
+ * line and the documentation use these constants. L is the length unit of the model.
  */
 #ifndef smIntegralNames_h
 #define smIntegralNames_h

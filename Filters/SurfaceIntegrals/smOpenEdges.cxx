@@ -17,17 +17,21 @@ namespace sm
 namespace
 {
 constexpr double CoincidenceTolerance = 1e-9;
-/// Borders are the same curve if their lengths, centres and vector areas differ by no more than this, relative to their length.
+/// Borders are the same curve if their lengths, centres and vector areas differ by no more than this,
+/// relative to their length.
 constexpr double JoinTolerance = 1e-3;
-/// Largest distance of the chords of a border from it, relative to its extent, and most halvings of a span to reach it.
+/// Largest distance of the chords of a border from it, relative to its extent, and most halvings of a span to
+/// reach it.
 constexpr double ChordTolerance = 1e-5;
 constexpr int MostHalvings = 16;
 /// Number of a border's points whose distance from the other one is measured.
 constexpr std::size_t MostMeasured = 32;
-/// Borders that are so far apart, in units of u times size and distance from the origin, coincide but for rounding.
+/// Borders that are so far apart, in units of u times size and distance from the origin, coincide but for
+/// rounding.
 constexpr double CoincidenceRoundings = 64.0;
 
-/// Returns parameters that determine a rational curve of the surface's degree in this direction: two borders that coincide there coincide.
+/// Returns parameters that determine a rational curve of the surface's degree in this direction: two borders
+/// that coincide there coincide.
 std::vector<double> MakeSamples(const NURBSSurface& surface, int direction)
 {
   const std::vector<double> breaks = surface.GetSpanBreaks(direction);
@@ -66,8 +70,8 @@ double GetLargestDistance(const std::vector<Vector3>& points, const std::vector<
   return largest;
 }
 
-/// A border of a face without loops, in the direction in which the face lies left of it: quantities of the curve that do not depend on its
-/// parameters, nor on where a closed one begins.
+/// A border of a face without loops, in the direction in which the face lies left of it: quantities of the
+/// curve that do not depend on its parameters, nor on where a closed one begins.
 struct Border
 {
   double Length = 0.0;
@@ -81,7 +85,8 @@ struct Border
   /// Parameters of its points, which increase, and the points.
   std::vector<std::pair<double, Vector3>> Points;
 
-  /// The largest parameter relative to the range of parameters, by which rounding of a parameter moves a point.
+  /// The largest parameter relative to the range of parameters, by which rounding of a parameter moves a
+  /// point.
   double GetParameterRatio() const
   {
     const double first = this->Points.front().first;
@@ -235,8 +240,8 @@ double IgnoreRounding(double gap, double size, const Vector3& at)
   return gap > CoincidenceRoundings * UnitRoundoff * (size + Norm(at)) ? gap : 0.0;
 }
 
-/// Adds the borders of a face without loops at which it neither closes by itself nor ends in a point. Raises `gap` to the distance by which
-/// it closes by itself.
+/// Adds the borders of a face without loops at which it neither closes by itself nor ends in a point. Raises
+/// `gap` to the distance by which it closes by itself.
 void AddBorders(const Face& face, std::vector<Border>& borders, double& gap)
 {
   // What is wrong with a surface is said where the face is cut.
@@ -275,8 +280,8 @@ void AddBorders(const Face& face, std::vector<Border>& borders, double& gap)
   }
 }
 
-/// Returns the number of borders that no other one joins: the same curve in the opposite direction. Sets `gap` to the largest distance of
-/// those that are joined.
+/// Returns the number of borders that no other one joins: the same curve in the opposite direction. Sets
+/// `gap` to the largest distance of those that are joined.
 int CountOpenBorders(const vtkTrimmedNURBSModel& model, double& gap)
 {
   std::vector<Border> borders;

@@ -17,10 +17,11 @@ namespace
 constexpr std::array<double, 16> Identity{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
 
 /**
- * A sample is placed as R p + t. Rounding moves p by u |p_i| in every coordinate, a sum of three products by 3 u |p|, its sum with t by
- * u (|p| + |t|); and t, the sum of the placed origin o of the model and a translation, by 4 u |o| + u |translation| before. With the root
- * of 3 for three coordinates these are 9 u |p|, 9 u |o| and 4 u |translation|. The bound of a sample's rounding has that for positions
- * as large as the body; here p is the middle of the body, whose distance may cancel.
+ * A sample is placed as R p + t. Rounding moves p by u |p_i| in every coordinate, a sum of three products by
+ * 3 u |p|, its sum with t by u (|p| + |t|); and t, the sum of the placed origin o of the model and a
+ * translation, by 4 u |o| + u |translation| before. With the root of 3 for three coordinates these are 9 u
+ * |p|, 9 u |o| and 4 u |translation|. The bound of a sample's rounding has that for positions as large as the
+ * body; here p is the middle of the body, whose distance may cancel.
  */
 double GetEvaluationError(const BodyIntegrals& body, double translation)
 {
@@ -85,9 +86,9 @@ PlacementError PlacementError::Make(const BodyIntegrals& body, bool withSamples)
 }
 
 /**
- * With x moved by d and n = Ss x Sr by at most 2 Turned |n|, the map being affine, x^k |n| changes by (k Moved / reach + 2 Turned) of
- * reach^k |n|, and x.n x^k / (3 + k) by ((k + 1) Moved / reach + 2 Turned) of reach^(k+1) |n| / (3 + k). Squares of roundings are far below
- * the margin in `Rounding`.
+ * With x moved by d and n = Ss x Sr by at most 2 Turned |n|, the map being affine, x^k |n| changes by (k
+ * Moved / reach + 2 Turned) of reach^k |n|, and x.n x^k / (3 + k) by ((k + 1) Moved / reach + 2 Turned) of
+ * reach^(k+1) |n| / (3 + k). Squares of roundings are far below the margin in `Rounding`.
  */
 double PlacementError::GetBound(const BoundClass& integrand, double area, double gaps, double reach) const
 {

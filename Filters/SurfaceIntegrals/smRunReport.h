@@ -56,12 +56,13 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
 
   /// Adds a message; the first one of a run becomes its Reason.
   void SetReason(const std::string& message);
-  /// Reports the status of the file, and why there is nothing to integrate. `hasBodies`: the input has some; `isChosen`: some of them are
-  /// to be integrated.
+  /// Reports the status of the file, and why there is nothing to integrate. `hasBodies`: the input has some;
+  /// `isChosen`: some of them are to be integrated.
   void AddFile(const FileState& file, bool hasBodies, bool isChosen);
   /// Counts the bodies with their faces, and reports that meshes without exact geometry are left out.
   void AddBodies(const std::vector<BodyIntegrals>& bodies, const RejectedInput& rejected);
-  /// Reports an input that has meshes only, without exact geometry; `isWithheld`: it had some, but its points were changed.
+  /// Reports an input that has meshes only, without exact geometry; `isWithheld`: it had some, but its points
+  /// were changed.
   void RejectInput(bool isWithheld);
   /// Adds the statuses of the bodies after their analysis.
   void AddStatuses(const std::vector<BodyIntegrals>& bodies);
@@ -69,13 +70,14 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   void AddMessages(const std::vector<BodyIntegrals>& bodies);
   /// Returns a sentence with the reason for the status; empty if none is known.
   std::string FindReason(const std::vector<BodyIntegrals>& bodies) const;
-  /// Adds the arrays Status, Backend, Renderer, BackendReason, Evaluations, Dispatches, Faces, Ranks, BoundsEstimated.
+  /// Adds the arrays Status, Backend, Renderer, BackendReason, Evaluations, Dispatches, Faces, Ranks,
+  /// BoundsEstimated.
   void FillFieldData(columns::Writer data) const;
 };
 
-/// Returns the first lines of a summary: the status, its reason in lines of at most 64 characters, the number of other messages, and, where
-/// the model is suspect or open, that bounds do not include its defects. With the status `ok`, returns the first message as a note, or
-/// nothing.
+/// Returns the first lines of a summary: the status, its reason in lines of at most 64 characters, the number
+/// of other messages, and, where the model is suspect or open, that bounds do not include its defects. With
+/// the status `ok`, returns the first message as a note, or nothing.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string FormatStatus(
   const std::string& status, const std::string& reason, const std::vector<std::string>& messages);
 }

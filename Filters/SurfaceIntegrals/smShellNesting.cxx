@@ -16,11 +16,13 @@ using Point = ShellMesh::Point;
 
 /// Largest number of points at which the winding number is computed.
 constexpr std::size_t MostSamples = 24;
-/// Longest side of a triangle, relative to the region of interest, above which it is halved, and the largest number of halvings.
+/// Longest side of a triangle, relative to the region of interest, above which it is halved, and the largest
+/// number of halvings.
 constexpr double SampleSpacing = 0.3;
 constexpr int MaximumDepth = 16;
 
-/// Distance from an integer above which a winding number indicates a point on the other mesh, or a mesh with a hole.
+/// Distance from an integer above which a winding number indicates a point on the other mesh, or a mesh with
+/// a hole.
 constexpr double WholeNumber = 0.25;
 
 /// Returns c + x a + y b.

@@ -18,8 +18,8 @@ class ShellMesh
 public:
   using Point = std::array<double, 3>;
 
-  /// Adds a triangle. The `normals` at the corners, unit or zero, determine how far the surface may deviate from the flat
-  /// triangle.
+  /// Adds a triangle. The `normals` at the corners, unit or zero, determine how far the surface may deviate
+  /// from the flat triangle.
   void AddTriangle(const std::array<Point, 3>& corners, const std::array<Point, 3>& normals);
 
   bool IsEmpty() const { return this->Triangles.empty(); }
@@ -37,11 +37,12 @@ public:
   };
 
   /**
-   * Returns the position of this shell with respect to another one. The winding number about the other's triangles is computed at
-   * up to 24 points of this mesh near the other shell: 0 outside, 1 or -1 inside, for either orientation of the other shell. It
-   * is a sum of solid angles, so that small holes between the triangles of two faces have little effect. If points disagree, only
-   * those count whose distance from the other mesh exceeds the possible distance of both meshes from their surfaces. A crossing
-   * smaller than the distance between the points is not detected.
+   * Returns the position of this shell with respect to another one. The winding number about the other's
+   * triangles is computed at up to 24 points of this mesh near the other shell: 0 outside, 1 or -1 inside,
+   * for either orientation of the other shell. It is a sum of solid angles, so that small holes between the
+   * triangles of two faces have little effect. If points disagree, only those count whose distance from the
+   * other mesh exceeds the possible distance of both meshes from their surfaces. A crossing smaller than the
+   * distance between the points is not detected.
    */
   Place Find(const ShellMesh& other) const;
 

@@ -41,7 +41,8 @@ private:
   std::vector<int> Parent;
 };
 
-/// Sets the shell of every face, numbered from 0 in the order of their first faces. Returns the number of shells.
+/// Sets the shell of every face, numbered from 0 in the order of their first faces. Returns the number of
+/// shells.
 int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
 {
   const std::vector<FacePointer>& faces = model.GetFaces();
@@ -57,7 +58,8 @@ int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
       }
     }
   }
-  // Join faces that share an edge within one of the file's shells, and sum the signed uses of each edge within the shell.
+  // Join faces that share an edge within one of the file's shells, and sum the signed uses of each edge
+  // within the shell.
   Partition parts(faces.size());
   struct Uses
   {
@@ -127,8 +129,8 @@ std::vector<ShellMesh> MakeMeshes(vtkPolyData* mesh, const std::vector<int>& she
   return meshes;
 }
 
-/// Computes the number of shells around each shell. Returns a sentence with the reason if it cannot be determined, else an empty
-/// string. `uncertain` receives the shells that the reason is about.
+/// Computes the number of shells around each shell. Returns a sentence with the reason if it cannot be
+/// determined, else an empty string. `uncertain` receives the shells that the reason is about.
 std::string FindDepths(const std::vector<ShellMesh>& meshes, const std::vector<double>& volumes,
   std::vector<int>& depths, std::set<std::size_t>& uncertain)
 {
@@ -235,8 +237,8 @@ ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
     wrong[i] = (volumes[i] > 0.0) != (depths[i] % 2 == 0);
     result.Flipped += wrong[i] ? 1 : 0;
   }
-  // A STEP file names the outer shell first. In a BREP file it may be any, and then the shells are oriented rightly; so it may in a solid that
-  // is inside out as a whole.
+  // A STEP file names the outer shell first. In a BREP file it may be any, and then the shells are oriented
+  // rightly; so it may in a solid that is inside out as a whole.
   if (result.Flipped > 0 && result.Flipped < result.Shells && model.GetNumberOfOuterShells() == 1 &&
     depths[0] % 2 != 0)
   {

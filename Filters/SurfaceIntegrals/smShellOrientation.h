@@ -1,6 +1,7 @@
 /**
  * @file smShellOrientation.h
- * @brief Orientation of the shells of a solid: an outer shell encloses volume, a void inside it removes volume
+ * @brief Orientation of the shells of a solid: an outer shell encloses volume, a void inside it removes
+ * volume
  */
 #ifndef smShellOrientation_h
 #define smShellOrientation_h
@@ -24,7 +25,8 @@ struct ShellOrientation
   int Flipped = 0;
   /// Factor, 1 or -1, of the fluxes of each face. Empty: the orientation of the file is kept.
   std::vector<signed char> Sides;
-  /// True if every shell has the wrong orientation: the solid as a whole is to be reversed, and Sides is empty.
+  /// True if every shell has the wrong orientation: the solid as a whole is to be reversed, and Sides is
+  /// empty.
   bool InsideOut = false;
   /// Reason why the file's orientation was kept although it may be wrong; empty otherwise.
   std::string Uncertainty;
@@ -33,16 +35,17 @@ struct ShellOrientation
 };
 
 /**
- * Determines the orientation of every shell from the volume it encloses and from its depth, the number of other shells around it.
- * `volume` is the flux of x.n/3 for each face over faces, ribbons and caps, with the error bound `bound`. The volume is positive
- * at even depth, and negative at odd depth, in a void. A shell is a part of the boundary that is closed by itself: faces joined
- * by edges, within a shell of the file, and across shells if they are closed only together.
+ * Determines the orientation of every shell from the volume it encloses and from its depth, the number of
+ * other shells around it. `volume` is the flux of x.n/3 for each face over faces, ribbons and caps, with the
+ * error bound `bound`. The volume is positive at even depth, and negative at odd depth, in a void. A shell is
+ * a part of the boundary that is closed by itself: faces joined by edges, within a shell of the file, and
+ * across shells if they are closed only together.
  *
- * The depth is determined from `mesh`, triangles with the cell array FaceIndex in any placement of the model. Sides remains
- * empty, and Uncertainty has the reason, if shells cross, the nesting cannot be determined or is not that of the model's
- * NumberOfOuterShells, shells would be reversed and the first one, of one outer shell, is a void, the volume of a shell is zero within its
- * bound, or a model of several shells has no mesh. The model must be closed. A model of one shell is returned
- * unchanged, and its mesh is not read.
+ * The depth is determined from `mesh`, triangles with the cell array FaceIndex in any placement of the model.
+ * Sides remains empty, and Uncertainty has the reason, if shells cross, the nesting cannot be determined or
+ * is not that of the model's NumberOfOuterShells, shells would be reversed and the first one, of one outer
+ * shell, is a void, the volume of a shell is zero within its bound, or a model of several shells has no mesh.
+ * The model must be closed. A model of one shell is returned unchanged, and its mesh is not read.
  */
 ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
   const std::vector<double>& volume, const std::vector<double>& bound);

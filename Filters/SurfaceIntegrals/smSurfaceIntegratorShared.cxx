@@ -1,7 +1,8 @@
-// Sharing of faces among ranks. A shared run is a fixed sequence of collective calls (smSharedRun.h): all ranks send their
-// capabilities to the root and receive their shares; they agree once after cutting, once for every plan of the orders, once when the
-// faces are acquired, and once after every batch, until some rank is stopped or none has any batch left; then they send their results
-// to the root. A rank that fails leaves the sequence, and FinishSharing() completes it.
+// Sharing of faces among ranks. A shared run is a fixed sequence of collective calls (smSharedRun.h): all
+// ranks send their capabilities to the root and receive their shares; they agree once after cutting, once for
+// every plan of the orders, once when the faces are acquired, and once after every batch, until some rank is
+// stopped or none has any batch left; then they send their results to the root. A rank that fails leaves the
+// sequence, and FinishSharing() completes it.
 #include "Sharing/smIntegralBytes.h"
 #include "smFailureReason.h"
 #include "smSurfaceIntegratorInternals.h"
@@ -28,8 +29,8 @@ std::uint64_t Digest(const Bytes& bytes)
   return hash;
 }
 
-/// Reads the reason for a failure, with which the messages of the ranks begin. A message without bytes is that of a rank without memory
-/// for one.
+/// Reads the reason for a failure, with which the messages of the ranks begin. A message without bytes is
+/// that of a rank without memory for one.
 std::string GetFailure(const Bytes& message, ByteReader& from)
 {
   return message.empty() ? InsufficientMemory : from.GetText();
@@ -395,7 +396,8 @@ bool SurfaceIntegrator::Internals::RunShare(const Bytes& message)
   }
   if (this->Planned != header.Planned)
   {
-    // A rank that cannot compute the same integrands has an empty share, so that its own configuration does not matter.
+    // A rank that cannot compute the same integrands has an empty share, so that its own configuration does
+    // not matter.
     this->Planned = header.Planned;
     this->Configured = false;
   }

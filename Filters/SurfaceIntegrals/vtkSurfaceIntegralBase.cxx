@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Initialises the OpenGL evaluation of display points for every user of this library, without vtk_module_autoinit in the
-// application.
+// Initialises the OpenGL evaluation of display points for every user of this library, without
+// vtk_module_autoinit in the application.
 VTK_MODULE_INIT(smRenderingNURBS)
 
 vtkSurfaceIntegralBase::vtkSurfaceIntegralBase()

@@ -55,8 +55,8 @@ std::string ListMessages(const std::string& reason, const std::vector<std::strin
   return list + (left > 0 ? "\n  and " + std::to_string(left) + " more messages" : "");
 }
 
-/// Adds a point without a cell to an empty polydata: VTK sends polydata without points as text, and cannot read NaN in the field
-/// data from it.
+/// Adds a point without a cell to an empty polydata: VTK sends polydata without points as text, and cannot
+/// read NaN in the field data from it.
 void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyData* totals)
 {
   if (totals->GetNumberOfPoints() > 0)
@@ -97,7 +97,8 @@ std::size_t GetNumberOfTriangles(const sm::BodyIntegrals& body)
     std::max(body.Mesh->GetNumberOfCells(), scales ? scales->GetNumberOfCells() : 0));
 }
 
-/// Throws std::bad_alloc unless there is memory for the outputs: VTK's arrays end the process where they find none.
+/// Throws std::bad_alloc unless there is memory for the outputs: VTK's arrays end the process where they find
+/// none.
 void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t arrays)
 {
   // Columns of doubles with their bounds, twice as large while they grow; and the glyphs.
@@ -306,7 +307,8 @@ void vtkSurfaceIntegralBase::RunAsWorker()
   {
     failure = std::current_exception();
   }
-  // The rank that has the bodies computes this share, so that the result is complete, and this rank's outputs are empty.
+  // The rank that has the bodies computes this share, so that the result is complete, and this rank's outputs
+  // are empty.
   this->Engine->FinishSharing(failure);
   // Data kept between runs may be incomplete.
   this->ReleaseMemory();

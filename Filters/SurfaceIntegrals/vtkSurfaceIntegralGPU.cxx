@@ -23,7 +23,8 @@ vtkStandardNewMacro(vtkSurfaceIntegralGPU);
 
 namespace
 {
-/// Largest number of integrands that are added to the meshes; more arrays would need more memory than the meshes themselves.
+/// Largest number of integrands that are added to the meshes; more arrays would need more memory than the
+/// meshes themselves.
 constexpr std::size_t LargestNumberOfMeshArrays = 16;
 
 /// Returns the scale of relative tolerances of an integrand.
@@ -34,7 +35,8 @@ double GetScale(const sm::Integrand& integrand, const sm::BodyIntegrals& body)
   {
     return sm::GetAreaScale(model) * std::pow(sm::GetRadius(model), integrand.ScalePower);
   }
-  // Integral of a monomial over a body of volume V (or area A) whose farthest point is at this distance from the origin.
+  // Integral of a monomial over a body of volume V (or area A) whose farthest point is at this distance from
+  // the origin.
   const double size = std::pow(sm::GetReach(body), std::max(integrand.Degree, 0));
   return size *
     (integrand.ClosedChain && integrand.Degree >= 0 ? sm::GetVolumeScale(model) : sm::GetAreaScale(model));

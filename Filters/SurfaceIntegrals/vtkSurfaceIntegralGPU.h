@@ -80,20 +80,22 @@ public:
   void AddAreaMoment(const std::string& name, int i, int j, int k);
   /** Adds the flux of the vector (x, y, z), each an expression, out of the body. */
   void AddFlux(const std::string& name, const std::string& x, const std::string& y, const std::string& z);
-  /** Adds the bending energy as of a thin plate: the integral of k1^2 + k2^2 = 4 H^2 - 2 K, where k1 and k2 are the principal
-   * curvatures. It is 8 pi for a sphere of any size. Relative tolerances are relative to area / size^2. */
+  /** Adds the bending energy as of a thin plate: the integral of k1^2 + k2^2 = 4 H^2 - 2 K, where k1 and k2
+   * are the principal curvatures. It is 8 pi for a sphere of any size. Relative tolerances are relative to
+   * area / size^2. */
   void AddBendingEnergy(const std::string& name);
-  /** Adds half the integral of |n.d|, where d is the normalised direction. For a convex body this is the area of its shadow;
-   * otherwise hidden parts of the surface are counted too. A direction of length 0 or that is not finite is
-   * reported as an error and adds nothing. */
+  /** Adds half the integral of |n.d|, where d is the normalised direction. For a convex body this is the area
+   * of its shadow; otherwise hidden parts of the surface are counted too. A direction of length 0 or that is
+   * not finite is reported as an error and adds nothing. */
   void AddProjectedArea(const std::string& name, double x, double y, double z);
-  /** Defines `name` as a number in all expressions, including those added before; a second call changes the number. A value
-   * that is not finite, or a name that is not an identifier or already has a meaning, is reported as an error
-   * and changes nothing. */
+  /** Defines `name` as a number in all expressions, including those added before; a second call changes the
+   * number. A value that is not finite, or a name that is not an identifier or already has a meaning, is
+   * reported as an error and changes nothing. */
   void AddConstant(const std::string& name, double value);
   ///@{
-  /** Restricts the integration to the faces with these entity numbers (FaceId of port 3), in all bodies; without any, all faces
-   * are used. Other faces count as 0, and so do the strips that join them to their edges. */
+  /** Restricts the integration to the faces with these entity numbers (FaceId of port 3), in all bodies;
+   * without any, all faces are used. Other faces count as 0, and so do the strips that join them to their
+   * edges. */
   void AddFaceId(int id);
   void RemoveAllFaceIds();
   int GetNumberOfFaceIds() const;
@@ -102,17 +104,17 @@ public:
   void RemoveAllIntegrands();
 
   ///@{
-  /** Integrands as a text, for user interfaces, with one integrand per line: `NAME = EXPRESSION` over the faces, or
-   * `NAME = X ; Y ; Z` for the flux of a vector out of the closed chain; empty lines are ignored. They
-   * replace the integrands of an earlier text and leave all others. A line without a name, without '=' or
-   * without one or three expressions is reported as an error and ignored. Default: empty. */
+  /** Integrands as a text, for user interfaces, with one integrand per line: `NAME = EXPRESSION` over the
+   * faces, or `NAME = X ; Y ; Z` for the flux of a vector out of the closed chain; empty lines are ignored.
+   * They replace the integrands of an earlier text and leave all others. A line without a name, without '='
+   * or without one or three expressions is reported as an error and ignored. Default: empty. */
   void SetIntegrandText(const std::string& text);
   std::string GetIntegrandText() const;
   ///@}
   ///@{
-  /** Largest degree i + j + k of the volume moments x^i y^j z^k that are added as `moment_i_j_k`; -1: none. Range [-1, 8],
-   * clamped, since one shader computes them all; AddVolumeMoment() permits higher degrees. If there is also
-   * an expression, the bounds of the moments are estimated. Default -1. */
+  /** Largest degree i + j + k of the volume moments x^i y^j z^k that are added as `moment_i_j_k`; -1: none.
+   * Range [-1, 8], clamped, since one shader computes them all; AddVolumeMoment() permits higher degrees. If
+   * there is also an expression, the bounds of the moments are estimated. Default -1. */
   void SetMomentDegree(int degree);
   int GetMomentDegree() const;
   ///@}
@@ -124,8 +126,8 @@ public:
   void BendingEnergyOff() { this->SetBendingEnergy(false); }
   ///@}
   ///@{
-  /** Direction of AddProjectedArea() under the name `ProjectedArea`; 0 0 0: none. A component that is not finite is reported as
-   * an error and changes nothing. Default 0 0 0. */
+  /** Direction of AddProjectedArea() under the name `ProjectedArea`; 0 0 0: none. A component that is not
+   * finite is reported as an error and changes nothing. Default 0 0 0. */
   void SetProjectedAreaDirection(double x, double y, double z);
   void SetProjectedAreaDirection(const double direction[3])
   {
@@ -133,9 +135,9 @@ public:
   }
   double* GetProjectedAreaDirection() VTK_SIZEHINT(3);
   ///@}
-  /** All integrands, in the order of the outputs: added integrands, those of the text, moments, bending energy, projected area.
-   * An integrand whose name is already used by an earlier one is left out. The name for an index out of range
-   * is empty. */
+  /** All integrands, in the order of the outputs: added integrands, those of the text, moments, bending
+   * energy, projected area. An integrand whose name is already used by an earlier one is left out. The name
+   * for an index out of range is empty. */
   int GetNumberOfIntegrands() const;
   std::string GetIntegrandName(int index) const;
 
@@ -163,7 +165,8 @@ public:
   ///@}
 
   ///@{
-  /** Total of an integrand in the last run and its bound; NaN if there is no such integrand or it was not computed. */
+  /** Total of an integrand in the last run and its bound; NaN if there is no such integrand or it was not
+   * computed. */
   double GetIntegral(const std::string& name) const;
   double GetIntegralBound(const std::string& name) const;
   ///@}

@@ -1,4 +1,5 @@
-// Integrands of vtkSurfaceIntegralGPU, by the user's expressions and predefined; constants, and the selection of faces.
+// Integrands of vtkSurfaceIntegralGPU, by the user's expressions and predefined; constants, and the selection
+// of faces.
 #include "vtkSurfaceIntegralGPU.h"
 
 #include "smFormat.h"
@@ -18,7 +19,8 @@ namespace
 /// Largest degree for which caps and straight panels have Gauss rules in the table (OrderLadder).
 constexpr int LargestDegree = 60;
 static_assert((LargestDegree + 4) / 2 <= sm::MaximumRuleSize, "the points of a cap");
-// 165 moments are computed by one shader, which drivers take seconds to compile; the time grows more than proportionally.
+// 165 moments are computed by one shader, which drivers take seconds to compile; the time grows more than
+// proportionally.
 constexpr int LargestMomentDegree = 8;
 
 bool AreValidPowers(int i, int j, int k)

@@ -14,7 +14,8 @@
 
 struct vtkSurfaceIntegralGPU::Internals
 {
-  /// Integrands of the Add…() methods and of the text. Expressions are translated with the constants of the run.
+  /// Integrands of the Add…() methods and of the text. Expressions are translated with the constants of the
+  /// run.
   std::vector<sm::Integrand> Added;
   std::vector<sm::Integrand> OfText;
   std::string IntegrandText;

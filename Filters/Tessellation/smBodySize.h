@@ -15,8 +15,9 @@ namespace sm
 {
 struct BodySize
 {
-  /// xmin xmax ymin … in the coordinates of the faces: the box of the meshes, wider by their deviations. A scale, no bound: deviations are
-  /// measured across the surface, and an edge may bulge sideways over its chords.
+  /// xmin xmax ymin … in the coordinates of the faces: the box of the meshes, wider by their deviations. A
+  /// scale, no bound: deviations are measured across the surface, and an edge may bulge sideways over its
+  /// chords.
   std::array<double, 6> Bounds{};
   /// About the volume and the area, with seven binary digits.
   double Volume = 0.0;

@@ -44,7 +44,8 @@ struct CurvatureBounds
       (*bounds)[1] *= factor;
     }
   }
-  /// True where sharper bounds would change a mesh little; `reached`: about what the derivatives are somewhere.
+  /// True where sharper bounds would change a mesh little; `reached`: about what the derivatives are
+  /// somewhere.
   bool IsSharp(const CurvatureBounds& reached) const
   {
     constexpr double sharp = 1.1;

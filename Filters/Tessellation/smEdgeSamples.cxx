@@ -10,7 +10,8 @@ namespace sm
 {
 namespace
 {
-/// Points of an edge. A face that wants more chords than that keeps no promise, and has no say in where the points lie.
+/// Points of an edge. A face that wants more chords than that keeps no promise, and has no say in where the
+/// points lie.
 constexpr std::size_t MostSamples = 20000;
 /// Intervals of a curved piece on which the wanted density of points is constant.
 constexpr int PieceIntervals = 4;
@@ -22,7 +23,8 @@ constexpr double CornerAngle = 0.02;
 constexpr double ChordShare = 0.6;
 /// Points nearer to the end of an interval than this part of it are there.
 constexpr double SnapShare = 1e-6;
-/// No chord is halved below this part of the edge: points of a face that are nearer than a step of its grid would be one.
+/// No chord is halved below this part of the edge: points of a face that are nearer than a step of its grid
+/// would be one.
 constexpr double LeastChord = 1e-7;
 /// Share of the deflection that a coarse bound must be below for the sharp one to be so for certain.
 constexpr double CertainShare = 0.999;
@@ -67,9 +69,9 @@ bool IsBent(const TrimCurve& trim)
   return false;
 }
 
-/// No chord within piece k is farther from the curve than this times the square of its length in parameters, by BoundSagitta(): second
-/// differences of a part are means of those of the piece; coefficients are off even steps along the chord by at most n / (n - 1) of
-/// what second differences allow the curve.
+/// No chord within piece k is farther from the curve than this times the square of its length in parameters,
+/// by BoundSagitta(): second differences of a part are means of those of the piece; coefficients are off even
+/// steps along the chord by at most n / (n - 1) of what second differences allow the curve.
 double BoundBend(const EdgeCurve& curve, int k)
 {
   const BernsteinPiece<3> b = curve.GetPiece(k);
@@ -95,7 +97,8 @@ void AppendPoints(const TrimCurve& trim, EdgeSamples& samples)
   }
 }
 
-/// Values of the Bernstein polynomials of every degree where tangents are compared: at the ends and in the middle of the intervals of a piece.
+/// Values of the Bernstein polynomials of every degree where tangents are compared: at the ends and in the
+/// middle of the intervals of a piece.
 class TangentBasis
 {
 public:
@@ -275,7 +278,8 @@ private:
       box.Add(b);
       if (this->IsPoint)
       {
-        // A pole gets as many points as the rows around it, so that a triangle with it leads straight to a row.
+        // A pole gets as many points as the rows around it, so that a triangle with it leads straight to a
+        // row.
         const ParameterBox& all = use.Source.Blocks->GetCovered();
         const int across = std::abs(a[0] - b[0]) >= std::abs(a[1] - b[1]) ? 1 : 0;
         box.Low[across] = all.Low[across];
@@ -391,8 +395,8 @@ private:
     return result;
   }
 
-  /// A face beside the edge, and the last point that was asked for: intervals and chords meet there. Wanted: chords. Samples: the points of
-  /// all chords.
+  /// A face beside the edge, and the last point that was asked for: intervals and chords meet there. Wanted:
+  /// chords. Samples: the points of all chords.
   struct Use
   {
     EdgeUse Source;
@@ -436,8 +440,8 @@ double BoundSagitta(const EdgeCurve& curve, double low, double high)
   const int first = curve.FindPiece(low);
   int last = curve.FindPiece(high);
   last = last > first && curve.Breaks[last] >= high ? last - 1 : last;
-  // Distances from the line of the chord, by the convex hull: second differences where one piece holds the chord, else
-  // the coefficients themselves.
+  // Distances from the line of the chord, by the convex hull: second differences where one piece holds the
+  // chord, else the coefficients themselves.
   double largest = 0.0;
   // Beyond the ends of the chord.
   double excess = 0.0;

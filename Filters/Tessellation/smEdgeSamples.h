@@ -32,9 +32,9 @@ struct EdgeSamples
 };
 
 /**
- * Chords are within the deflection of the edge's curve: proved by the coefficients of the curve; and such that along every chord the
- * surfaces of its faces leave room for triangles (SurfaceBlocks::GetError()). At least `least` chords; no more than 20,000, whatever
- * that leaves.
+ * Chords are within the deflection of the edge's curve: proved by the coefficients of the curve; and such
+ * that along every chord the surfaces of its faces leave room for triangles (SurfaceBlocks::GetError()). At
+ * least `least` chords; no more than 20,000, whatever that leaves.
  */
 SMFILTERSTESSELLATION_EXPORT EdgeSamples SampleEdge(
   const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits, int least);

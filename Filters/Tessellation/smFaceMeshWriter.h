@@ -28,7 +28,8 @@ struct MeshedFace
   std::function<Vector3(const std::array<double, 2>&)> FindNormal;
 };
 
-/// Adds the triangles to `result`, with the points that they use, in the order of their use, and sets the deviation.
+/// Adds the triangles to `result`, with the points that they use, in the order of their use, and sets the
+/// deviation.
 void WriteFaceMesh(
   const std::vector<MeshRepair::Corners>& triangles, const MeshedFace& face, FaceMesh& result);
 }

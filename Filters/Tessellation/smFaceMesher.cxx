@@ -27,13 +27,15 @@ constexpr std::int64_t GridStart = std::int64_t(1) << 28;
 constexpr double LeastGap = 0.4;
 /// Points that refinement may add to n.
 constexpr std::size_t MostRefinement = 20000;
-/// Points that refinement may add to a quarter of n to turn triangles over, and the part of the deflection that they must err by.
+/// Points that refinement may add to a quarter of n to turn triangles over, and the part of the deflection
+/// that they must err by.
 constexpr std::size_t MostTurns = 300;
 constexpr double TurnShare = 1e-2;
-/// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller for it.
+/// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller
+/// for it.
 constexpr double LargestGapShare = 0.5;
-/// Exchanged diagonals, in all and for each point, after which no more points are inserted: triangles are needles then, and each point
-/// changes a large part of them. Usual faces need about ten for each point.
+/// Exchanged diagonals, in all and for each point, after which no more points are inserted: triangles are
+/// needles then, and each point changes a large part of them. Usual faces need about ten for each point.
 constexpr std::size_t MostFlips = 1000000;
 constexpr std::size_t MostFlipsOfPoint = 100;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
@@ -47,7 +49,8 @@ constexpr std::size_t MostTriangles = 3000;
 class Mesher
 {
 public:
-  /// `metric`: densities in u and v, relative to each other, in which triangles are to be well shaped; 0: those of the whole face.
+  /// `metric`: densities in u and v, relative to each other, in which triangles are to be well shaped; 0:
+  /// those of the whole face.
   Mesher(const Face& face, const SurfaceBlocks& blocks, const std::vector<BoundaryLoop>& loops,
     const MeshLimits& limits, const Parameters& metric)
     : Source(face)
@@ -110,7 +113,8 @@ public:
     return result;
   }
 
-  /// |S_u| and |S_v| in the middle of the triangles that are turned over after Run(), less those that edges off the surface turn.
+  /// |S_u| and |S_v| in the middle of the triangles that are turned over after Run(), less those that edges
+  /// off the surface turn.
   const std::vector<Parameters>& GetTurnedSpeeds() const { return this->TurnedSpeeds; }
 
 private:
@@ -236,7 +240,8 @@ private:
     }
   }
 
-  /// Adds a point unless it is outside, or too near to a corner or to the boundary, by `scale` points per unit.
+  /// Adds a point unless it is outside, or too near to a corner or to the boundary, by `scale` points per
+  /// unit.
   void AddInner(const Parameters& at, const Parameters& scale)
   {
     if (this->IsExhausted())
@@ -278,8 +283,8 @@ private:
     }
   }
 
-  /// Largest error of a triangle between its corners that is allowed: the deflection less the gap of a corner. Where a corner's gap takes most of the
-  /// deflection, no number of points keeps the promise.
+  /// Largest error of a triangle between its corners that is allowed: the deflection less the gap of a
+  /// corner. Where a corner's gap takes most of the deflection, no number of points keeps the promise.
   double GetAllowed(const Triangulation::Triangle& t) const
   {
     const double gap = this->Judge.GetGap(t.Vertex);
@@ -315,7 +320,8 @@ private:
       const double allowed = this->GetAllowed(t);
       if (error <= allowed)
       {
-        // A triangle may be turned over where the surface bends, but also where edges lie off it: that no point mends.
+        // A triangle may be turned over where the surface bends, but also where edges lie off it: that no
+        // point mends.
         if (turns == 0 || error < TurnShare * allowed || !this->Judge.IsInverted(t.Vertex) ||
           !this->Judge.IsFolded(t.Vertex))
         {

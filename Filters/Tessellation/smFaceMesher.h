@@ -30,7 +30,8 @@ struct FaceMesh
   double Deviation = 0.0;
   /// Refinement ended with a Deviation above the deflection: it would take too many points.
   bool IsUnproved = false;
-  /// Bound of the angle, in radians, by which the surface's normal turns within a triangle, see TriangleJudge::GetNormalTurn().
+  /// Bound of the angle, in radians, by which the surface's normal turns within a triangle, see
+  /// TriangleJudge::GetNormalTurn().
   double NormalTurn = 0.0;
   /// Triangles whose normals are against the surface's, which nothing mends; Reason says why.
   int TurnedOver = 0;
@@ -39,9 +40,9 @@ struct FaceMesh
 };
 
 /**
- * Triangulates what lies to the left of the loops. Segments of the loops stay as they are, and nothing is put on them. With
- * `halve` it lists chords (edge, number) that have to be halved first, because they cross others or enclose nothing, and
- * has no triangles then.
+ * Triangulates what lies to the left of the loops. Segments of the loops stay as they are, and nothing is put
+ * on them. With `halve` it lists chords (edge, number) that have to be halved first, because they cross
+ * others or enclose nothing, and has no triangles then.
  */
 SMFILTERSTESSELLATION_EXPORT FaceMesh MeshFace(const Face& face, const SurfaceBlocks& blocks,
   const std::vector<BoundaryLoop>& loops, const MeshLimits& limits, std::vector<std::pair<int, int>>* halve);

@@ -2,7 +2,8 @@
  * @file smMeshRepair.h
  * @brief Turns triangles back that are turned over in space though not in (u,v)
  *
- * That happens where edges lie off their surface, and where a face is narrower than its edges bend between two points.
+ * That happens where edges lie off their surface, and where a face is narrower than its edges bend between
+ * two points.
  */
 #ifndef smMeshRepair_h
 #define smMeshRepair_h
@@ -50,14 +51,15 @@ public:
   /// The sides of a triangulation that are segments, as the constructor takes them.
   static std::map<std::pair<int, int>, int> FindSegments(const Triangulation& mesh);
 
-  /// `segments`: sides that stay, pairs of vertices with the smaller one first, and their numbers. `allowed`: the deviation that no repair
-  /// exceeds, but where triangles exceed it already; and there none exceeds 1.5 times the largest of all triangles before any repair.
+  /// `segments`: sides that stay, pairs of vertices with the smaller one first, and their numbers. `allowed`:
+  /// the deviation that no repair exceeds, but where triangles exceed it already; and there none exceeds 1.5
+  /// times the largest of all triangles before any repair.
   MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPoint>& points,
     const std::map<std::pair<int, int>, int>& segments, const TriangleTests& tests, double allowed);
 
   /**
-   * Exchanges diagonals, and merges vertices that lie on no segment with a neighbour, where fewer triangles are turned over then. All
-   * stay counter-clockwise in (u,v). Returns those that are left over.
+   * Exchanges diagonals, and merges vertices that lie on no segment with a neighbour, where fewer triangles
+   * are turned over then. All stay counter-clockwise in (u,v). Returns those that are left over.
    */
   std::vector<Corners> Run();
 

@@ -13,7 +13,8 @@ using Parameters = MeshSteps::Parameters;
 constexpr double RegularShare = 0.8;
 /// Largest ratio of the sides of triangles that are to be well shaped, where the surface is straight one way.
 constexpr double LongestShape = 10.0;
-/// Points that rows may have in all. Faces that want a thousand times as many have bounds that no mesh keeps: they get none.
+/// Points that rows may have in all. Faces that want a thousand times as many have bounds that no mesh keeps:
+/// they get none.
 constexpr double MostRowPoints = 2e6;
 constexpr double HopelessRatio = 1e3;
 constexpr double MostRows = 1e4;

@@ -28,8 +28,8 @@ public:
   /// Largest |S_u| and |S_v|.
   const Parameters& GetSpeed() const { return this->Speed; }
 
-  /// Calls `add` for all points inside the box, row by row; `scale`: points per unit of u and v. Lays fewer than wanted where that would be
-  /// millions, and none where no number would do.
+  /// Calls `add` for all points inside the box, row by row; `scale`: points per unit of u and v. Lays fewer
+  /// than wanted where that would be millions, and none where no number would do.
   void LayRows(const std::function<void(const Parameters& at, const Parameters& scale)>& add) const;
 
 private:

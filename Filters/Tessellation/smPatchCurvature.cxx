@@ -84,7 +84,8 @@ CurvatureBounds BoundPolynomial(const BernsteinNet& net, const Vector3& normal)
   return bound;
 }
 
-/// Second derivatives of a rational patch of any weights, coarse: |S_u| <= p (w_max / w_min)^2 max |S_i - S_j|.
+/// Second derivatives of a rational patch of any weights, coarse: |S_u| <= p (w_max / w_min)^2 max |S_i -
+/// S_j|.
 CurvatureBounds BoundCoarsely(const BernsteinNet& net)
 {
   const Vector3 center = Project(net.B[0]);
@@ -148,8 +149,8 @@ bool IsSeparable(const BernsteinNet& net)
   return true;
 }
 
-/// Bounds of the second derivative of a rational curve on [0,1] and of its component along a unit vector, as RationalBound with one
-/// direction; infinite where there are none.
+/// Bounds of the second derivative of a rational curve on [0,1] and of its component along a unit vector, as
+/// RationalBound with one direction; infinite where there are none.
 std::array<double, 2> BoundCurve(const Homogeneous* b, int degree, const Vector3& normal)
 {
   const BernsteinPiece<4> curve{ b, degree };
@@ -201,7 +202,8 @@ std::array<double, 2> BoundCurve(const Homogeneous* b, int degree, const Vector3
     (largest.GetComponent() + 0.5 * bend * std::abs(Dot(d, normal))) / lightest / rest };
 }
 
-/// The mixed derivative is bounded on parts whose weights in one direction are in about this ratio at most, on no more than so many.
+/// The mixed derivative is bounded on parts whose weights in one direction are in about this ratio at most,
+/// on no more than so many.
 constexpr double PartRatio = 1.5;
 constexpr int MostMixedParts = 16;
 
@@ -224,7 +226,8 @@ std::array<double, 2> GetWeightRatios(const BernsteinNet& net)
   return ratios;
 }
 
-/// |S_uv| <= p q (ratios of weights)^2 max |second difference of S_ij in both directions|, for separable weights; and so its component.
+/// |S_uv| <= p q (ratios of weights)^2 max |second difference of S_ij in both directions|, for separable
+/// weights; and so its component.
 std::array<double, 2> BoundMixed(const BernsteinNet& net, const Vector3& normal)
 {
   const std::array<double, 2> ratios = GetWeightRatios(net);
@@ -250,9 +253,10 @@ bool IsStraight(const Homogeneous* line, int degree)
 }
 
 /**
- * With w_ij = a_i b_j the surface is sum R_i(u) R_j(v) S_ij with rational bases of one direction each. R_j(v) >= 0 sum to 1, so
- * |S_uu| is at most that of the curves whose points are S_ij of one j; and BoundMixed() holds, because |C'| <= p (w_max / w_min)^2
- * max |S_i+1 - S_i| for a rational curve. Curves are bounded in `curveParts` parts. False where the weights differ too much.
+ * With w_ij = a_i b_j the surface is sum R_i(u) R_j(v) S_ij with rational bases of one direction each. R_j(v)
+ * >= 0 sum to 1, so |S_uu| is at most that of the curves whose points are S_ij of one j; and BoundMixed()
+ * holds, because |C'| <= p (w_max / w_min)^2 max |S_i+1 - S_i| for a rational curve. Curves are bounded in
+ * `curveParts` parts. False where the weights differ too much.
  */
 bool BoundSeparable(const BernsteinNet& net, const Vector3& normal, int curveParts, CurvatureBounds& bound)
 {

@@ -10,7 +10,8 @@
 
 namespace sm
 {
-/// Bounds on the net, by its own parameters. `rational`: the weights differ. `normal`: a unit vector or 0. `enough`: bounds that are good enough.
+/// Bounds on the net, by its own parameters. `rational`: the weights differ. `normal`: a unit vector or 0.
+/// `enough`: bounds that are good enough.
 CurvatureBounds BoundSecondDerivatives(
   const BernsteinNet& net, bool rational, const Vector3& normal, const EnoughBound& enough);
 }

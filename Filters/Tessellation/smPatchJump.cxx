@@ -7,8 +7,8 @@ namespace sm
 {
 namespace
 {
-/// No less than |A' / w - (A / w) (w' / w)| on [0,1], where A, w are `side` and A', w' are `slope`: the numerator A' w - A w' has twice the
-/// degree, and its Bernstein coefficients are sums of products.
+/// No less than |A' / w - (A / w) (w' / w)| on [0,1], where A, w are `side` and A', w' are `slope`: the
+/// numerator A' w - A w' has twice the degree, and its Bernstein coefficients are sums of products.
 double BoundQuotientDerivative(const Homogeneous* side, const Homogeneous* slope, int degree)
 {
   // Row `degree` of Pascal's triangle, and row 2 degree.

@@ -5,9 +5,9 @@
  * With c, d_u, d_v: position and derivatives in the middle, H = (P, w):
  *     w S_uu = (P_uu - w_uu c - 2 w_u d_u)             - w_uu (S - c) - 2 w_u (S_u - d_u)
  *     w S_uv = (P_uv - w_uv c - w_u d_v - w_v d_u)     - w_uv (S - c) - w_u (S_v - d_v) - w_v (S_u - d_u)
- * The brackets are polynomials, bounded by their coefficients; |S_u - d_u| <= (M_uu + M_uv) / 2 and so on on [0,1]^2. That is
- * M <= g + A M with A, g >= 0; any M with M >= g + A M and g > 0 bounds the true one, for then the spectral radius of A is below 1.
- * The same holds for components along a unit vector.
+ * The brackets are polynomials, bounded by their coefficients; |S_u - d_u| <= (M_uu + M_uv) / 2 and so on on
+ * [0,1]^2. That is M <= g + A M with A, g >= 0; any M with M >= g + A M and g > 0 bounds the true one, for
+ * then the spectral radius of A is below 1. The same holds for components along a unit vector.
  */
 #ifndef smRationalBound_h
 #define smRationalBound_h
@@ -19,7 +19,8 @@
 
 namespace sm
 {
-/// Beyond the borders of a rational surface's domain a weight may vanish: bounds are immense then, not negative.
+/// Beyond the borders of a rational surface's domain a weight may vanish: bounds are immense then, not
+/// negative.
 constexpr double LeastWeight = 1e-100;
 
 class RationalBound

@@ -12,15 +12,17 @@ namespace sm
 {
 namespace
 {
-/// Spans of polynomials of low degree are one block, others two per direction. Where weights differ by more than EvenWeights, parameters run
-/// unevenly towards the ends of a span, up to the ratio of the weights: its parts are halved towards its ends as often, if MostParts in a
-/// direction of the face allow. Strips stay wider than ThinShare; weights that differ by more than MostHalves allow have bounds that
-/// no mesh keeps, so that parts do not help.
+/// Spans of polynomials of low degree are one block, others two per direction. Where weights differ by more
+/// than EvenWeights, parameters run unevenly towards the ends of a span, up to the ratio of the weights: its
+/// parts are halved towards its ends as often, if MostParts in a direction of the face allow. Strips stay
+/// wider than ThinShare; weights that differ by more than MostHalves allow have bounds that no mesh keeps, so
+/// that parts do not help.
 constexpr double EvenWeights = 4.0;
 constexpr int MostHalves = 13;
 constexpr std::size_t MostParts = 64;
 
-/// Normals are not looked for where S_u and S_v are nearer to parallel, and turns not where the speed is this part of the block's.
+/// Normals are not looked for where S_u and S_v are nearer to parallel, and turns not where the speed is this
+/// part of the block's.
 constexpr double LeastSine = 1e-6;
 constexpr double LeastSpeed = 1e-2;
 /// A block that seems to turn more, in radians, is no guide to steps.
@@ -29,13 +31,15 @@ constexpr double MostTurn = 3.2;
 /// Normals of a block within this sine of its own make it a graph.
 constexpr double MostSine = 0.5;
 
-/// A strip between knots, relative to the face, that is a crease: the first derivative changes across it by its second times its width.
+/// A strip between knots, relative to the face, that is a crease: the first derivative changes across it by
+/// its second times its width.
 constexpr double ThinShare = 1e-4;
 
 /// Errors below this part of the deflection are nothing.
 constexpr double FlatShare = 1e-9;
 
-/// Part of the deflection that a bound may leave to the error of a regular triangle without being made sharper.
+/// Part of the deflection that a bound may leave to the error of a regular triangle without being made
+/// sharper.
 constexpr double EnoughShare = 0.4;
 
 /// Jump of a derivative, relative to it, that is rounding.
@@ -196,7 +200,8 @@ int SurfaceBlocks::ListBreaks(const NURBSSurface& surface, int d, std::vector<do
   const std::vector<double> breaks = surface.GetSpanBreaks(d);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
   {
-    // The first and the last span answer for what lies beyond the domain; a point on a knot has the span after it.
+    // The first and the last span answer for what lies beyond the domain; a point on a knot has the span
+    // after it.
     if ((k + 2 == breaks.size() || breaks[k + 1] > this->Covered.Low[d]) &&
       (k == 0 || breaks[k] < this->Covered.High[d] || spans.empty()))
     {
@@ -419,8 +424,8 @@ SurfaceBlocks::Block SurfaceBlocks::GetLargest(const ParameterBox& box) const
   std::size_t last[2];
   this->GetRange(box, 0, first[0], last[0]);
   this->GetRange(box, 1, first[1], last[1]);
-  // One normal for all, that of the block in the middle: what a derivative has along it is at most what it has along its block's, plus
-  // its length times the distance of the two unit vectors.
+  // One normal for all, that of the block in the middle: what a derivative has along it is at most what it
+  // has along its block's, plus its length times the distance of the two unit vectors.
   Block largest;
   largest.Normal = this->GetBlock((first[0] + last[0]) / 2, (first[1] + last[1]) / 2).Normal;
   largest.Tilt = 0.0;
@@ -525,7 +530,8 @@ double SurfaceBlocks::GetError(const ParameterBox& box) const
   {
     for (const Crease& crease : this->Creases[d])
     {
-      // A hinge leaves its chord by the jump times the distance from the nearer border at most, and by a quarter of the width.
+      // A hinge leaves its chord by the jump times the distance from the nearer border at most, and by a
+      // quarter of the width.
       const double inside =
         std::min(crease.At + crease.Half - box.Low[d], box.High[d] - crease.At + crease.Half);
       const double slack = 1e-12 * std::max(std::abs(crease.At), w[d]);

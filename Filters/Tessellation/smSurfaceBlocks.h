@@ -2,29 +2,33 @@
  * @file smSurfaceBlocks.h
  * @brief Bounds of a surface's second derivatives, block by block, and what they say about triangles
  *
- * A triangle whose corners lie on the surface, with parameters in a box of widths W_u, W_v, is nowhere farther from the
- * point of the surface with the same barycentric parameters than
+ * A triangle whose corners lie on the surface, with parameters in a box of widths W_u, W_v, is nowhere
+ * farther from the point of the surface with the same barycentric parameters than
  *
  *     (M_uu W_u^2 + 2 M_uv W_u W_v + M_vv W_v^2) / 8  +  sum over creases J W / 4,
  *
- * M: bounds of the second derivatives on the box, J: jump of the first derivative across a crease that the box straddles, in the
- * direction of W. For Taylor's formula at the point gives sum lambda_i D^2 S (p_i - x)^2 / 2 with the barycentric coordinates lambda_i;
- * sum lambda_i (u_i - u)^2 is a variance of numbers in an interval of width W_u, at most W_u^2 / 4, and so on; the part of a
- * mean absolute deviation on one side is at most W_u / 4.
+ * M: bounds of the second derivatives on the box, J: jump of the first derivative across a crease that the
+ * box straddles, in the direction of W. For Taylor's formula at the point gives sum lambda_i D^2 S (p_i -
+ * x)^2 / 2 with the barycentric coordinates lambda_i; sum lambda_i (u_i - u)^2 is a variance of numbers in an
+ * interval of width W_u, at most W_u^2 / 4, and so on; the part of a mean absolute deviation on one side is
+ * at most W_u / 4.
  *
- * Most of that error may lie in the surface, where parameters run unevenly. Let n be a unit vector from which no normal on
- * the box is farther than the angle theta, below 90 degrees: then the part of the surface on the box has slopes of at most tan(theta) over the
- * plane across n. From the point of the surface with the same barycentric parameters one follows the surface across n as far as the triangle's
- * point lies: its distance is at most the error along n plus tan(theta) times the error across n. So M may be the second derivatives along n
- * plus tan(theta) M; and J becomes J / cos(theta), the most that |x.n| + tan(theta) |x - (x.n) n| is for a vector x of length J. The
- * least of both sums is taken. On a box in several blocks n and theta are the same for all of them.
+ * Most of that error may lie in the surface, where parameters run unevenly. Let n be a unit vector from which
+ * no normal on the box is farther than the angle theta, below 90 degrees: then the part of the surface on the
+ * box has slopes of at most tan(theta) over the plane across n. From the point of the surface with the same
+ * barycentric parameters one follows the surface across n as far as the triangle's point lies: its distance
+ * is at most the error along n plus tan(theta) times the error across n. So M may be the second derivatives
+ * along n plus tan(theta) M; and J becomes J / cos(theta), the most that |x.n| + tan(theta) |x - (x.n) n| is
+ * for a vector x of length J. The least of both sums is taken. On a box in several blocks n and theta are the
+ * same for all of them.
  *
- * That form bounds the distance across the surface. Where one leaves the part on the box before the triangle's point is
- * reached, the surface is thought of as continued with slopes of at most tan(theta): a triangle may reach sideways beyond that part, at
- * most by the whole error.
+ * That form bounds the distance across the surface. Where one leaves the part on the box before the
+ * triangle's point is reached, the surface is thought of as continued with slopes of at most tan(theta): a
+ * triangle may reach sideways beyond that part, at most by the whole error.
  *
- * Between two points of the box S_u differs by at most M_uu W_u + M_uv W_v plus the jumps J of the creases between them, S_v likewise;
- * and so do their components along a unit vector. What that says about normals is in smTriangleJudge.h.
+ * Between two points of the box S_u differs by at most M_uu W_u + M_uv W_v plus the jumps J of the creases
+ * between them, S_v likewise; and so do their components along a unit vector. What that says about normals is
+ * in smTriangleJudge.h.
  */
 #ifndef smSurfaceBlocks_h
 #define smSurfaceBlocks_h
@@ -69,13 +73,14 @@ public:
     /// About the turn of the normal per unit of u and v, in radians, and |S_u| and |S_v|.
     std::array<double, 2> Turn{};
     std::array<double, 2> Speed{};
-    /// Bounds of |S_uu|, |S_uv| and |S_vv|, and of their components along Normal; no normal of the block is farther from that than Tilt, in
-    /// radians.
+    /// Bounds of |S_uu|, |S_uv| and |S_vv|, and of their components along Normal; no normal of the block is
+    /// farther from that than Tilt, in radians.
     std::array<double, 3> Full{};
     std::array<double, 3> Along{};
     std::array<double, 3> Normal{};
     double Tilt = 4.0;
-    /// Factor of a jump of the first derivative in Uu, Uv and Vv: 1 / cos of the tilt where they are those along Normal, else 1.
+    /// Factor of a jump of the first derivative in Uu, Uv and Vv: 1 / cos of the tilt where they are those
+    /// along Normal, else 1.
     double JumpFactor = 1.0;
     /// Rounding of the derivatives S_u and S_v as they are evaluated.
     std::array<double, 2> Rounding{};
@@ -83,8 +88,9 @@ public:
     void Choose(double tilt);
   };
 
-  /// For parameters in `covered`, which may reach a little beyond the surface's domain. Several blocks to a span where it is curved. With a
-  /// deflection, bounds are sharp only where that changes a mesh within the limits.
+  /// For parameters in `covered`, which may reach a little beyond the surface's domain. Several blocks to a
+  /// span where it is curved. With a deflection, bounds are sharp only where that changes a mesh within the
+  /// limits.
   SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered, const MeshLimits& limits = {});
 
   /// Error of any triangle by jumps of derivatives that are rounding, or little more; they are no creases.
@@ -92,8 +98,9 @@ public:
 
   /// The bound above, without GetSmallJumps().
   double GetError(const ParameterBox& box) const;
-  /// Bounds of the differences of S_u and of S_v between points of the box that are no farther from each other than this share of its widths,
-  /// and of their components along `normal`, a unit vector; with their rounding.
+  /// Bounds of the differences of S_u and of S_v between points of the box that are no farther from each
+  /// other than this share of its widths, and of their components along `normal`, a unit vector; with their
+  /// rounding.
   struct DerivativeChanges
   {
     std::array<double, 2> Full{};
@@ -102,7 +109,8 @@ public:
   DerivativeChanges GetDerivativeChanges(const ParameterBox& box, double share, const Vector3& normal) const;
   /// The largest of all blocks that the box touches.
   Block GetLargest(const ParameterBox& box) const;
-  /// True where GetError() of every box and the turn of the normal across all are nothing beside the deflection and the angle.
+  /// True where GetError() of every box and the turn of the normal across all are nothing beside the
+  /// deflection and the angle.
   bool IsFlat(double deflection, double angle) const;
 
   const ParameterBox& GetCovered() const { return this->Covered; }
@@ -122,7 +130,8 @@ private:
     /// Half the width of a thin strip that it stands for, in which the derivative changes by Jump; 0: none.
     double Half;
   };
-  /// Spans of the surface in direction d and, in Breaks, the borders of the blocks; returns how many there are in a span.
+  /// Spans of the surface in direction d and, in Breaks, the borders of the blocks; returns how many there
+  /// are in a span.
   int ListBreaks(const NURBSSurface& surface, int d, std::vector<double>& spans);
   /// Bounds on the block `at`, a part of the patch that begins at `low`.
   void MeasureBlock(const BernsteinNet& net, const std::array<double, 2>& low,

@@ -1,6 +1,7 @@
 /**
  * @file smTriangleJudge.h
- * @brief How far triangles between the vertices of a face are from its surface, and whether they are turned over
+ * @brief How far triangles between the vertices of a face are from its surface, and whether they are turned
+ * over
  */
 #ifndef smTriangleJudge_h
 #define smTriangleJudge_h
@@ -37,13 +38,15 @@ public:
   /// The same of the triangle whose corners are moved to the surface, where edges lie off it.
   bool IsFolded(const Corners& t) const;
   /**
-   * Bound, in radians, of the angle between the surface's normal anywhere on the box of the triangle's parameters and the normal at one of
-   * its corners: the first bound that is at most `enough`, else the least, of those from the corners and twice the one from the middle of the
-   * box. Pi if there is none, as at poles.
+   * Bound, in radians, of the angle between the surface's normal anywhere on the box of the triangle's
+   * parameters and the normal at one of its corners: the first bound that is at most `enough`, else the
+   * least, of those from the corners and twice the one from the middle of the box. Pi if there is none, as at
+   * poles.
    *
-   * Let n be the normal there, p0 and q0 the derivatives, S_u = p + a n and S_v = q + b n with p and q across n. Then
-   * S_u x S_v = p x q + b p x n + a n x q: along n at least |p0 x q0| - f |q0| - g |p0| - f g, across n at most |b| |p| + |a| |q|, with
-   * |p - p0| <= f, |q - q0| <= g, |a| and |b| from SurfaceBlocks::GetDerivativeChanges().
+   * Let n be the normal there, p0 and q0 the derivatives, S_u = p + a n and S_v = q + b n with p and q across
+   * n. Then S_u x S_v = p x q + b p x n + a n x q: along n at least |p0 x q0| - f |q0| - g |p0| - f g, across
+   * n at most |b| |p| + |a| |q|, with |p - p0| <= f, |q - q0| <= g, |a| and |b| from
+   * SurfaceBlocks::GetDerivativeChanges().
    */
   double GetNormalTurn(const Corners& t, double enough) const;
   /// |S_u| and |S_v| at its middle.
@@ -51,7 +54,8 @@ public:
 
 private:
   ParameterBox GetBox(const Corners& t) const;
-  /// The bound of GetNormalTurn() from the derivatives at a point from which the box reaches `share` of its widths.
+  /// The bound of GetNormalTurn() from the derivatives at a point from which the box reaches `share` of its
+  /// widths.
   double BoundTurn(const ParameterBox& box, double share, const Vector3& du, const Vector3& dv) const;
   /// The surface's derivatives at the middle of a triangle.
   void EvaluateMiddle(const Corners& t, Vector3& du, Vector3& dv) const;

@@ -7,7 +7,8 @@ namespace sm
 {
 namespace
 {
-/// Share of the sum of absolute values that a determinant in double precision is certain to reach where its sign is right.
+/// Share of the sum of absolute values that a determinant in double precision is certain to reach where its
+/// sign is right.
 constexpr double CertainShare = 1e-13;
 
 }
@@ -304,7 +305,8 @@ void Triangulation::MarkInside()
   for (std::size_t i = 0; i < this->Triangles.size(); ++i)
   {
     Triangle& t = this->Triangles[i];
-    // Where a segment could not be inserted, winding numbers depend on the way, also of what lies outside all loops.
+    // Where a segment could not be inserted, winding numbers depend on the way, also of what lies outside all
+    // loops.
     const bool isOutside = *std::min_element(t.Vertex.begin(), t.Vertex.end()) < 4;
     t.Inside = !isOutside && (anyPositive ? winding[i] > 0 : winding[i] < 0);
   }

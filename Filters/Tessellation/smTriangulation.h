@@ -2,9 +2,10 @@
  * @file smTriangulation.h
  * @brief Constrained Delaunay triangulation of points on an integer grid
  *
- * Points have integer coordinates below 2^30, so that the side of a line on which a point lies is exact in 64 bits. Which of two
- * diagonals is better is a matter of quality: it is judged in floating point, and a diagonal is exchanged only where that is certain,
- * so that no sequence of exchanges returns to where it began.
+ * Points have integer coordinates below 2^30, so that the side of a line on which a point lies is exact in 64
+ * bits. Which of two diagonals is better is a matter of quality: it is judged in floating point, and a
+ * diagonal is exchanged only where that is certain, so that no sequence of exchanges returns to where it
+ * began.
  */
 #ifndef smTriangulation_h
 #define smTriangulation_h
@@ -52,33 +53,35 @@ public:
     bool Inside = false;
   };
 
-  /// Lengths of a grid step in x and y in which triangles are to be well shaped. `points`: about so many will be inserted.
+  /// Lengths of a grid step in x and y in which triangles are to be well shaped. `points`: about so many will
+  /// be inserted.
   SMFILTERSTESSELLATION_EXPORT explicit Triangulation(
     const std::array<double, 2>& step, std::size_t points = 0);
 
-  /// Index of a new vertex, or of the one that is there already; the first four are the corners of the square. -1: the point lies on a
-  /// segment and `keepSegments`.
+  /// Index of a new vertex, or of the one that is there already; the first four are the corners of the
+  /// square. -1: the point lies on a segment and `keepSegments`.
   SMFILTERSTESSELLATION_EXPORT int Insert(const GridPoint& point, bool keepSegments);
 
   /// Index of the triangle that holds the point, in its interior or on a side.
   SMFILTERSTESSELLATION_EXPORT int Locate(const GridPoint& point);
 
   /**
-   * Makes the straight line from vertex `a` to vertex `b` a chain of sides; a winding number grows by 1 from its right to its left.
-   * Returns the segment that it crosses inside both; -1: none. Nothing is changed then, unless `split`: both get a vertex
-   * at the crossing. -2: the line cannot be inserted.
+   * Makes the straight line from vertex `a` to vertex `b` a chain of sides; a winding number grows by 1 from
+   * its right to its left. Returns the segment that it crosses inside both; -1: none. Nothing is changed
+   * then, unless `split`: both get a vertex at the crossing. -2: the line cannot be inserted.
    */
   SMFILTERSTESSELLATION_EXPORT int InsertSegment(int a, int b, int segment, bool split);
 
-  /// Sets Inside of all triangles whose winding number is positive, or negative where none is positive, and makes them Delaunay. A triangle
-  /// at a corner of the square is never inside.
+  /// Sets Inside of all triangles whose winding number is positive, or negative where none is positive, and
+  /// makes them Delaunay. A triangle at a corner of the square is never inside.
   SMFILTERSTESSELLATION_EXPORT void MarkInside();
 
   const std::vector<GridPoint>& GetPoints() const { return this->Points; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
   /// Triangles that the last Insert() made or changed; some may be named twice.
   const std::vector<int>& GetChanged() const { return this->Changed; }
-  /// Number of diagonals that were exchanged: some for each point, but one for each triangle of a fan in which triangles are needles.
+  /// Number of diagonals that were exchanged: some for each point, but one for each triangle of a fan in
+  /// which triangles are needles.
   std::size_t GetNumberOfFlips() const { return this->NumberOfFlips; }
 
 private:

@@ -11,8 +11,8 @@ class vtkSMProxy;
 
 namespace sm
 {
-/// Returns the bounds of the input. Updates the input first, so that a script gets the same defaults as the window, where the input is up
-/// to date. The result is not valid without input or data.
+/// Returns the bounds of the input. Updates the input first, so that a script gets the same defaults as the
+/// window, where the input is up to date. The result is not valid without input or data.
 vtkBoundingBox ComputeInputBounds(vtkSMProxy* filter);
 }
 

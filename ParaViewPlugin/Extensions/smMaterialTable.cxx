@@ -84,7 +84,8 @@ std::string GetDensity(const MaterialRow& rule)
   return rule[2].empty() ? GetCommonDensity(rule[1]) : rule[2];
 }
 
-/// Returns true for a number above 0, with a decimal point, which vtkMassPropertiesBase::AddMaterial() accepts.
+/// Returns true for a number above 0, with a decimal point, which vtkMassPropertiesBase::AddMaterial()
+/// accepts.
 bool IsDensity(const std::string& text)
 {
   double value = 0.0;

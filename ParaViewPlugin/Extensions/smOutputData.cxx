@@ -20,7 +20,8 @@ vtkDataObject* GetOutputData(vtkObject* object, int port)
   {
     return nullptr;
   }
-  // vtkAlgorithm::GetOutputDataObject() is not used, because it runs a pass of the pipeline, which may report errors.
+  // vtkAlgorithm::GetOutputDataObject() is not used, because it runs a pass of the pipeline, which may report
+  // errors.
   vtkInformation* info = algorithm->GetExecutive()->GetOutputInformation(output ? output->GetIndex() : port);
   return info ? vtkDataObject::GetData(info) : nullptr;
 }

@@ -10,7 +10,8 @@ class vtkObject;
 
 namespace sm
 {
-/// `object` is a data object, an algorithm, or an output of one, which has its own port. Returns null without data. Runs no pipeline.
+/// `object` is a data object, an algorithm, or an output of one, which has its own port. Returns null without
+/// data. Runs no pipeline.
 vtkDataObject* GetOutputData(vtkObject* object, int port);
 }
 

@@ -29,7 +29,8 @@ void SetVisible(const std::string& series, bool isVisible)
   vtkSMChartSeriesSelectionDomain::AddSeriesVisibilityDefault(series.c_str(), isVisible);
 }
 #else
-/// ParaView's settings only hide series, and components of vectors are hidden there whatever the settings say.
+/// ParaView's settings only hide series, and components of vectors are hidden there whatever the settings
+/// say.
 void SetVisible(const std::string& series, bool isVisible)
 {
   if (!isVisible)
@@ -51,7 +52,8 @@ void ChoosePlotSeries()
     return;
   }
   isChosen = true;
-  // Names of series are "MaxGap (id=0)", "CenterOfMass_X (id=0)" of one row, "MaxGap (stats)", "CenterOfMass (0) (stats)" of statistics.
+  // Names of series are "MaxGap (id=0)", "CenterOfMass_X (id=0)" of one row, "MaxGap (stats)", "CenterOfMass
+  // (0) (stats)" of statistics.
   for (const char* column : HiddenColumns)
   {
     SetVisible("^" + std::string(column) + "(" + names::BoundSuffix + ")?(_[^ ]+)? [(]", false);

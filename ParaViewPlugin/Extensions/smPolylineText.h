@@ -12,7 +12,8 @@
 
 namespace sm
 {
-/// Writes a line of text for each polyline: x y z of its points, with digits that read back as the same doubles.
+/// Writes a line of text for each polyline: x y z of its points, with digits that read back as the same
+/// doubles.
 std::string FormatPolylines(const std::vector<std::vector<Vector3>>& polylines);
 /// Reads such a text. A line ends before the first word that is not a number.
 std::vector<std::vector<Vector3>> ParsePolylines(const std::string& text);

@@ -17,8 +17,8 @@ namespace sm
 {
 namespace
 {
-/// Returns selectors of partitioned datasets in the hierarchy, one for each range of consecutive solids, because ParaView searches the
-/// whole tree for each selector.
+/// Returns selectors of partitioned datasets in the hierarchy, one for each range of consecutive solids,
+/// because ParaView searches the whole tree for each selector.
 std::vector<std::string> GetSelectors(const std::set<vtkIdType>& solids)
 {
   std::vector<std::string> selectors;
@@ -52,8 +52,8 @@ vtkSmartPointer<vtkSMSourceProxy> MakeSelection(vtkSMSourceProxy* source)
     vtkSMSourceProxy::SafeDownCast(vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(source)));
 }
 
-/// Returns the number of the solid with a composite index. Composite indices count the collection, and each partitioned dataset followed by
-/// its only partition. Negative for the collection.
+/// Returns the number of the solid with a composite index. Composite indices count the collection, and each
+/// partitioned dataset followed by its only partition. Negative for the collection.
 vtkIdType GetSolid(vtkIdType compositeIndex)
 {
   return compositeIndex > 0 ? (compositeIndex - 1) / 2 : -1;
@@ -109,7 +109,8 @@ bool ReadSelectors(vtkSMProxy* source, vtkPVDataInformation* data, SelectionSet&
   return true;
 }
 
-/// Reads rows of a table, or cells and blocks of meshes; `data` is null for a table. Returns false for other sources.
+/// Reads rows of a table, or cells and blocks of meshes; `data` is null for a table. Returns false for other
+/// sources.
 bool ReadSource(vtkSMProxy* source, vtkPVDataInformation* data, SelectionSet& set)
 {
   const std::string kind = source->GetXMLName();
@@ -195,7 +196,8 @@ vtkSmartPointer<vtkSMSourceProxy> MakeSolidSelection(
   return MakeSelection(source);
 }
 
-/// With one condition for each solid, the time of ParaView's extraction would grow with the cube of their number.
+/// With one condition for each solid, the time of ParaView's extraction would grow with the cube of their
+/// number.
 vtkSmartPointer<vtkSMSourceProxy> MakeCellSelection(
   vtkSMSessionProxyManager* manager, const std::map<vtkIdType, std::vector<vtkIdType>>& cellsOfSolids)
 {

@@ -24,9 +24,9 @@ class vtkSMSourceProxy;
 namespace sm
 {
 ///@{
-/// Return the terms of a selection of a table or of meshes; for null those of an empty selection. There is no value for a selection other
-/// than by row indices, cells or blocks, such as one by a frustum or a query, whose result is not known on the client. `data` is the
-/// information of the meshes.
+/// Return the terms of a selection of a table or of meshes; for null those of an empty selection. There is no
+/// value for a selection other than by row indices, cells or blocks, such as one by a frustum or a query,
+/// whose result is not known on the client. `data` is the information of the meshes.
 std::optional<SelectionTerms> ReadRowSelection(vtkSMSourceProxy* selection);
 std::optional<SelectionTerms> ReadMeshSelection(vtkSMSourceProxy* selection, vtkPVDataInformation* data);
 ///@}

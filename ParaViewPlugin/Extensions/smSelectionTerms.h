@@ -2,7 +2,8 @@
  * @file smSelectionTerms.h
  * @brief A combined selection of ParaView: named sets of elements, and a Boolean expression of these names
  *
- * Elements are cells of a mesh or rows of a table, numbered from 0 in their block. Blocks are solids, numbered from 0; a table is block 0.
+ * Elements are cells of a mesh or rows of a table, numbered from 0 in their block. Blocks are solids,
+ * numbered from 0; a table is block 0.
  */
 #ifndef smSelectionTerms_h
 #define smSelectionTerms_h
@@ -39,7 +40,8 @@ struct SelectionTerms
 /// The selected elements of a block.
 struct SelectedElements
 {
-  /// True for a selection of the block as a whole, by block or because nothing of it was excluded. Then Elements is empty.
+  /// True for a selection of the block as a whole, by block or because nothing of it was excluded. Then
+  /// Elements is empty.
   bool IsWhole = false;
   std::vector<vtkIdType> Elements;
 };

@@ -154,7 +154,8 @@ private:
     }
     if (shown && !this->IsOwn(shown, Entities::MeshesPort))
     {
-      // After a selection in a view ParaView clears the rows; those that belong to the user's selection are selected again.
+      // After a selection in a view ParaView clears the rows; those that belong to the user's selection are
+      // selected again.
       return this->FollowMeshes(filter);
     }
     if (this->Shown != table)
@@ -165,7 +166,8 @@ private:
     return true;
   }
 
-  /// Highlights the solids, faces or edges of the selected rows of a table, and describes them in the summary.
+  /// Highlights the solids, faces or edges of the selected rows of a table, and describes them in the
+  /// summary.
   void Show(vtkSMSourceProxy* filter, Entities& entities)
   {
     const Entities::Highlight& highlight = entities.GetHighlight();
@@ -182,7 +184,8 @@ private:
     Describe(filter, entities);
   }
 
-  /// Handles a selection in a view that was changed by the user or by another tool. Returns true if rows or highlighting changed.
+  /// Handles a selection in a view that was changed by the user or by another tool. Returns true if rows or
+  /// highlighting changed.
   bool FollowMeshes(vtkSMSourceProxy* filter)
   {
     vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
@@ -268,8 +271,8 @@ private:
     }
   }
 
-  /// Updates the cells that the user has picked, which may belong to other faces now: selects the same faces by their new cells, or nothing
-  /// if the rows belong to other solids now.
+  /// Updates the cells that the user has picked, which may belong to other faces now: selects the same faces
+  /// by their new cells, or nothing if the rows belong to other solids now.
   void RenewPick(vtkSMSourceProxy* filter)
   {
     vtkNew<Entities> now;
@@ -302,7 +305,8 @@ private:
     Describe(filter, *now);
   }
 
-  /// Draws the views again: a drawing that runs the filter uses the highlighting of before the run and then counts as up to date.
+  /// Draws the views again: a drawing that runs the filter uses the highlighting of before the run and then
+  /// counts as up to date.
   static void DrawAgain(vtkSMSourceProxy* filter)
   {
     VisitViews(filter,
@@ -342,7 +346,8 @@ private:
     }
   }
 
-  /// Sets the text of the selection in the summaries, and the lines of selected edges in the representations of the meshes.
+  /// Sets the text of the selection in the summaries, and the lines of selected edges in the representations
+  /// of the meshes.
   static void Describe(vtkSMSourceProxy* filter, Entities& entities)
   {
     VisitViews(filter,

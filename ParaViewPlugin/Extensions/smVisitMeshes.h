@@ -14,8 +14,8 @@ class vtkPolyData;
 
 namespace sm
 {
-/// Calls `visit` with every mesh that is not hidden and the name of the nearest block around it that has one. `attributes` has the hidden
-/// blocks, whose descendants are hidden, too; null: none is hidden.
+/// Calls `visit` with every mesh that is not hidden and the name of the nearest block around it that has one.
+/// `attributes` has the hidden blocks, whose descendants are hidden, too; null: none is hidden.
 void VisitMeshes(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes,
   const std::function<void(vtkPolyData* mesh, const std::string& name)>& visit);
 }

@@ -2,8 +2,9 @@
  * @class   vtkFlaggedRepresentation
  * @brief   draws flagged edges and faces, with the numbers of the worst beside them
  *
- * The input is port 6 of vtkSurfaceIntegralBase. The numbers are those of the cell array Flag, by which the summary names the places. They
- * are drawn in front of everything by the process with the window, and not at all while a server renders for it.
+ * The input is port 6 of vtkSurfaceIntegralBase. The numbers are those of the cell array Flag, by which the
+ * summary names the places. They are drawn in front of everything by the process with the window, and not at
+ * all while a server renders for it.
  */
 #ifndef vtkFlaggedRepresentation_h
 #define vtkFlaggedRepresentation_h

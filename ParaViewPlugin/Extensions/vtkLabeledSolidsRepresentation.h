@@ -2,9 +2,10 @@
  * @class   vtkLabeledSolidsRepresentation
  * @brief   draws solids, with their names or names and masses as labels, and edges that are selected
  *
- * A label begins in the middle of its solid's box. The 50 largest solids that are not hidden have labels; where two would overlap, the
- * larger solid keeps its own. The mass is that of the cell array Mass, with four digits. Labels and selected edges are in front of
- * everything, drawn by the process with the window, and not at all while a server renders for it.
+ * A label begins in the middle of its solid's box. The 50 largest solids that are not hidden have labels;
+ * where two would overlap, the larger solid keeps its own. The mass is that of the cell array Mass, with four
+ * digits. Labels and selected edges are in front of everything, drawn by the process with the window, and not
+ * at all while a server renders for it.
  */
 #ifndef vtkLabeledSolidsRepresentation_h
 #define vtkLabeledSolidsRepresentation_h
@@ -36,7 +37,8 @@ public:
   };
 
   ///@{
-  /** Content of the labels, a LabelKind, clamped. A solid without a mass has its name only. Default: NoLabels. */
+  /** Content of the labels, a LabelKind, clamped. A solid without a mass has its name only. Default:
+   * NoLabels. */
   vtkSetClampMacro(PartLabels, int, NoLabels, NamesAndMasses);
   vtkGetMacro(PartLabels, int);
   ///@}
@@ -53,8 +55,8 @@ public:
   vtkGetMacro(LabelFontSize, int);
   ///@}
 
-  /** The lines of the edges that are drawn as selected, in world coordinates, as FormatPolylines() of smPolylineText.h writes them. Default:
-   * none. */
+  /** The lines of the edges that are drawn as selected, in world coordinates, as FormatPolylines() of
+   * smPolylineText.h writes them. Default: none. */
   void SetSelectedEdges(const char* polylines);
 
   void SetVisibility(bool visible) override;

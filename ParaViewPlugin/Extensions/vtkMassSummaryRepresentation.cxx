@@ -49,8 +49,8 @@ double MeasureWidth(const std::string& line, vtkTextProperty* text, int dpi)
     : 0.0;
 }
 
-/// Breaks lines that are wider than the view; continuation lines are indented and come before indented lines of the text. Words and values are not
-/// divided.
+/// Breaks lines that are wider than the view; continuation lines are indented and come before indented lines
+/// of the text. Words and values are not divided.
 std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi, double width)
 {
   std::string result;

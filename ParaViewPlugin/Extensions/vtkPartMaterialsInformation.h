@@ -1,9 +1,10 @@
 /**
  * @class   vtkPartMaterialsInformation
- * @brief   tells a client the parts in an output on the server by their names, with material, density and mass
+ * @brief   tells a client the parts in an output on the server by their names, with material, density and
+ * mass
  *
- * Solids of one name are one part. For exact geometry (the output of a reader) the information has the statements of the file; for the
- * table of solids of Mass Properties, the masses. Runs no pipeline.
+ * Solids of one name are one part. For exact geometry (the output of a reader) the information has the
+ * statements of the file; for the table of solids of Mass Properties, the masses. Runs no pipeline.
  */
 #ifndef vtkPartMaterialsInformation_h
 #define vtkPartMaterialsInformation_h

@@ -92,7 +92,8 @@ void vtkSMDisplayDefaultsHelper::PostInitializeProxy(
         helper.Set(k, values[k].c_str());
       }
     }
-    // Called also if the value did not change, because ParaView sets its own default for properties that are not modified.
+    // Called also if the value did not change, because ParaView sets its own default for properties that are
+    // not modified.
     property->Modified();
   }
   proxy->UpdateVTKObjects();

@@ -1,6 +1,7 @@
 /**
  * @class   vtkSMDisplayDefaultsHelper
- * @brief   gives properties of a new representation other defaults than the representation that it is derived from
+ * @brief   gives properties of a new representation other defaults than the representation that it is derived
+ * from
  *
  * In the hints of the representation:
  * @code{xml}
@@ -8,9 +9,10 @@
  *   <Default property="Opacity" values="0.4"/>
  * </InitializationHelper>
  * @endcode
- * Values are numbers or words separated by blanks; those of ColorArrayName are an association (0: points, 1: cells) and the name of an
- * array, or nothing for no array, which is also taken where the input lacks it. Properties that were set explicitly keep their value. XML
- * alone cannot change the default of a property that is exposed from a subproxy.
+ * Values are numbers or words separated by blanks; those of ColorArrayName are an association (0: points, 1:
+ * cells) and the name of an array, or nothing for no array, which is also taken where the input lacks it.
+ * Properties that were set explicitly keep their value. XML alone cannot change the default of a property
+ * that is exposed from a subproxy.
  */
 #ifndef vtkSMDisplayDefaultsHelper_h
 #define vtkSMDisplayDefaultsHelper_h

@@ -2,12 +2,14 @@
  * @class   vtkSMExactGeometryDomain
  * @brief   accepts inputs that hold exact NURBS geometry
  *
- * For the input property of filters that need the exact faces: `<ExactGeometryDomain name="exact_geometry"/>`. Every check queries the
- * server (vtkExactGeometryInformation), because a dataset whose points were changed has the same class but no exact faces; it is refused.
+ * For the input property of filters that need the exact faces: `<ExactGeometryDomain
+ * name="exact_geometry"/>`. Every check queries the server (vtkExactGeometryInformation), because a dataset
+ * whose points were changed has the same class but no exact faces; it is refused.
  *
- * ParaView 5.11 disables the menu entry of a refused filter with the status text "Requirements not met"; it takes other texts from
- * vtkSMDataTypeDomain and vtkSMInputArrayDomain only, by functions that are not virtual. The documentation of every filter therefore
- * says what its input must be, and a script gets the filter's own error.
+ * ParaView 5.11 disables the menu entry of a refused filter with the status text "Requirements not met"; it
+ * takes other texts from vtkSMDataTypeDomain and vtkSMInputArrayDomain only, by functions that are not
+ * virtual. The documentation of every filter therefore says what its input must be, and a script gets the
+ * filter's own error.
  */
 #ifndef vtkSMExactGeometryDomain_h
 #define vtkSMExactGeometryDomain_h

@@ -1,10 +1,11 @@
 /**
  * @class   vtkSMMaterialTableDomain
- * @brief   updates the table of parts and materials in the panel of Mass Properties when the input, the rules or the results change
+ * @brief   updates the table of parts and materials in the panel of Mass Properties when the input, the rules
+ * or the results change
  *
- * The property has the cells of smMaterialTable.h. The domain fills them when the filter gets its input, after every change of the input's
- * data, of the rules or of Density, and with the masses after every run. When somebody changes the cells, it sets the rules. Required
- * properties:
+ * The property has the cells of smMaterialTable.h. The domain fills them when the filter gets its input,
+ * after every change of the input's data, of the rules or of Density, and with the masses after every run.
+ * When somebody changes the cells, it sets the rules. Required properties:
  * @code{xml}
  * <MaterialTableDomain name="rows">
  *   <RequiredProperties>

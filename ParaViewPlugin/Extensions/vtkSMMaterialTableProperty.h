@@ -2,8 +2,9 @@
  * @class   vtkSMMaterialTableProperty
  * @brief   the cells of the table of materials in the panel of Mass Properties
  *
- * vtkSMMaterialTableDomain fills the cells from input, rules and results, so that they are not an independent setting: in states and traces
- * in Python they always have the default, and only the rules (the property Materials) are recorded.
+ * vtkSMMaterialTableDomain fills the cells from input, rules and results, so that they are not an independent
+ * setting: in states and traces in Python they always have the default, and only the rules (the property
+ * Materials) are recorded.
  */
 #ifndef vtkSMMaterialTableProperty_h
 #define vtkSMMaterialTableProperty_h

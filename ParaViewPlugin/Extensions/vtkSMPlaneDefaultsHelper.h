@@ -2,9 +2,9 @@
  * @class   vtkSMPlaneDefaultsHelper
  * @brief   puts the plane of a new filter, such as Section, through the middle of its input
  *
- * A plane through the origin often runs along a face of the part, where a section has no definite area. A Point that was set keeps its
- * value, also 0 0 0: in the XML its default_values are "none", so that setting any value changes the property, and traces and states in
- * Python always contain it.
+ * A plane through the origin often runs along a face of the part, where a section has no definite area. A
+ * Point that was set keeps its value, also 0 0 0: in the XML its default_values are "none", so that setting
+ * any value changes the property, and traces and states in Python always contain it.
  */
 #ifndef vtkSMPlaneDefaultsHelper_h
 #define vtkSMPlaneDefaultsHelper_h

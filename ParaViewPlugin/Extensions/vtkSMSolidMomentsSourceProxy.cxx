@@ -26,11 +26,12 @@ vtkStandardNewMacro(vtkSMSolidMomentsSourceProxy);
 
 namespace
 {
-/// ParaView ignores reports of progress that follow another one within an interval, 0.1 s by default. This is the shortest interval that it
-/// accepts.
+/// ParaView ignores reports of progress that follow another one within an interval, 0.1 s by default. This is
+/// the shortest interval that it accepts.
 constexpr double ShortInterval = 0.01;
 
-/// Makes ParaView show the report that shaders are compiled, the only one for some seconds; owned by the compute context.
+/// Makes ParaView show the report that shaders are compiled, the only one for some seconds; owned by the
+/// compute context.
 class CompileCommand : public vtkCommand
 {
 public:
@@ -85,7 +86,8 @@ public:
     {
       this->Key.reset();
       algorithm->SetProgressText(this->Label.c_str());
-      // VTK 9.2 leaves the flag set, and the next run would end at once. The executive sets the time of the data after this event.
+      // VTK 9.2 leaves the flag set, and the next run would end at once. The executive sets the time of the
+      // data after this event.
       if (algorithm->GetAbortExecute())
       {
         algorithm->SetAbortExecute(0);
@@ -100,7 +102,8 @@ public:
     }
     else if (!this->HasListened)
     {
-      // At the first report, since ParaView redraws the text only when the percentage changes. Listen() takes about a millisecond.
+      // At the first report, since ParaView redraws the text only when the percentage changes. Listen() takes
+      // about a millisecond.
       this->HasListened = true;
       this->Key = sm::EscapeKey::Listen();
       if (this->Key)

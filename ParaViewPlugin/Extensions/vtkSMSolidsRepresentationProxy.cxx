@@ -83,7 +83,8 @@ void vtkSMSolidsRepresentationProxy::FollowArray()
 bool vtkSMSolidsRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* view, bool visible)
 {
   const std::string array = GetArrayName(this);
-  // Without an array there is no colour bar. For the file's colours the superclass would make a bar in order to hide it.
+  // Without an array there is no colour bar. For the file's colours the superclass would make a bar in order
+  // to hide it.
   if (array.empty() || (array == sm::names::Color && (visible || !this->IsScalarBarVisible(view))))
   {
     return false;

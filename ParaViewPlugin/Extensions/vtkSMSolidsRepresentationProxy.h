@@ -2,14 +2,14 @@
  * @class   vtkSMSolidsRepresentationProxy
  * @brief   draws solids in the colours of their file, and gives colour bars a unit
  *
- * The array Color of the reader's meshes is drawn as it is, without a colour map; other arrays are mapped as usual. ParaView's property
- * MapScalars is set according to the array by which the solids are coloured. A colour bar of Color is never shown; the title of another has
- * the unit of its array.
+ * The array Color of the reader's meshes is drawn as it is, without a colour map; other arrays are mapped as
+ * usual. ParaView's property MapScalars is set according to the array by which the solids are coloured. A
+ * colour bar of Color is never shown; the title of another has the unit of its array.
  *
- * Solids without an array of colours have one colour. Apply in ParaView's window would colour them like the input, or with vtkBlockColors,
- * and add a legend. Therefore GetUsingScalarColoring() is true until the first drawing, and GetRepresentedDataInformation() is empty between
- * the view's first update and its drawing (ParaView 5.13 asks only for that), so that Apply does not change the colouring; the user may
- * change it.
+ * Solids without an array of colours have one colour. Apply in ParaView's window would colour them like the
+ * input, or with vtkBlockColors, and add a legend. Therefore GetUsingScalarColoring() is true until the first
+ * drawing, and GetRepresentedDataInformation() is empty between the view's first update and its drawing
+ * (ParaView 5.13 asks only for that), so that Apply does not change the colouring; the user may change it.
  */
 #ifndef vtkSMSolidsRepresentationProxy_h
 #define vtkSMSolidsRepresentationProxy_h

@@ -28,8 +28,8 @@ namespace
 {
 namespace names = sm::names;
 
-/// Largest number of single cells that are highlighted. ParaView's time grows with their number, and with the cube of the number of their
-/// solids.
+/// Largest number of single cells that are highlighted. ParaView's time grows with their number, and with the
+/// cube of the number of their solids.
 constexpr std::size_t MostHighlightedCells = 50000;
 constexpr std::size_t MostSolidsWithHighlightedCells = 50;
 constexpr std::size_t MostDrawnEdges = 1000;

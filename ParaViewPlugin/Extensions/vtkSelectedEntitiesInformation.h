@@ -1,10 +1,11 @@
 /**
  * @class   vtkSelectedEntitiesInformation
- * @brief   tells a client which solids, faces and edges are selected in the tables and meshes of a filter on the server
+ * @brief   tells a client which solids, faces and edges are selected in the tables and meshes of a filter on
+ * the server
  *
- * The filter has the outputs of vtkSurfaceIntegralBase. A selection of rows of its tables, or of cells of its meshes, gives the numbers of
- * solids and faces, the rows of those faces, the elements to highlight in a view, the lines of the edges, and a text with names, masses,
- * areas and gaps. Runs no pipeline.
+ * The filter has the outputs of vtkSurfaceIntegralBase. A selection of rows of its tables, or of cells of its
+ * meshes, gives the numbers of solids and faces, the rows of those faces, the elements to highlight in a
+ * view, the lines of the edges, and a text with names, masses, areas and gaps. Runs no pipeline.
  */
 #ifndef vtkSelectedEntitiesInformation_h
 #define vtkSelectedEntitiesInformation_h
@@ -53,7 +54,8 @@ public:
   };
 
   /**
-   * Sets the selection on a port: rows of its table, or cells of its meshes. The row of the total stands for all solids. Default: nothing.
+   * Sets the selection on a port: rows of its table, or cells of its meshes. The row of the total stands for
+   * all solids. Default: nothing.
    */
   void Select(Port port, const sm::SelectionTerms& terms);
 
@@ -78,8 +80,8 @@ public:
     return this->SolidIds;
   }
   /**
-   * Returns the elements by which a view shows the selected rows. A solid all of whose faces are selected is highlighted as a whole, and so
-   * are all solids if there are too many cells for ParaView. Empty for edges.
+   * Returns the elements by which a view shows the selected rows. A solid all of whose faces are selected is
+   * highlighted as a whole, and so are all solids if there are too many cells for ParaView. Empty for edges.
    */
   const Highlight& GetHighlight() const
   {
@@ -90,7 +92,8 @@ public:
   {
     return this->EdgeLines;
   }
-  /** Returns a text with names, masses, areas and gaps of the selection, in lines; empty if nothing is selected. */
+  /** Returns a text with names, masses, areas and gaps of the selection, in lines; empty if nothing is
+   * selected. */
   const std::string& GetText() const
   {
     return this->Text;

@@ -110,15 +110,16 @@ bool EndsWith(const std::string& text, const std::string& end)
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Returns 0 if the column is the quantity or a component of it, <name>_<i>; 1 if it is its bound; -1 otherwise.
+/// Returns 0 if the column is the quantity or a component of it, <name>_<i>; 1 if it is its bound; -1
+/// otherwise.
 int Match(const std::string& column, const std::string& quantity)
 {
   const bool value = column == quantity || StartsWith(column, quantity + "_");
   return value ? 0 : column == quantity + names::BoundSuffix ? 1 : -1;
 }
 
-/// Returns a column of numbers as texts that read back as the same doubles, because ParaView shows and exports six digits of a number;
-/// returns other columns unchanged.
+/// Returns a column of numbers as texts that read back as the same doubles, because ParaView shows and
+/// exports six digits of a number; returns other columns unchanged.
 vtkSmartPointer<vtkAbstractArray> FormatColumn(vtkAbstractArray* column)
 {
   auto* numbers = vtkDoubleArray::SafeDownCast(column);

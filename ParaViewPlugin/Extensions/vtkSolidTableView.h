@@ -2,12 +2,14 @@
  * @class   vtkSolidTableView
  * @brief   ParaView's spreadsheet view with the columns of this project's tables in an order of their own
  *
- * vtkSpreadSheetView sorts columns by name, so that Name and Volume of a solid come after a hundred others. This class shows and exports
- * the tables of Mass Properties with its parts list, Surface Integral, Buoyancy and Static Stability in this order: the row's number; Name,
- * Id, Status; the main results, such as Volume, Mass, SurfaceArea, CenterOfMass; integrals by the names that the user gave them; units,
- * tensors and gaps; each followed by its bound. The magnitudes that the view adds to centres, tensors and axes have no meaning and are left
- * out. Numbers are shown and exported with all their digits. Any other table is shown as ParaView does. A table of this project has the
- * columns Name, Id and Status, Name, Level and CountInAll, or Solid with FaceId, EdgeId or StabilityMargin.
+ * vtkSpreadSheetView sorts columns by name, so that Name and Volume of a solid come after a hundred others.
+ * This class shows and exports the tables of Mass Properties with its parts list, Surface Integral, Buoyancy
+ * and Static Stability in this order: the row's number; Name, Id, Status; the main results, such as Volume,
+ * Mass, SurfaceArea, CenterOfMass; integrals by the names that the user gave them; units, tensors and gaps;
+ * each followed by its bound. The magnitudes that the view adds to centres, tensors and axes have no meaning
+ * and are left out. Numbers are shown and exported with all their digits. Any other table is shown as
+ * ParaView does. A table of this project has the columns Name, Id and Status, Name, Level and CountInAll, or
+ * Solid with FaceId, EdgeId or StabilityMargin.
  *
  * The plugin registers it as the class of the view SpreadSheetView.
  */
@@ -30,9 +32,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Returns 0 while the first block of a table with other columns is fetched. ParaView 5.11 then queries the number of columns within a
-   * reset of its model, and would fit the widths of columns that its header does not have yet; with 0 it fits them afterwards, to their
-   * contents.
+   * Returns 0 while the first block of a table with other columns is fetched. ParaView 5.11 then queries the
+   * number of columns within a reset of its model, and would fit the widths of columns that its header does
+   * not have yet; with 0 it fits them afterwards, to their contents.
    */
   vtkIdType GetNumberOfColumns() override;
   const char* GetColumnName(vtkIdType index) override;
@@ -66,7 +68,8 @@ private:
   bool IsFetching = false;
   /// Columns of the last block, in the order of the superclass.
   std::vector<std::string> KnownColumns;
-  /// Columns of the last table of this project, in the order of the superclass, and in the order in which they are shown.
+  /// Columns of the last table of this project, in the order of the superclass, and in the order in which
+  /// they are shown.
   std::vector<std::string> SortedColumns;
   std::vector<std::string> ShownColumns;
   std::map<vtkIdType, Block> Blocks;

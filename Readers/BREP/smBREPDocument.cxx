@@ -61,9 +61,10 @@ bool IsText(std::string_view bytes)
   return StartsWith(text, TextMagic);
 }
 
-/// Returns true if a text is complete: it ends with the reference to its last shape, "+1 0", behind the asterisk that ends the table of
-/// shapes. If no blank or line end follows, the location may be truncated unless it is 0. Behind the reference a file of the test harness
-/// has a line with a number, of lines that it draws on faces.
+/// Returns true if a text is complete: it ends with the reference to its last shape, "+1 0", behind the
+/// asterisk that ends the table of shapes. If no blank or line end follows, the location may be truncated
+/// unless it is 0. Behind the reference a file of the test harness has a line with a number, of lines that it
+/// draws on faces.
 bool IsWhole(std::string_view text)
 {
   const bool isHarness = StartsWith(SkipBlanks(text), HarnessMagic);
@@ -90,7 +91,8 @@ bool IsWhole(std::string_view text)
     (isFollowed || reference.substr(blank) == " 0");
 }
 
-/// Returns a number of four bytes, least significant first, `fromEnd` bytes before the end; -1 if there is none.
+/// Returns a number of four bytes, least significant first, `fromEnd` bytes before the end; -1 if there is
+/// none.
 std::int64_t GetInteger(std::string_view bytes, std::size_t fromEnd)
 {
   if (bytes.size() < fromEnd)
@@ -106,8 +108,9 @@ std::int64_t GetInteger(std::string_view bytes, std::size_t fromEnd)
   return value;
 }
 
-/// Returns true for the binary form that FreeCAD's exportBinary() writes: OpenCASCADE's, but at the end the last shape is referred to by the
-/// numbers of shape, location and orientation, of four bytes each, instead of OpenCASCADE's nine bytes in another order.
+/// Returns true for the binary form that FreeCAD's exportBinary() writes: OpenCASCADE's, but at the end the
+/// last shape is referred to by the numbers of shape, location and orientation, of four bytes each, instead
+/// of OpenCASCADE's nine bytes in another order.
 bool IsOfFreeCAD(std::string_view bytes)
 {
   constexpr std::string_view table = "\nTShapes ";
@@ -161,7 +164,8 @@ public:
     return this->Counts.emplace(key, count).first->second;
   }
 
-  /// Returns the reason why a shape cannot be read: it has more instances, faces or levels than the limits; empty if it can.
+  /// Returns the reason why a shape cannot be read: it has more instances, faces or levels than the limits;
+  /// empty if it can.
   std::string FindExcess(const TopoDS_Shape& shape)
   {
     const Count& count = this->Get(shape);
@@ -206,7 +210,8 @@ public:
   }
 
 private:
-  /// Returns true if every member of a compound is a solid, or a compound with solids. Any other compound is one part.
+  /// Returns true if every member of a compound is a solid, or a compound with solids. Any other compound is
+  /// one part.
   bool IsAssembly(const TopoDS_Shape& shape)
   {
     if (shape.ShapeType() > TopAbs_COMPSOLID)
@@ -256,7 +261,8 @@ private:
   std::map<std::pair<const void*, int>, TDF_Label> Products;
 };
 
-/// Reports closed shells outside of the solids of a file, which are left out although they may be meant as solids.
+/// Reports closed shells outside of the solids of a file, which are left out although they may be meant as
+/// solids.
 void FindLostShells(const TopoDS_Shape& shape, Document& document)
 {
   int shells = 0;

@@ -20,9 +20,10 @@ inline const std::string NotBREP =
 bool LooksLikeBREP(std::string_view bytes);
 
 /**
- * Reads the bytes of a BREP file. The format has neither names nor units: the length unit of the document is that of the numbers, which the
- * caller must set. A compound of compounds and solids is an assembly, and shapes that occur in it several times are instances of one part.
- * `progress` gets a fraction in [0,1] and returns false to stop. The caller must hold a KernelSession. Throws only std::bad_alloc.
+ * Reads the bytes of a BREP file. The format has neither names nor units: the length unit of the document is
+ * that of the numbers, which the caller must set. A compound of compounds and solids is an assembly, and
+ * shapes that occur in it several times are instances of one part. `progress` gets a fraction in [0,1] and
+ * returns false to stop. The caller must hold a KernelSession. Throws only std::bad_alloc.
  */
 Document ReadBREP(std::string_view bytes, const ProgressCallback& progress);
 }

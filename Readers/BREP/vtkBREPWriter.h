@@ -2,9 +2,10 @@
  * @class   vtkBREPWriter
  * @brief   writes exact trimmed NURBS models in OpenCASCADE's BREP text format
  *
- * vtkNURBSModelWriter documents the geometry that is saved, and errors. The file is one compound of all placed instances, which share
- * their geometry, with the tolerances of edges and vertices. The format has no units: lengths are in mm, as programs that read it
- * expect. It has no names, colours or products either: use vtkSTEPWriter for those.
+ * vtkNURBSModelWriter documents the geometry that is saved, and errors. The file is one compound of all
+ * placed instances, which share their geometry, with the tolerances of edges and vertices. The format has no
+ * units: lengths are in mm, as programs that read it expect. It has no names, colours or products either: use
+ * vtkSTEPWriter for those.
  */
 #ifndef vtkBREPWriter_h
 #define vtkBREPWriter_h

@@ -12,8 +12,9 @@ constexpr double SameRegion = 1e-3;
 /// Area of a mesh relative to that of its surface, above which it covers more than this.
 constexpr double MeshMargin = 1.05;
 
-/// Radius of a closed surface relative to the length of the bounds below which the mesh says nothing about areas:
-/// its triangles are longer than the surface is wide (a torus of 1000 mm and 0.01 mm has 13 times its area).
+/// Radius of a closed surface relative to the length of the bounds below which the mesh says nothing about
+/// areas: its triangles are longer than the surface is wide (a torus of 1000 mm and 0.01 mm has 13 times its
+/// area).
 constexpr double ThinRadius = 1e-3;
 
 /// A face whose edges bound less than this part of the square of its perimeter may have no triangles.

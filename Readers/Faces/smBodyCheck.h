@@ -6,18 +6,18 @@
  * the other one is again a consistent face, with its normal on the other side. Only the rest of the body
  * tells.
  *
- * | kind of fault                                               | found by           | case that proves it (TestBodyCheck)    |
- * |-------------------------------------------------------------|--------------------|----------------------------------------|
- * | a bound, or the edges, turned; a repair turned the face     | Turned             | "a turned cap"                         |
- * | the same, and the face was read by the letter               | SameDirection      | "a cap by the letter"                  |
- * | same_sense turned: the other part, inside out               | InsideOut          | "a rest that is inside out"            |
- * | arcs that run backwards, so that all their faces are turned | Backwards          | "arcs that run backwards"              |
- * | a bound of a plane turned: one side is infinite             | nothing, by intent | "a turned plane beside a cap"          |
- * | same_sense of a zone turned: two caps                       | InPieces           | "two caps as one face"                 |
- * | same_sense on a torus turned that crosses itself            | CrossesItself      | "both parts of a torus"                |
- * | a whole closed surface too many                             | TooLarge           | "more than the whole sphere"           |
- * | a face that the mesh lacks                                  | NotInMesh          | "a face without triangles"             |
- * | same_sense of a dimple turned: a knob                       | nothing            | a sound part, too                      |
+ * | kind of fault | found by | case that proves it (TestBodyCheck) |
+ * |---|---|---|
+ * | a bound, or the edges, turned; a repair turned the face | Turned | "a turned cap" |
+ * | the same, and the face was read by the letter | SameDirection | "a cap by the letter" |
+ * | same_sense turned: the other part, inside out | InsideOut | "a rest that is inside out" |
+ * | arcs that run backwards, so that all their faces are turned | Backwards | "arcs that run backwards" |
+ * | a bound of a plane turned: one side is infinite | nothing, by intent | "a turned plane beside a cap" |
+ * | same_sense of a zone turned: two caps | InPieces | "two caps as one face" |
+ * | same_sense on a torus turned that crosses itself | CrossesItself | "both parts of a torus" |
+ * | a whole closed surface too many | TooLarge | "more than the whole sphere" |
+ * | a face that the mesh lacks | NotInMesh | "a face without triangles" |
+ * | same_sense of a dimple turned: a knob | nothing | a sound part, too |
  */
 #ifndef smBodyCheck_h
 #define smBodyCheck_h
@@ -78,8 +78,9 @@ struct BodyContradiction
 /// Returns true if both sides of a loop on the surface of a face are finite.
 using ClosedTest = std::function<bool(std::size_t)>;
 
-/// Finds the contradictions of a body, at most one for each face. `isInsideOut`: its outer shell is inside out in
-/// the file. `isClosed` is called, at most once a face, where it matters and CheckedFace::IsClosed is false.
+/// Finds the contradictions of a body, at most one for each face. `isInsideOut`: its outer shell is inside
+/// out in the file. `isClosed` is called, at most once a face, where it matters and CheckedFace::IsClosed is
+/// false.
 SMREADERSFACES_EXPORT std::vector<BodyContradiction> FindContradictions(
   const std::vector<CheckedFace>& faces, bool isInsideOut, const ClosedTest& isClosed = {});
 }

@@ -12,15 +12,15 @@
  * (smLineIntegrals.h). So both sides are line integrals, and nothing has to be integrated over the face: a
  * loop that does not close is closed by a straight piece in the parameters, as for the integrals.
  *
- * | kind of fault                                             | vector area | moments | case that proves it (TestFaceCheck)   |
- * |-----------------------------------------------------------|-------------|---------|---------------------------------------|
- * | the other side of a loop: the rest of a sphere for a cap  | yes         | yes     | "the rest instead"                    |
- * | the other side of a symmetric zone: two caps              | 0 for both  | yes     | "two caps instead"                    |
- * | a lateral face that counts nothing, or twice              | 0 for both  | yes     | "no area", "twice the face"           |
- * | a part of a face                                          | yes         | yes     | "half of the face"                    |
- * | a lost corner, an additional loop                         | yes         | yes     | "square without a side", "additional" |
- * | a face of a repair in two parts of which one is lost      | yes         | yes     | "of which one is lost"                |
- * | a loop beside its edges on the surface                    | yes         | yes     | "a loop beside its edges"             |
+ * | kind of fault | vector area | moments | case that proves it (TestFaceCheck) |
+ * |---|---|---|---|
+ * | the other side of a loop: the rest of a sphere for a cap | yes | yes | "the rest instead" |
+ * | the other side of a symmetric zone: two caps | 0 for both | yes | "two caps instead" |
+ * | a lateral face that counts nothing, or twice | 0 for both | yes | "no area", "twice the face" |
+ * | a part of a face | yes | yes | "half of the face" |
+ * | a lost corner, an additional loop | yes | yes | "square without a side", "additional" |
+ * | a face of a repair in two parts of which one is lost | yes | yes | "of which one is lost" |
+ * | a loop beside its edges on the surface | yes | yes | "a loop beside its edges" |
  *
  * What is integrated afterwards are these loops, and the integrals are not compared with the statement again:
  *
@@ -34,9 +34,9 @@
  * |                                             | cut and integrated by itself                            |
  *
  * The edges' part of the chain cancels between the faces, so that what vanishes is the sum over the faces of
- * what is integrated less what the loops bound: nothing is gained by the comparison of each face but its name.
- * The moments x_i n_j are not among the fourteen integrands, and nine more would cost more than all checks.
- * None of the integrals of mass properties could take their place: the flux of a field is that of the
+ * what is integrated less what the loops bound: nothing is gained by the comparison of each face but its
+ * name. The moments x_i n_j are not among the fourteen integrands, and nine more would cost more than all
+ * checks. None of the integrals of mass properties could take their place: the flux of a field is that of the
  * boundary alone only if its divergence is 0, and theirs are r g(r).
  */
 #ifndef smFaceCheck_h

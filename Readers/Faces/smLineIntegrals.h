@@ -36,7 +36,8 @@ inline constexpr std::array<GaussSample, 5> GaussSamples = { {
  * For a loop that bounds a face with unit normal n, counter-clockwise as seen from the tip of n:
  *
  *     integral of n dA                    = 1/2 loop integral of x cross dx
- *     integral of (M x).n dA, trace M = 0 = 1/3 loop integral of ((M x) cross x).dx,   since curl((M x) cross x) = 3 M x
+ *     integral of (M x).n dA, trace M = 0 = 1/3 loop integral of ((M x) cross x).dx,   since curl((M x) cross
+ * x) = 3 M x
  */
 struct SMREADERSFACES_EXPORT LineIntegrals
 {

@@ -2,8 +2,9 @@
  * @file solidmoments_read.cxx
  * @brief solidmoments-read: reads a file for a vtkCADReader in another process, which gives it its settings
  *
- * Its arguments are the format, "file" or "content" (of the standard input), and the words of vtkCADReader::PackSettings(). It sends
- * progress and output by the messages of smReadProgram.h to its standard output, and ends with the process that started it.
+ * Its arguments are the format, "file" or "content" (of the standard input), and the words of
+ * vtkCADReader::PackSettings(). It sends progress and output by the messages of smReadProgram.h to its
+ * standard output, and ends with the process that started it.
  */
 #include "smReadProgram.h"
 #include "vtkBREPReader.h"

@@ -39,7 +39,8 @@ private:
     std::string Text;
   };
 
-  /// Returns a number that no instance and no reference has. Numbers in strings and comments are avoided, too.
+  /// Returns a number that no instance and no reference has. Numbers in strings and comments are avoided,
+  /// too.
   std::uint64_t GetFreeNumber();
   void FindNumbers();
 

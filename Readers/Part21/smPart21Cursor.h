@@ -27,11 +27,12 @@ inline bool IsPart21(char c, unsigned char kinds)
   return (Part21Characters[static_cast<unsigned char>(c)] & kinds) != 0;
 }
 
-/// Returns true if `#<digits> =` begins at this place, that is, a new instance, even if the previous one is not complete.
+/// Returns true if `#<digits> =` begins at this place, that is, a new instance, even if the previous one is
+/// not complete.
 bool IsInstanceStart(const char* at, const char* end);
 
-/// A position in the text. Each Skip… method moves it from the first character of a token to behind the last one. If the token is
-/// malformed, it returns false, and the position is where that was detected.
+/// A position in the text. Each Skip… method moves it from the first character of a token to behind the last
+/// one. If the token is malformed, it returns false, and the position is where that was detected.
 struct SMREADERSPART21_EXPORT Part21Cursor
 {
   const char* At;
@@ -40,7 +41,8 @@ struct SMREADERSPART21_EXPORT Part21Cursor
   bool IsAtEnd() const { return this->At == this->End; }
   char Peek() const { return this->At == this->End ? '\0' : *this->At; }
 
-  /// Skips blanks, control characters and comments. Returns false at a comment without an end, which is not skipped.
+  /// Skips blanks, control characters and comments. Returns false at a comment without an end, which is not
+  /// skipped.
   bool SkipBlanks()
   {
     for (;;)
@@ -61,8 +63,8 @@ struct SMREADERSPART21_EXPORT Part21Cursor
   }
   bool SkipComment();
 
-  /// Skips a string between apostrophes, which may contain ''. If a line within it begins like an instance, the closing apostrophe is
-  /// missing, and it returns false.
+  /// Skips a string between apostrophes, which may contain ''. If a line within it begins like an instance,
+  /// the closing apostrophe is missing, and it returns false.
   bool SkipString();
   bool SkipBinary();
   bool SkipEnumeration();

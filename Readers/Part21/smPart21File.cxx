@@ -21,7 +21,8 @@ bool IsControl(char c)
   return code < 32 && code != '\n' && code != '\r' && code != '\t' && code != '\f' && code != '\v';
 }
 
-/// Returns the position of the first control character that the parser reads as a blank but the standard does not allow.
+/// Returns the position of the first control character that the parser reads as a blank but the standard does
+/// not allow.
 std::size_t FindControlCharacter(std::string_view text)
 {
   std::size_t i = 0;
@@ -130,7 +131,8 @@ void Part21File::Add(Part21Defect defect, std::size_t offset, std::uint64_t id, 
 void Part21File::IndexIds()
 {
   const Index count = this->GetNumberOfInstances();
-  // Most files number their instances densely. A few very large numbers must not enlarge the table to their size.
+  // Most files number their instances densely. A few very large numbers must not enlarge the table to their
+  // size.
   const std::uint64_t dense = std::uint64_t{ 4 } * count + 1024;
   std::uint64_t largest = 0;
   for (Index i = 0; i < count; ++i)

@@ -30,8 +30,9 @@ enum class Part21Defect : unsigned char
   DuplicateId,        ///< a second instance with the same number; Find() gives the first
   UndefinedReference, ///< a reference to an instance that the file does not have
   ControlCharacters,  ///< bytes below 32 that are no tabs or line ends; they are read as blanks
-  UnreadInstance, ///< text with numbers of instances that is skipped, between instances or in a section that is not read
-  BehindEnd, ///< an instance behind END-ISO-10303-21; it is not read
+  UnreadInstance, ///< text with numbers of instances that is skipped, between instances or in a section that
+                  ///< is not read
+  BehindEnd,      ///< an instance behind END-ISO-10303-21; it is not read
   Count
 };
 
@@ -62,17 +63,20 @@ struct Part21Range
 /**
  * A STEP file: its instances in the order of the text, their records, and what each refers to.
  *
- * A simple instance `#1=A(…);` has one record, a complex one `#1=(A(…)B(…));` as many as it names. Of a record the type and the text
- * of its parameters are kept; Part21Values reads them when they are asked for. References are resolved to indices when the file is
- * read. Instances of all DATA sections are one list; ANCHOR, REFERENCE and SIGNATURE sections (third edition) are passed over. Names of
- * types are compared in capitals.
+ * A simple instance `#1=A(…);` has one record, a complex one `#1=(A(…)B(…));` as many as it names. Of a
+ * record the type and the text of its parameters are kept; Part21Values reads them when they are asked for.
+ * References are resolved to indices when the file is read. Instances of all DATA sections are one list;
+ * ANCHOR, REFERENCE and SIGNATURE sections (third edition) are passed over. Names of types are compared in
+ * capitals.
  *
- * Time and memory are linear in the text, and nothing is called recursively, so that nested brackets do no harm. Memory besides the
- * text: 24 bytes an instance, 12 a record, 4 a reference (12 while reading), 4 to 12 for each number. Text of 4 GiB or more is refused.
+ * Time and memory are linear in the text, and nothing is called recursively, so that nested brackets do no
+ * harm. Memory besides the text: 24 bytes an instance, 12 a record, 4 a reference (12 while reading), 4 to 12
+ * for each number. Text of 4 GiB or more is refused.
  *
- * Damage: an instance with a syntax error is kept up to the error, and IsDamaged() is true for it; parsing continues behind its semicolon,
- * or with the next line that begins like an instance. Instances with the same number are all kept, and all are damaged. An instance with an
- * undefined reference is damaged, too. All defects are counted; the first `ProblemLimit` of each kind are listed.
+ * Damage: an instance with a syntax error is kept up to the error, and IsDamaged() is true for it; parsing
+ * continues behind its semicolon, or with the next line that begins like an instance. Instances with the same
+ * number are all kept, and all are damaged. An instance with an undefined reference is damaged, too. All
+ * defects are counted; the first `ProblemLimit` of each kind are listed.
  *
  * Methods throw only std::bad_alloc. Const methods may be called by several threads.
  */
@@ -83,10 +87,12 @@ public:
   using Index = std::uint32_t;
   static constexpr Index None = 0xffffffffu;
   static constexpr std::size_t ProblemLimit = 100;
-  /// Number of bytes at the start of a file in which its header is searched. Bytes before the header are ignored.
+  /// Number of bytes at the start of a file in which its header is searched. Bytes before the header are
+  /// ignored.
   static constexpr std::size_t HeaderSearch = 1 << 16;
 
-  /// Reads a whole file, as UTF-8 (smTextEncoding.h). Returns false if nothing can be read; GetProblems() has the reason.
+  /// Reads a whole file, as UTF-8 (smTextEncoding.h). Returns false if nothing can be read; GetProblems() has
+  /// the reason.
   bool Read(const std::string& path);
   /// The same for text in memory.
   bool Parse(std::string text);
@@ -110,7 +116,8 @@ public:
   bool IsDamaged(Index i) const { return this->Damaged[i] != 0; }
   /// Returns true if the instance breaks the syntax: the text behind the damage is not read.
   bool IsMalformed(Index i) const { return (this->Damaged[i] & Malformed) != 0; }
-  /// Returns the instances to which the parameters of `i` refer, in the order of the text, with None for undefined ones.
+  /// Returns the instances to which the parameters of `i` refer, in the order of the text, with None for
+  /// undefined ones.
   Part21Range<Index> GetReferences(Index i) const
   {
     const Index* first = this->References.data();
@@ -139,8 +146,8 @@ public:
   /// The names in FILE_SCHEMA, as in the file.
   const std::vector<std::string>& GetSchemas() const { return this->Schemas; }
 
-  /// Returns true if the file has what the first edition of the standard has not: several or named DATA sections, and sections of other
-  /// kinds.
+  /// Returns true if the file has what the first edition of the standard has not: several or named DATA
+  /// sections, and sections of other kinds.
   bool HasLaterSections() const { return this->LaterSections; }
 
   const std::vector<Part21Problem>& GetProblems() const { return this->Problems; }

@@ -13,7 +13,8 @@
 
 namespace sm
 {
-/// Fills the instances, records and types of a file whose text is set, and collects the numbers of its references.
+/// Fills the instances, records and types of a file whose text is set, and collects the numbers of its
+/// references.
 class Part21Parser
 {
 public:
@@ -41,11 +42,11 @@ private:
   bool ParseTyped(std::size_t& depth, bool& nested);
   bool ParseReference();
   void FinishInstance(bool valid);
-  /// Moves the cursor to where parsing continues after damage: behind the next semicolon, or to a line that begins like an instance or ends
-  /// the section.
+  /// Moves the cursor to where parsing continues after damage: behind the next semicolon, or to a line that
+  /// begins like an instance or ends the section.
   void Recover();
-  /// Adds UnreadInstance if the text from `begin` to the cursor, which was skipped, has the number of an instance or a =; with `startsOnly` if
-  /// an instance begins in it, #1=.
+  /// Adds UnreadInstance if the text from `begin` to the cursor, which was skipped, has the number of an
+  /// instance or a =; with `startsOnly` if an instance begins in it, #1=.
   void ReportSkipped(const char* begin, bool startsOnly);
   void SkipSection();
   void FindInstanceBehindEnd();

@@ -17,7 +17,8 @@ constexpr std::string_view TypesWithLists[] = { "CAMERA_MODEL_D3_MULTI_CLIPPING"
   "MEASURE_QUALIFICATION", "OVER_RIDING_STYLED_ITEM", "PRESENTATION_STYLE_BY_CONTEXT",
   "SHELL_BASED_SURFACE_MODEL", "TESSELLATED_GEOMETRIC_SET", "TRIMMED_CURVE", "BOUNDED_SURFACE_CURVE",
   "INTERSECTION_CURVE", "SEAM_CURVE", "SURFACE_CURVE" };
-/// The same for all types whose names begin so, or have the word: dates, approvals, persons; splines; tolerances.
+/// The same for all types whose names begin so, or have the word: dates, approvals, persons; splines;
+/// tolerances.
 constexpr std::string_view PrefixesWithLists[] = { "APPLIED_", "AUTO_DESIGN_", "CC_DESIGN_" };
 constexpr std::string_view WordsWithLists[] = { "B_SPLINE_CURVE", "B_SPLINE_SURFACE", "TOLERANCE" };
 
@@ -64,7 +65,8 @@ bool HasEmptyList(std::string_view parameters, int levels)
   return false;
 }
 
-/// Returns true for lists in more than MostNestedLists levels. Brackets in strings and comments are counted only if there are so many.
+/// Returns true for lists in more than MostNestedLists levels. Brackets in strings and comments are counted
+/// only if there are so many.
 bool IsDeeplyNested(std::string_view parameters)
 {
   std::size_t level = 0;

@@ -11,7 +11,8 @@ namespace sm
 #define SM_B Part21Blank
 #define SM_D Part21Digit
 #define SM_L Part21Letter
-// Kinds of all bytes. Control characters are blanks, because the standard requires a reader to ignore them. Bytes above 127 have no kind.
+// Kinds of all bytes. Control characters are blanks, because the standard requires a reader to ignore them.
+// Bytes above 127 have no kind.
 const unsigned char Part21Characters[256] = { SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B,
   SM_B, SM_B, SM_B, SM_B, SM_B, SM_B,                                                             //
   SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, SM_B, //

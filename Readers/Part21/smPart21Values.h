@@ -1,6 +1,7 @@
 /**
  * @file smPart21Values.h
- * @brief The parameters of a record of a STEP file (ISO 10303-21, clear text encoding), read from the text when they are asked for
+ * @brief The parameters of a record of a STEP file (ISO 10303-21, clear text encoding), read from the text
+ * when they are asked for
  */
 #ifndef smPart21Values_h
 #define smPart21Values_h
@@ -41,8 +42,8 @@ struct SMREADERSPART21_EXPORT Part21Value
   bool IsReference() const { return this->Kind == Part21Kind::Reference; }
   bool IsList() const { return this->Kind == Part21Kind::List; }
   bool IsNumber() const { return this->Kind == Part21Kind::Integer || this->Kind == Part21Kind::Real; }
-  /// Gets the number of an Integer or a Real, independent of the locale. Returns false for other kinds and for numbers that exceed the
-  /// range of double.
+  /// Gets the number of an Integer or a Real, independent of the locale. Returns false for other kinds and
+  /// for numbers that exceed the range of double.
   bool GetNumber(double& number) const;
   /// Gets the number of an Integer. Returns false for other kinds and for numbers beyond 64 bits.
   bool GetInteger(std::int64_t& number) const;
@@ -54,8 +55,9 @@ struct SMREADERSPART21_EXPORT Part21Value
  *     Part21Values values(text);
  *     for (Part21Value value; values.Next(value);) …
  *
- * A nested list is one value; its own values are those of Part21Values(value.Text). Reading all values takes time in proportion to
- * the text, however deep lists are nested, since an inner list is skipped and not entered. Nothing is allocated.
+ * A nested list is one value; its own values are those of Part21Values(value.Text). Reading all values takes
+ * time in proportion to the text, however deep lists are nested, since an inner list is skipped and not
+ * entered. Nothing is allocated.
  */
 class SMREADERSPART21_EXPORT Part21Values
 {
@@ -66,7 +68,8 @@ public:
   {
   }
 
-  /// Reads the next value. Returns false at the end, and at text that is no value, where IsMalformed() becomes true.
+  /// Reads the next value. Returns false at the end, and at text that is no value, where IsMalformed()
+  /// becomes true.
   bool Next(Part21Value& value);
   bool IsMalformed() const { return this->Malformed; }
 

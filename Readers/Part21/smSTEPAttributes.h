@@ -13,7 +13,8 @@
 
 namespace sm
 {
-/// An attribute of an entity type: its position among the parameters of a simple instance, and in the record of a complex one.
+/// An attribute of an entity type: its position among the parameters of a simple instance, and in the record
+/// of a complex one.
 struct STEPAttribute
 {
   /// Name of the record in a complex instance that has the attribute.
@@ -32,7 +33,8 @@ public:
 
   explicit STEPAttributes(const Part21File& file);
 
-  /// Returns the description of the type of a record (smSTEPSchema.h); null for a type that the table does not have.
+  /// Returns the description of the type of a record (smSTEPSchema.h); null for a type that the table does
+  /// not have.
   const STEPEntityType* GetType(Index i, std::size_t record = 0) const
   {
     return this->Types[this->File.GetType(i, record)];
@@ -43,10 +45,12 @@ public:
   /// Returns true if the type of the entity is known to the census.
   bool IsKnown(Index i) const { return i != None && this->Roles[i] != 0; }
 
-  /// Returns true for a NEXT_ASSEMBLY_USAGE_OCCURRENCE that is written as a complex instance of its own types.
+  /// Returns true for a NEXT_ASSEMBLY_USAGE_OCCURRENCE that is written as a complex instance of its own
+  /// types.
   bool IsOccurrenceInParts(Index i) const;
 
-  /// Gets the parameters of the record with this name, or of a simple instance of this type. Returns false if there is none, or for None.
+  /// Gets the parameters of the record with this name, or of a simple instance of this type. Returns false if
+  /// there is none, or for None.
   bool FindRecord(Index i, std::string_view record, std::string_view& parameters) const;
   /// Returns the value of an attribute; Malformed if there is none, or for None.
   Part21Value Get(Index i, const STEPAttribute& attribute) const;

@@ -68,8 +68,9 @@ STEPCensusTaker::Index STEPCensusTaker::Follow(
   }
   if (roles != ~std::uint64_t{ 0 } && !this->Entities.Has(to, roles))
   {
-    // The schemas have more types of representations and of shape definitions (for features, for example) than the table, so another type
-    // is no defect here. A solid that is reached only through one is reported as lost.
+    // The schemas have more types of representations and of shape definitions (for features, for example)
+    // than the table, so another type is no defect here. A solid that is reached only through one is reported
+    // as lost.
     const bool mayBeUnknown = (roles & (STEPRole::Representation | STEPRole::ProductShape)) != 0;
     if (!mayBeUnknown || this->Entities.IsKnown(to))
     {

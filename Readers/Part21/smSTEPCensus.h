@@ -1,6 +1,7 @@
 /**
  * @file smSTEPCensus.h
- * @brief Declarations of a STEP file: its solids with shells and faces, how often each occurs, its units, and damage that matters
+ * @brief Declarations of a STEP file: its solids with shells and faces, how often each occurs, its units, and
+ * damage that matters
  */
 #ifndef smSTEPCensus_h
 #define smSTEPCensus_h
@@ -14,29 +15,35 @@
 
 namespace sm
 {
-/// Kinds of contradictions to the schema or within the file, at entities on which a solid, its placement or its unit depends.
+/// Kinds of contradictions to the schema or within the file, at entities on which a solid, its placement or
+/// its unit depends.
 enum class CensusDefect : unsigned char
 {
   DamagedEntity,      ///< syntax error, or a number used twice
   UndefinedReference, ///< a reference to nothing
   WrongType,          ///< a reference to an entity of a type that the schema does not allow there
   WrongParameter,     ///< too few or too many parameters, or one of the wrong kind
-  ValueOutOfRange, ///< a radius or weight that is not positive, a direction without length, a number above 1e100
+  ValueOutOfRange,    ///< a radius or weight that is not positive, a direction without length, a number above
+                      ///< 1e100
   InconsistentSpline, ///< multiplicities, knots, poles and degree do not fit together
   CyclicReference,    ///< an oriented shell, face or edge, a boundary or a curve that is part of itself
   SharedBound,        ///< a bound of two faces, or twice of one
   ReversedEdge,     ///< a curved edge of a loop that runs against its neighbours: its other part may be meant
   VertexOffSurface, ///< the vertex of a loop without edges is not on the sphere or torus
   CurveOffVertex,   ///< a line, circle or ellipse that does not pass through the vertices of its edge
-  ReversedLine, ///< a straight edge against its loop, or a line or an open spline against its edge: the points are the same
+  ReversedLine,     ///< a straight edge against its loop, or a line or an open spline against its edge: the
+                    ///< points are the same
   RepeatedFace,     ///< a face twice in one shell
   RepeatedItem,     ///< a solid twice in one representation; it is counted once
-  AlternativeShape, ///< one product has exact and faceted solids in different representations: both are counted
-  RepeatedProduct, ///< several definitions of one product that are parts of nothing: versions, of which each is counted
-  SurfaceProduct, ///< a product of closed surfaces without a solid, in a file with solids: its volume is not counted
-  UnusedEntity,      ///< a face, bound, loop, shell or solid that nothing uses
-  EmptyShell,        ///< a shell without a face
-  AssemblyCycle,     ///< a product, or a representation, that contains itself
+  AlternativeShape, ///< one product has exact and faceted solids in different representations: both are
+                    ///< counted
+  RepeatedProduct,  ///< several definitions of one product that are parts of nothing: versions, of which each
+                    ///< is counted
+  SurfaceProduct, ///< a product of closed surfaces without a solid, in a file with solids: its volume is not
+                  ///< counted
+  UnusedEntity,   ///< a face, bound, loop, shell or solid that nothing uses
+  EmptyShell,     ///< a shell without a face
+  AssemblyCycle,  ///< a product, or a representation, that contains itself
   MissingPlacement,  ///< an occurrence in an assembly without a transformation
   PlacedTwice,       ///< an occurrence that its assembly has as a mapped item, too: both are counted
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
@@ -58,7 +65,8 @@ struct CensusProblem
   const char* Place = "";
 };
 
-/// A number of instances. Sums and products saturate at the largest value, which stands for "at least so many".
+/// A number of instances. Sums and products saturate at the largest value, which stands for "at least so
+/// many".
 using CensusCount = std::uint64_t;
 constexpr CensusCount CensusMaximum = std::numeric_limits<CensusCount>::max();
 
@@ -103,9 +111,10 @@ struct CensusShellUse
 
 enum class CensusBodyKind : unsigned char
 {
-  Solid,      ///< MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS, FACETED_BREP
-  OtherSolid, ///< CSG, swept solids, construction history: declared, but there are no faces to integrate
-  SurfaceModel, ///< SHELL_BASED_SURFACE_MODEL, FACE_BASED_SURFACE_MODEL, a shell or a face as an item of its own
+  Solid,        ///< MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS, FACETED_BREP
+  OtherSolid,   ///< CSG, swept solids, construction history: declared, but there are no faces to integrate
+  SurfaceModel, ///< SHELL_BASED_SURFACE_MODEL, FACE_BASED_SURFACE_MODEL, a shell or a face as an item of its
+                ///< own
   GeometricSet, ///< GEOMETRIC_SET, GEOMETRIC_CURVE_SET, wireframes
   Tessellated   ///< triangles
 };
@@ -135,7 +144,8 @@ struct CensusBody
   bool DensitiesDiffer = false;
   /// True if it depends on an entity with a defect of geometry.
   bool Damaged = false;
-  /// True for triangles whose products all have exact faces, too, or that name the solid which they approximate.
+  /// True for triangles whose products all have exact faces, too, or that name the solid which they
+  /// approximate.
   bool Alternative = false;
 };
 
@@ -150,7 +160,8 @@ struct CensusOccurrence
   /// Entity numbers of the CONTEXT_DEPENDENT_SHAPE_REPRESENTATION and its transformation; 0: none.
   std::uint64_t Placement = 0;
   std::uint64_t Transformation = 0;
-  /// True if it has no placement, and a mapped item of the shape of the child into that of the parent places it.
+  /// True if it has no placement, and a mapped item of the shape of the child into that of the parent places
+  /// it.
   bool IsMapped = false;
   /// Number of instances, that of its parent.
   CensusCount Instances = 0;
@@ -168,7 +179,8 @@ struct CensusShapelessProduct
   std::string File;
 };
 
-/// QUANTIFIED_ASSEMBLY_COMPONENT_USAGE of a product with solids: how many of it an assembly has, without their positions.
+/// QUANTIFIED_ASSEMBLY_COMPONENT_USAGE of a product with solids: how many of it an assembly has, without
+/// their positions.
 struct CensusQuantity
 {
   std::uint64_t Id = 0;
@@ -243,7 +255,8 @@ struct STEPDensity
 struct CensusDepth
 {
   std::size_t Levels = 0;
-  /// Number of an entity at its end: the innermost product or representation, or the outermost geometric entity.
+  /// Number of an entity at its end: the innermost product or representation, or the outermost geometric
+  /// entity.
   std::uint64_t Id = 0;
 };
 
@@ -266,20 +279,22 @@ enum Bit : unsigned char
  * The census of a file, made from its entities alone. It lists everything for which a reader has to account:
  *
  * - Bodies: items of representations. A product uses a representation by SHAPE_DEFINITION_REPRESENTATION of a
- * PRODUCT_DEFINITION; representations that a SHAPE_REPRESENTATION_RELATIONSHIP without transformation relates are one shape. A
- * NEXT_ASSEMBLY_USAGE_OCCURRENCE places a product in another one; a MAPPED_ITEM, and a relationship with a transformation that belongs to
- * no occurrence, place a representation in another one. Products that no occurrence has as its child, and whose
- *   shapes are not mapped into those of other products, are roots and occur once; a product occurs as often as all its parents together.
- *   An occurrence without a placement and a mapped item of its shape are one. In a file without a SHAPE_DEFINITION_REPRESENTATION representations that no other
- *   uses are the roots.
- * - Problems, only at entities that bodies, structure or units depend on: damage elsewhere, for example in text annotations, is not
- * reported. The
- *   parameters of all geometric entities below a face are checked against ISO 10303-42: number, kind, type of what they refer to,
- * ranges, and for splines that knots, multiplicities, poles and degree agree. Lines, circles and ellipses of edges must pass through the
- * edges' vertices. Not checked are the positions of other curves and of points relative to each other, and validation rules of the schemas beyond those named.
+ * PRODUCT_DEFINITION; representations that a SHAPE_REPRESENTATION_RELATIONSHIP without transformation relates
+ * are one shape. A NEXT_ASSEMBLY_USAGE_OCCURRENCE places a product in another one; a MAPPED_ITEM, and a
+ * relationship with a transformation that belongs to no occurrence, place a representation in another one.
+ * Products that no occurrence has as its child, and whose shapes are not mapped into those of other products,
+ * are roots and occur once; a product occurs as often as all its parents together. An occurrence without a
+ * placement and a mapped item of its shape are one. In a file without a SHAPE_DEFINITION_REPRESENTATION
+ * representations that no other uses are the roots.
+ * - Problems, only at entities that bodies, structure or units depend on: damage elsewhere, for example in
+ * text annotations, is not reported. The parameters of all geometric entities below a face are checked
+ * against ISO 10303-42: number, kind, type of what they refer to, ranges, and for splines that knots,
+ * multiplicities, poles and degree agree. Lines, circles and ellipses of edges must pass through the edges'
+ * vertices. Not checked are the positions of other curves and of points relative to each other, and
+ * validation rules of the schemas beyond those named.
  *
- * Time and memory are linear in the file (a file of 2^17 leaves in 17 levels takes no more than its 34 occurrences), and there is no
- * recursion over the depth of the file. Only std::bad_alloc is thrown.
+ * Time and memory are linear in the file (a file of 2^17 leaves in 17 levels takes no more than its 34
+ * occurrences), and there is no recursion over the depth of the file. Only std::bad_alloc is thrown.
  */
 struct SMREADERSPART21_EXPORT STEPCensus
 {
@@ -303,14 +318,15 @@ struct SMREADERSPART21_EXPORT STEPCensus
   /// At most one for each product, by the product's number.
   std::vector<STEPDensity> Densities;
   std::vector<CensusProblem> Problems;
-  /// All problems of geometry that may crash or hang a reader that relies on the schema: an entity that is part of itself, a trim curve of
-  /// a wrong type, a placement with too few parameters, a number above 1e100, a radius of 0.
+  /// All problems of geometry that may crash or hang a reader that relies on the schema: an entity that is
+  /// part of itself, a trim curve of a wrong type, a placement with too few parameters, a number above 1e100,
+  /// a radius of 0.
   std::vector<CensusProblem> Perils;
   std::array<std::size_t, static_cast<std::size_t>(CensusDefect::Count)> Counts{};
   /// Bits of CensusUse for every instance of the file.
   std::vector<unsigned char> Uses;
-  /// Products and representations in one another, and entities of bodies that refer to one another: readers that recurse over them need a
-  /// stack for so many levels.
+  /// Products and representations in one another, and entities of bodies that refer to one another: readers
+  /// that recurse over them need a stack for so many levels.
   CensusDepth Assemblies;
   CensusDepth Geometry;
   /// True if the file has no product with a shape, so that the roots are representations.
@@ -324,7 +340,8 @@ struct SMREADERSPART21_EXPORT STEPCensus
   std::size_t CountBodies(CensusBodyKind kind) const;
   /// Returns the number of instances of bodies of a kind.
   CensusCount CountInstances(CensusBodyKind kind) const;
-  /// Returns the number of faces in the shells of bodies of a kind that occur; a face of two shells counts twice.
+  /// Returns the number of faces in the shells of bodies of a kind that occur; a face of two shells counts
+  /// twice.
   std::uint64_t CountFaces(CensusBodyKind kind) const;
 };
 

@@ -55,7 +55,8 @@ private:
   };
 
   void Add(CensusDefect defect, Index entity, std::uint64_t other = 0, const char* place = "");
-  /// Returns the entity to which an attribute refers, if it has one of the roles; else adds a problem and returns None.
+  /// Returns the entity to which an attribute refers, if it has one of the roles; else adds a problem and
+  /// returns None.
   Index Follow(Index from, const STEPAttribute& attribute, std::uint64_t roles);
   Index Follow(Index from, const Part21Value& value, std::uint64_t roles, const char* place);
   void Use(Index i, unsigned char use) { this->Census.Uses[i] |= use; }
@@ -83,7 +84,8 @@ private:
   void FindMappedProducts();
   void PassDensity(Index from, Index to);
   const STEPDensity* FindDensity(Index product) const;
-  /// Marks groups with a body of one of these kinds, and what they are part of; `intoAssemblies`: assemblies, too.
+  /// Marks groups with a body of one of these kinds, and what they are part of; `intoAssemblies`: assemblies,
+  /// too.
   std::vector<bool> FindAbove(const std::vector<CensusBodyKind>& kinds, bool intoAssemblies) const;
   void ReportCycles();
   std::vector<bool> FindRead() const;
@@ -183,7 +185,8 @@ private:
   std::vector<Index> Groups;
   /// Arcs from products and shapes, sorted.
   std::vector<Arc> Arcs;
-  /// Arcs to products that occurrences do not name, but that own the representations which they place: OpenCASCADE follows these.
+  /// Arcs to products that occurrences do not name, but that own the representations which they place:
+  /// OpenCASCADE follows these.
   std::vector<Arc> KernelArcs;
   /// The product of each representation, of several the first one that the file names.
   std::unordered_map<Index, Index> Owners;
@@ -191,8 +194,8 @@ private:
   std::vector<std::pair<Index, Index>> ShapesOfProducts;
   /// Number of instances of each product and, at its group's entity, of each shape.
   std::vector<CensusCount> Counts;
-  /// Density of each product and shape: its own, else that of the assemblies that contain it; 0: none, NaN: these differ, -1: not known
-  /// yet.
+  /// Density of each product and shape: its own, else that of the assemblies that contain it; 0: none, NaN:
+  /// these differ, -1: not known yet.
   std::vector<double> DensitiesOfEntities;
   /// Placement (OccurrenceShape) of each occurrence, and the relationships that belong to one.
   std::unordered_map<Index, Index> Placements;
@@ -205,7 +208,8 @@ private:
   std::set<Index> ExactGroups;
   std::vector<std::pair<Index, std::uint32_t>> MappedFrom;
   std::vector<bool> SolidsBelow;
-  /// Products that are parts by mapped items alone, and the product of each of their shapes; empty if there are no mapped items.
+  /// Products that are parts by mapped items alone, and the product of each of their shapes; empty if there
+  /// are no mapped items.
   std::vector<bool> IsMapped;
   std::unordered_map<Index, Index> MappedOwners;
 
@@ -215,7 +219,8 @@ private:
   std::vector<Index> ShellEntities;
   std::vector<Index> FaceEntities;
   std::unordered_map<Index, int> ContextIndices;
-  /// The edges of all loops, in the order in which they are found; the place in it of each edge; and the first edge of each face.
+  /// The edges of all loops, in the order in which they are found; the place in it of each edge; and the
+  /// first edge of each face.
   std::vector<VertexPair> Edges;
   std::vector<Index> EdgePlaces;
   std::vector<std::size_t> FirstEdges;

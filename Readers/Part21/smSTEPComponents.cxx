@@ -1,4 +1,5 @@
-// What the products of a census declare besides their bodies: triangles in place of faces, shapes in other files, quantities.
+// What the products of a census declare besides their bodies: triangles in place of faces, shapes in other
+// files, quantities.
 #include "smSTEPCensusTaker.h"
 #include "smSTEPExtent.h"
 
@@ -53,7 +54,8 @@ std::vector<std::uint32_t> STEPCensusTaker::FindExactBodies(Index group) const
   return bodies;
 }
 
-/// Returns true if triangles lie beyond the exact bodies beside them, and thus are none of these in other words.
+/// Returns true if triangles lie beyond the exact bodies beside them, and thus are none of these in other
+/// words.
 bool STEPCensusTaker::IsElsewhere(Index group, Index tessellation) const
 {
   constexpr double slack = 0.1;
@@ -141,7 +143,8 @@ void STEPCensusTaker::FindAlternatives()
   }
 }
 
-/// Surfaces beside solids are left out, for most of them are none of a part. A product of nothing but closed ones is a part.
+/// Surfaces beside solids are left out, for most of them are none of a part. A product of nothing but closed
+/// ones is a part.
 void STEPCensusTaker::CheckSurfaces(Index product, const std::vector<std::uint32_t>& bodies)
 {
   std::uint64_t closed = 0;
@@ -166,8 +169,8 @@ void STEPCensusTaker::CheckSurfaces(Index product, const std::vector<std::uint32
   }
 }
 
-/// Several representations of one product are its shape in other words, or its parts: the same solid in two of them is the former, as are
-/// exact and faceted solids.
+/// Several representations of one product are its shape in other words, or its parts: the same solid in two
+/// of them is the former, as are exact and faceted solids.
 void STEPCensusTaker::CheckAlternatives()
 {
   const std::vector<std::pair<Index, Index>>& shapes = this->ShapesOfProducts;

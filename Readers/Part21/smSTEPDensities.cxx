@@ -73,7 +73,8 @@ private:
   struct Candidate
   {
     STEPDensity Density;
-    /// Order of several statements: usable ones come before others, those by the recommended practice before user-defined ones.
+    /// Order of several statements: usable ones come before others, those by the recommended practice before
+    /// user-defined ones.
     int Rank = -1;
   };
 
@@ -166,7 +167,8 @@ private:
     }
   }
 
-  /// Takes the better of two statements of one product. Where they differ, the other one is named; of equal rank, none counts.
+  /// Takes the better of two statements of one product. Where they differ, the other one is named; of equal
+  /// rank, none counts.
   static void Join(Candidate other, Candidate& found)
   {
     if (other.Rank > found.Rank)

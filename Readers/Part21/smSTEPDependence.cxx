@@ -75,7 +75,8 @@ void STEPCensusTaker::Walk(std::vector<Step>& open, unsigned char use)
   }
 }
 
-/// Finds entities that contain themselves, and the deepest chain of the others, by a depth-first search over the entities on which bodies depend, with an explicit stack.
+/// Finds entities that contain themselves, and the deepest chain of the others, by a depth-first search over
+/// the entities on which bodies depend, with an explicit stack.
 void STEPCensusTaker::FindCycles()
 {
   enum State : unsigned char

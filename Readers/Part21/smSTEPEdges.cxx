@@ -23,11 +23,12 @@ constexpr STEPAttribute RadiusOfCircle = { "CIRCLE", 0, 2, "radius" };
 constexpr STEPAttribute RadiiOfEllipse[] = { { "ELLIPSE", 0, 2, "first radius" },
   { "ELLIPSE", 1, 3, "second radius" } };
 
-/// Distance of a vertex from its edge's curve, relative to the extent of the body's vertices, above which the two contradict each other. It
-/// is twice the default limit of gaps; real files have up to 1.3e-3.
+/// Distance of a vertex from its edge's curve, relative to the extent of the body's vertices, above which the
+/// two contradict each other. It is twice the default limit of gaps; real files have up to 1.3e-3.
 constexpr double VertexLimit = 2e-3;
-/// The same for a closed circle or ellipse, relative to its smaller radius: its vertex only says where the edge begins, which no area and no
-/// volume depends on. A wrong curve lies off the faces that it bounds, which is found there.
+/// The same for a closed circle or ellipse, relative to its smaller radius: its vertex only says where the
+/// edge begins, which no area and no volume depends on. A wrong curve lies off the faces that it bounds,
+/// which is found there.
 constexpr double ClosedCurveLimit = 0.1;
 /// The same in units of the file's stated uncertainty, which is added.
 constexpr double UncertaintyLimit = 2.0;
@@ -104,8 +105,9 @@ bool STEPCensusTaker::IsClosedEdge(Index edge) const
 }
 
 /**
- * Returns the distance of a point from a circle, a lower bound of that from an ellipse, and -1 if the curve is neither, or cannot be read. The
- * bound: f = sqrt((x/a)^2 + (y/b)^2) is 1 on the ellipse, and its slope is at most 1 / min(a, b).
+ * Returns the distance of a point from a circle, a lower bound of that from an ellipse, and -1 if the curve
+ * is neither, or cannot be read. The bound: f = sqrt((x/a)^2 + (y/b)^2) is 1 on the ellipse, and its slope is
+ * at most 1 / min(a, b).
  */
 double STEPCensusTaker::GetConicDistance(Index conic, const Point3& point) const
 {
@@ -129,8 +131,9 @@ double STEPCensusTaker::GetConicDistance(Index conic, const Point3& point) const
   return std::hypot(inPlane, height);
 }
 
-/// Returns true if an open spline leads from the last vertex to the first one, or the reverse if the edge has the other sense. Its ends are
-/// its first and last control points; if its knots are not clamped, it ends elsewhere, and nothing is found.
+/// Returns true if an open spline leads from the last vertex to the first one, or the reverse if the edge has
+/// the other sense. Its ends are its first and last control points; if its knots are not clamped, it ends
+/// elsewhere, and nothing is found.
 bool STEPCensusTaker::IsAgainstSpline(Index spline, bool isForward, const Point3 ends[2], double limit) const
 {
   Part21Values poles(this->Entities.Get(spline, PolesOfSpline).Text);

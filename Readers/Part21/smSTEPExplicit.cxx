@@ -24,7 +24,8 @@ constexpr STEPAttribute PositionOfCone = { "ELEMENTARY_SURFACE", 0, 1, "position
 constexpr STEPAttribute RadiusOfCone = { "CONICAL_SURFACE", 0, 2, "radius" };
 constexpr STEPAttribute AngleOfCone = { "CONICAL_SURFACE", 1, 3, "angle" };
 
-/// The parameters of a simple CARTESIAN_TRANSFORMATION_OPERATOR_3D behind its names: two axes, origin, scale, third axis.
+/// The parameters of a simple CARTESIAN_TRANSFORMATION_OPERATOR_3D behind its names: two axes, origin, scale,
+/// third axis.
 constexpr std::size_t OperatorParameters = 5;
 constexpr std::size_t AxesOfOperator[] = { 0, 1, 4 };
 
@@ -344,7 +345,8 @@ private:
     return items->second.count(item) > 0;
   }
 
-  /// Makes the placement that the first representation gets in the second one, if OpenCASCADE would make another one.
+  /// Makes the placement that the first representation gets in the second one, if OpenCASCADE would make
+  /// another one.
   bool MakePlacement(Index origin, Index target, Index first, Index second, std::string& placement)
   {
     STEPFrame from;

@@ -30,17 +30,18 @@ struct STEPExplicit
 };
 
 /**
- * Returns a text with the same meaning by the standard, that OpenCASCADE reads with this meaning. Entities keep their numbers, and new ones
- * get numbers that the text does not have.
+ * Returns a text with the same meaning by the standard, that OpenCASCADE reads with this meaning. Entities
+ * keep their numbers, and new ones get numbers that the text does not have.
  *
- * - A unit that is converted to another converted one (a foot of 12 inches) is converted to the unit of SI, and a unit that is no complex
- *   entity becomes one. OpenCASCADE takes 1 mm for both.
- * - ITEM_DEFINED_TRANSFORMATION and MAPPED_ITEM move a representation so that its first placement lands on the second one (ISO 10303-43),
- *   which is second * inverse(first). OpenCASCADE takes inverse(first) * second. Where these differ, the first placement becomes the
- *   origin and the second one the product.
- * - An omitted reference direction of AXIS2_PLACEMENT_3D is the x axis, or for an axis that is parallel to x the y axis (ISO 10303-42,
- *   first_proj_axis). OpenCASCADE takes another one.
- * - NEXT_ASSEMBLY_USAGE_OCCURRENCE as a complex instance of its own types becomes a simple one. OpenCASCADE knows no other.
+ * - A unit that is converted to another converted one (a foot of 12 inches) is converted to the unit of SI,
+ * and a unit that is no complex entity becomes one. OpenCASCADE takes 1 mm for both.
+ * - ITEM_DEFINED_TRANSFORMATION and MAPPED_ITEM move a representation so that its first placement lands on
+ * the second one (ISO 10303-43), which is second * inverse(first). OpenCASCADE takes inverse(first) * second.
+ * Where these differ, the first placement becomes the origin and the second one the product.
+ * - An omitted reference direction of AXIS2_PLACEMENT_3D is the x axis, or for an axis that is parallel to x
+ * the y axis (ISO 10303-42, first_proj_axis). OpenCASCADE takes another one.
+ * - NEXT_ASSEMBLY_USAGE_OCCURRENCE as a complex instance of its own types becomes a simple one. OpenCASCADE
+ * knows no other.
  * - Valid forms that OpenCASCADE does not read are replaced (smSTEPKnownForms.h).
  * - Omitted axes of CARTESIAN_TRANSFORMATION_OPERATOR_3D are those of ISO 10303-42, base_axis.
  *

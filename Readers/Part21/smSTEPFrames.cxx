@@ -32,7 +32,8 @@ bool ReadThreeNumbers(std::string_view list, STEPVector& numbers)
   return !values.Next(value) && !values.IsMalformed();
 }
 
-/// Subtracts the part along the unit vector `axis` and makes the rest a unit vector. Returns the length of the rest.
+/// Subtracts the part along the unit vector `axis` and makes the rest a unit vector. Returns the length of
+/// the rest.
 double Project(const STEPVector& axis, STEPVector& vector)
 {
   const double along = vtkMath::Dot(axis, vector);

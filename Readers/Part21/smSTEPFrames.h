@@ -29,15 +29,16 @@ constexpr STEPAttribute ReferenceOfPlacement = { "AXIS2_PLACEMENT_3D", 1, 3, "re
 /// Reads the unit vector of a DIRECTION in space; returns false if it has none.
 bool ReadSTEPDirection(const STEPAttributes& entities, Part21File::Index direction, STEPVector& unit);
 
-/// The function first_proj_axis: the unit vector normal to the unit vector `z` that is nearest to `reference`. By default that is the x
-/// axis, or the y axis if `z` is parallel to x. Returns false if `reference` is parallel to `z`.
+/// The function first_proj_axis: the unit vector normal to the unit vector `z` that is nearest to
+/// `reference`. By default that is the x axis, or the y axis if `z` is parallel to x. Returns false if
+/// `reference` is parallel to `z`.
 SMREADERSPART21_EXPORT bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVector& x);
 
 /// The x axis that OpenCASCADE gives a placement without a reference direction.
 STEPVector GetKernelFirstAxis(const STEPVector& z);
 
-/// The function base_axis: the axes of an operator of which some are given, others null. They may be a reflection. Returns false if one is
-/// parallel to another; this may also be the default of y.
+/// The function base_axis: the axes of an operator of which some are given, others null. They may be a
+/// reflection. Returns false if one is parallel to another; this may also be the default of y.
 SMREADERSPART21_EXPORT bool MakeBaseAxes(
   const std::array<const STEPVector*, 3>& given, std::array<STEPVector, 3>& axes);
 

@@ -44,8 +44,9 @@ const STEPDensity* STEPCensusTaker::FindDensity(Index product) const
 }
 
 /**
- * Finds the products without occurrences of others whose shapes are mapped into those of other products: they are parts of these, although
- * no occurrence says so. Each shape gets at most two of the products whose shapes it is mapped into, directly or through others.
+ * Finds the products without occurrences of others whose shapes are mapped into those of other products: they
+ * are parts of these, although no occurrence says so. Each shape gets at most two of the products whose
+ * shapes it is mapped into, directly or through others.
  */
 void STEPCensusTaker::FindMappedProducts()
 {
@@ -109,7 +110,8 @@ void STEPCensusTaker::FindMappedProducts()
   }
 }
 
-/// Joins occurrences without a placement with the mapped items that place them: those of the shape of the part into the shape of the assembly.
+/// Joins occurrences without a placement with the mapped items that place them: those of the shape of the
+/// part into the shape of the assembly.
 void STEPCensusTaker::JoinMappedOccurrences()
 {
   std::map<std::pair<Index, Index>, std::vector<std::size_t>> mapped;
@@ -233,13 +235,14 @@ std::vector<bool> STEPCensusTaker::FindRead() const
   return isRead;
 }
 
-/// Reports the cycles of the product structure. Those of mapped items, and of products that an occurrence places but does not name, are
-/// perils: OpenCASCADE relies on their absence.
+/// Reports the cycles of the product structure. Those of mapped items, and of products that an occurrence
+/// places but does not name, are perils: OpenCASCADE relies on their absence.
 void STEPCensusTaker::ReportCycles()
 {
   std::vector<Arc> arcs = this->Arcs;
   arcs.insert(arcs.end(), this->KernelArcs.begin(), this->KernelArcs.end());
-  // What is left without the entities that lead to no cycle, and of the reverse without those that no cycle leads to.
+  // What is left without the entities that lead to no cycle, and of the reverse without those that no cycle
+  // leads to.
   for (int turn = 0; turn < 2; ++turn)
   {
     for (Arc& arc : arcs)
@@ -345,7 +348,8 @@ void STEPCensusTaker::SetInstances()
   {
     CensusCount& instances = this->Census.Bodies[body].Instances;
     instances = AddCounts(instances, this->Counts[group]);
-    // A body may also be an item of a representation that no product uses, for example of one that describes an aspect of the shape.
+    // A body may also be an item of a representation that no product uses, for example of one that describes
+    // an aspect of the shape.
     if (this->Counts[group] > 0)
     {
       JoinDensity(std::max(this->DensitiesOfEntities[group], 0.0), densities[body]);
@@ -383,7 +387,8 @@ void STEPCensusTaker::SetInstances()
     mapped.HasSolids = this->SolidsBelow[this->FindGroup(this->File.Find(mapped.Child))];
   }
 }
-/// Reports occurrences of a product whose shape is mapped into that of the assembly, too: usually both are the same instance.
+/// Reports occurrences of a product whose shape is mapped into that of the assembly, too: usually both are
+/// the same instance.
 void STEPCensusTaker::CheckTwicePlaced()
 {
   for (const auto& [from, item] : this->MappedFrom)

@@ -45,7 +45,8 @@ bool IsSense(const Part21Value& value)
   return value.Kind == Part21Kind::Enumeration && (value.Text == "T" || value.Text == "F");
 }
 
-/// Finds a point of a whole sphere, its lower pole, or of a torus that does not cross itself. Returns false for other surfaces.
+/// Finds a point of a whole sphere, its lower pole, or of a torus that does not cross itself. Returns false
+/// for other surfaces.
 bool FindPoint(const STEPAttributes& entities, Part21File::Index surface, STEPVector& point)
 {
   std::string_view record;
@@ -337,7 +338,8 @@ private:
     this->Omit(omitted);
   }
 
-  /// Adds a representation and those related to it to `known`, and relates those at a distance to it if they have bodies.
+  /// Adds a representation and those related to it to `known`, and relates those at a distance to it if they
+  /// have bodies.
   void AddRelated(Index shape, const std::unordered_map<Index, std::vector<Index>>& relations,
     std::unordered_set<Index>& isMoved, std::unordered_set<Index>& known)
   {

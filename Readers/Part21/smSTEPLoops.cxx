@@ -22,12 +22,12 @@ constexpr STEPAttribute RadiusOfSphere = { "SPHERICAL_SURFACE", 0, 2, "radius" }
 constexpr STEPAttribute MajorRadiusOfTorus = { "TOROIDAL_SURFACE", 0, 2, "major radius" };
 constexpr STEPAttribute MinorRadiusOfTorus = { "TOROIDAL_SURFACE", 1, 3, "minor radius" };
 
-/// Distance of a vertex from the sphere or torus that has no edges, relative to its radius, above which they contradict each other: that of
-/// vertices from curves, by the extent.
+/// Distance of a vertex from the sphere or torus that has no edges, relative to its radius, above which they
+/// contradict each other: that of vertices from curves, by the extent.
 constexpr double SurfaceLimit = 4e-3;
 
-/// Ends of edges that are closer than this, relative to the extent of the loop's vertices, are connected. A wider gap is detected by the
-/// integrals, too.
+/// Ends of edges that are closer than this, relative to the extent of the loop's vertices, are connected. A
+/// wider gap is detected by the integrals, too.
 constexpr double LoopTolerance = 1e-3;
 
 using Point = std::array<double, 3>;
@@ -46,8 +46,8 @@ struct LoopEdge
   bool Straight = false;
 };
 
-/// Finds the indices of the edges that run against the others if the first one is kept, or reversed. Returns false if the edges form no
-/// loop in this order.
+/// Finds the indices of the edges that run against the others if the first one is kept, or reversed. Returns
+/// false if the edges form no loop in this order.
 bool FindReversed(const std::vector<LoopEdge>& edges, double tolerance, bool isFirstReversed,
   std::vector<std::size_t>& reversed)
 {
@@ -105,7 +105,8 @@ STEPCensusTaker::Index STEPCensusTaker::FindSpatialCurve(Index edge) const
   return isOnSurfaces ? this->Entities.Follow(this->Entities.Get(curve, CurveInSpace)) : curve;
 }
 
-/// Returns the vertices of an edge, which are read once; null if they cannot be read. The pointer is valid until the next call.
+/// Returns the vertices of an edge, which are read once; null if they cannot be read. The pointer is valid
+/// until the next call.
 const STEPCensusTaker::VertexPair* STEPCensusTaker::ReadEdge(Index edge)
 {
   if (this->EdgePlaces[edge] == None)
@@ -169,8 +170,8 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
   {
     return;
   }
-  // The first edge is kept or reversed, whichever reverses fewer edges in total; if both reverse equally many, either is possible. Edges in
-  // another order form one loop, or a gap that the integrals detect.
+  // The first edge is kept or reversed, whichever reverses fewer edges in total; if both reverse equally
+  // many, either is possible. Edges in another order form one loop, or a gap that the integrals detect.
   std::vector<std::size_t> reversed;
   std::vector<std::size_t> others;
   const bool isLoop = FindReversed(edges, tolerance, false, reversed);
@@ -184,7 +185,8 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
   {
     return;
   }
-  // A straight edge has the same points in both directions, but a closed curve has two different parts between two points.
+  // A straight edge has the same points in both directions, but a closed curve has two different parts
+  // between two points.
   const auto curved =
     std::find_if(reversed.begin(), reversed.end(), [&edges](std::size_t k) { return !edges[k].Straight; });
   if (curved != reversed.end())

@@ -1,4 +1,5 @@
-// Checks the parameters of the entities that bodies depend on: their number, types and values, and the consistency of splines.
+// Checks the parameters of the entities that bodies depend on: their number, types and values, and the
+// consistency of splines.
 #include "smSTEPCensusTaker.h"
 #include "smSTEPFrames.h"
 #include "smSTEPPropertyAttributes.h"
@@ -27,7 +28,8 @@ constexpr STEPAttribute SurfaceKnots[] = { { "B_SPLINE_SURFACE_WITH_KNOTS", 2, 1
 constexpr const char* TooFew = "too few parameters";
 constexpr const char* TooClose = "knots too close to each other";
 
-/// Numbers above this are refused, because algorithms of OpenCASCADE that step along a curve do not terminate for curves of this size.
+/// Numbers above this are refused, because algorithms of OpenCASCADE that step along a curve do not terminate
+/// for curves of this size.
 constexpr double LargestNumber = 1e100;
 
 std::int64_t CountValues(std::string_view list)
@@ -41,7 +43,8 @@ std::int64_t CountValues(std::string_view list)
   return count;
 }
 
-/// Returns true for a short number with at most two digits of exponent, which is finite for certain and need not be converted.
+/// Returns true for a short number with at most two digits of exponent, which is finite for certain and need
+/// not be converted.
 bool IsPlainNumber(std::string_view text)
 {
   const std::size_t exponent = text.find_first_of("Ee");
@@ -62,7 +65,8 @@ bool IsZero(std::string_view number)
 /// Spans between knots below this part of the whole are refused: OpenCASCADE divides by powers of them.
 constexpr double LeastSpan = 1e-30;
 
-/// Returns the reason why knots, multiplicities, degree and number of poles of one direction are inconsistent; null if they are consistent.
+/// Returns the reason why knots, multiplicities, degree and number of poles of one direction are
+/// inconsistent; null if they are consistent.
 const char* FindMismatch(
   std::int64_t degree, std::int64_t poles, std::string_view multiplicities, std::string_view knots)
 {
@@ -125,7 +129,8 @@ void STEPCensusTaker::CheckRecord(Index i, std::string_view parameters, const ch
   }
 }
 
-/// Returns the reason why the parameters do not match the signature; null if they do, or if CheckValue() has added a problem.
+/// Returns the reason why the parameters do not match the signature; null if they do, or if CheckValue() has
+/// added a problem.
 const char* STEPCensusTaker::CheckList(Index i, std::string_view text, const char* signature, bool flat)
 {
   Part21Values values(text);
@@ -217,7 +222,8 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
       const Index to = this->Entities.Follow(value);
       if (value.IsReference() && to == None)
       {
-        // The damage of the instance itself has been reported. OpenCASCADE would dereference the null pointer of an undefined trim curve.
+        // The damage of the instance itself has been reported. OpenCASCADE would dereference the null pointer
+        // of an undefined trim curve.
         if (this->Entities.Has(i, STEPRole::DefinitionalRepresentation))
         {
           this->Census.Perils.push_back(

@@ -323,7 +323,8 @@ private:
   std::map<std::string, std::string> Known;
 };
 
-/// Returns the position of the end of the section whose last instance ends at `at`: only blanks and comments are between them.
+/// Returns the position of the end of the section whose last instance ends at `at`: only blanks and comments
+/// are between them.
 std::size_t FindEndOfSection(std::string_view text, std::size_t at)
 {
   constexpr std::string_view word = "ENDSEC";

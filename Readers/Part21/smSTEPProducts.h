@@ -1,6 +1,7 @@
 /**
  * @file smSTEPProducts.h
- * @brief Reads the products of a STEP file with their validation properties, and appends such properties to its text
+ * @brief Reads the products of a STEP file with their validation properties, and appends such properties to
+ * its text
  */
 #ifndef smSTEPProducts_h
 #define smSTEPProducts_h
@@ -16,8 +17,8 @@
 
 namespace sm
 {
-/// Geometric validation properties; NaN for a property that is not stated. In a STEPProduct lengths are millimetres, in its own
-/// coordinates.
+/// Geometric validation properties; NaN for a property that is not stated. In a STEPProduct lengths are
+/// millimetres, in its own coordinates.
 struct STEPValidation
 {
   double Volume = std::numeric_limits<double>::quiet_NaN();
@@ -39,16 +40,18 @@ struct STEPProduct
   STEPValidation Stated;
   /// True if the file states a density for it, usable or not (smSTEPDensities.h).
   bool HasDensity = false;
-  /// The reason why a statement cannot be used: a wrong unit, or the same property twice with different values. Empty if all can be used.
+  /// The reason why a statement cannot be used: a wrong unit, or the same property twice with different
+  /// values. Empty if all can be used.
   std::string Problem;
 };
 
 /**
  * Returns the products, sorted by their numbers.
  *
- * A validation property is an item of a representation of a PROPERTY_DEFINITION with the name "geometric validation property" of the
- * product's shape (CAx-IF recommended practice): a VOLUME_MEASURE, an AREA_MEASURE (surface area, which some systems call wetted), each
- * with a DERIVED_UNIT of a length, or a CARTESIAN_POINT "centre point" in the unit of its representation's context.
+ * A validation property is an item of a representation of a PROPERTY_DEFINITION with the name "geometric
+ * validation property" of the product's shape (CAx-IF recommended practice): a VOLUME_MEASURE, an
+ * AREA_MEASURE (surface area, which some systems call wetted), each with a DERIVED_UNIT of a length, or a
+ * CARTESIAN_POINT "centre point" in the unit of its representation's context.
  */
 SMREADERSPART21_EXPORT std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file);
 
@@ -63,8 +66,9 @@ struct STEPStatement
   std::string Material;
 };
 
-/// Returns the text of the file with new entities at the end of its last DATA section; all other bytes stay as they are. Empty if it has no
-/// such section. Values that are NaN, and the centroid in a context without a unit, are left out.
+/// Returns the text of the file with new entities at the end of its last DATA section; all other bytes stay
+/// as they are. Empty if it has no such section. Values that are NaN, and the centroid in a context without a
+/// unit, are left out.
 SMREADERSPART21_EXPORT std::string AppendSTEPValidation(
   const Part21File& file, const std::vector<STEPStatement>& statements);
 }

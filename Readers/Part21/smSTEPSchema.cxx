@@ -204,7 +204,8 @@ const STEPEntityType Types[] = {
   { "CYLINDRICAL_SURFACE", Surface, ".Ap", "p" },
   { "CONICAL_SURFACE", Surface, ".Azn", "zn" },
   { "SPHERICAL_SURFACE", Surface, ".Ap", "p" },
-  // Some CAD systems write a self-intersecting (lemon) torus with a negative major radius, against the standard.
+  // Some CAD systems write a self-intersecting (lemon) torus with a negative major radius, against the
+  // standard.
   { "TOROIDAL_SURFACE", Surface, ".Anp", "np" },
   { "DEGENERATE_TOROIDAL_SURFACE", Surface, ".Anpb", "b" },
   { "ELEMENTARY_SURFACE", Surface, ".A", "A" },

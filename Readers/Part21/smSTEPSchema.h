@@ -1,6 +1,7 @@
 /**
  * @file smSTEPSchema.h
- * @brief Entity types of AP203, AP214 and AP242 on which a solid, its place in an assembly and its units depend
+ * @brief Entity types of AP203, AP214 and AP242 on which a solid, its place in an assembly and its units
+ * depend
  */
 #ifndef smSTEPSchema_h
 #define smSTEPSchema_h
@@ -64,8 +65,8 @@ enum Bit : std::uint64_t
 }
 
 /**
- * One type of record. `Simple` describes the parameters of a simple instance (inherited ones first), `Own` those of its record in a
- * complex instance; null: not checked. A character for each parameter:
+ * One type of record. `Simple` describes the parameters of a simple instance (inherited ones first), `Own`
+ * those of its record in a complex instance; null: not checked. A character for each parameter:
  *
  *     .  anything              n  number           p  number above 0       z  number of at least 0
  *     i  integer               b  .T. or .F.       (…)  list of these      ?x  x, or $
@@ -82,7 +83,8 @@ struct STEPEntityType
 /// Returns the description of a type; null for types on which no solid depends.
 SMREADERSPART21_EXPORT const STEPEntityType* FindSTEPEntityType(std::string_view name);
 
-/// Returns the roles of which the target of a reference with this letter must have one; 0 for letters that are no references.
+/// Returns the roles of which the target of a reference with this letter must have one; 0 for letters that
+/// are no references.
 std::uint64_t GetRoleOfLetter(char letter);
 }
 

@@ -109,7 +109,8 @@ void STEPCensusTaker::JoinShapes()
     if (first != None && second != None)
     {
       this->Use(i, CensusUse::Structure);
-      // The smaller index becomes the representative. Chains remain short, since files mostly relate neighbouring entities.
+      // The smaller index becomes the representative. Chains remain short, since files mostly relate
+      // neighbouring entities.
       const std::pair<Index, Index> groups = std::minmax({ this->FindGroup(first), this->FindGroup(second) });
       this->Groups[groups.second] = groups.first;
     }
@@ -297,7 +298,8 @@ void STEPCensusTaker::AddArcs()
   std::sort(this->Arcs.begin(), this->Arcs.end());
 }
 
-/// Adds arcs for shapes that a relationship places in others, unless an occurrence of their products states the same.
+/// Adds arcs for shapes that a relationship places in others, unless an occurrence of their products states
+/// the same.
 void STEPCensusTaker::AddPlacedShapes()
 {
   const auto findShape = [this](Index product)
@@ -344,8 +346,8 @@ void STEPCensusTaker::CheckFrame(Index user, Index placement)
   }
 }
 
-/// Marks the entities of the structure on which products with solids depend, and reports their damage. Placements are added to the stack of
-/// WalkBodies().
+/// Marks the entities of the structure on which products with solids depend, and reports their damage.
+/// Placements are added to the stack of WalkBodies().
 void STEPCensusTaker::MarkStructure()
 {
   std::vector<Step> placements;
@@ -413,7 +415,8 @@ void STEPCensusTaker::MarkStructure()
   this->Walk(placements, CensusUse::Structure);
 }
 
-/// Undefined references have been reported where they were followed; those of a product, by which its name is found, are not.
+/// Undefined references have been reported where they were followed; those of a product, by which its name is
+/// found, are not.
 void STEPCensusTaker::ReportDamagedStructure()
 {
   for (Index i = 0; i < this->File.GetNumberOfInstances(); ++i)

@@ -16,9 +16,10 @@ constexpr STEPAttribute UncertaintiesOfContext = { "GLOBAL_UNCERTAINTY_ASSIGNED_
 
 /// Largest number of conversions from unit to unit; inch to millimetre is one.
 constexpr int LongestConversion = 8;
-/// The record of a complex unit, the unit of SI, what it is in the unit of the result, the smallest and largest that is no damage, and the
-/// relative accuracy with which factors are written: 0.01745 for a degree is off by 1.9e-4, 0.4536 for a pound by 2e-5; of lengths, which
-/// are exact, the foot of American surveyors by 2e-6.
+/// The record of a complex unit, the unit of SI, what it is in the unit of the result, the smallest and
+/// largest that is no damage, and the relative accuracy with which factors are written: 0.01745 for a degree
+/// is off by 1.9e-4, 0.4536 for a pound by 2e-5; of lengths, which are exact, the foot of American surveyors
+/// by 2e-6.
 struct SIKind
 {
   std::string_view Record;
@@ -71,7 +72,8 @@ const NamedFactor* FindFactor(const NamedFactor (&table)[N], std::string_view na
   return nullptr;
 }
 
-/// Records of units and contexts in complex instances, and simple measures, by the number of their parameters.
+/// Records of units and contexts in complex instances, and simple measures, by the number of their
+/// parameters.
 struct UnitRecord
 {
   std::string_view Type;
@@ -157,7 +159,8 @@ bool IsSomeUnit(const STEPAttributes& entities, Part21File::Index unit)
   return isSome;
 }
 
-/// Returns true for a unit of the kind: by its record or, without one, by the unit of SI that it is or converts to.
+/// Returns true for a unit of the kind: by its record or, without one, by the unit of SI that it is or
+/// converts to.
 bool IsOfKind(const STEPAttributes& entities, Part21File::Index unit, STEPUnitKind kind)
 {
   const SIKind& si = SIKinds[static_cast<int>(kind)];

@@ -28,11 +28,13 @@ enum class STEPUnitKind : unsigned char
   Mass    ///< to kilograms
 };
 
-/// Reads a SI_UNIT, or a CONVERSION_BASED_UNIT through the units that it converts to. `used` gets the entities that were read.
+/// Reads a SI_UNIT, or a CONVERSION_BASED_UNIT through the units that it converts to. `used` gets the
+/// entities that were read.
 CensusUnit ReadSTEPUnit(const STEPAttributes& entities, Part21File::Index unit, STEPUnitKind kind,
   std::vector<Part21File::Index>& used);
 
-/// Reads the units of length and angle of a context, whose Id is set. `used` gets the entities that were read.
+/// Reads the units of length and angle of a context, whose Id is set. `used` gets the entities that were
+/// read.
 void ReadSTEPUnits(const STEPAttributes& entities, Part21File::Index context, CensusContext& result,
   std::vector<Part21File::Index>& used);
 

@@ -12,7 +12,8 @@ unsigned char GetByte(const std::string& text, std::size_t at)
   return static_cast<unsigned char>(text[at]);
 }
 
-/// Returns the number of bytes of the UTF-8 sequence that begins at a byte above 127; 0 if there is no valid one.
+/// Returns the number of bytes of the UTF-8 sequence that begins at a byte above 127; 0 if there is no valid
+/// one.
 std::size_t GetLength(const std::string& text, std::size_t at)
 {
   const unsigned char first = GetByte(text, at);

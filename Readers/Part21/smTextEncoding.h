@@ -12,9 +12,10 @@
 namespace sm
 {
 /**
- * Part 21 writes letters beyond ASCII with escapes (\X2\00E4\X0\) and leaves other bytes undefined. Files in the wild have them in UTF-8 or
- * ISO 8859-1. Valid UTF-8 sequences are kept; every other byte above 127 becomes the character of ISO 8859-1. Text without such bytes is
- * returned unchanged, in a time that is small compared with that of reading it.
+ * Part 21 writes letters beyond ASCII with escapes (\X2\00E4\X0\) and leaves other bytes undefined. Files in
+ * the wild have them in UTF-8 or ISO 8859-1. Valid UTF-8 sequences are kept; every other byte above 127
+ * becomes the character of ISO 8859-1. Text without such bytes is returned unchanged, in a time that is small
+ * compared with that of reading it.
  */
 SMREADERSPART21_EXPORT std::string ToUTF8(std::string text);
 }

@@ -13,7 +13,8 @@
 
 namespace sm
 {
-/// Evaluates a surface, and keeps the Bézier patch of the last point, because neighbouring points of a curve are mostly on the same patch.
+/// Evaluates a surface, and keeps the Bézier patch of the last point, because neighbouring points of a curve
+/// are mostly on the same patch.
 class CellSurface
 {
 public:

@@ -1,7 +1,7 @@
 #include "smCommonParameter.h"
 
-#include "smCellSurface.h"
 #include "Geometry/smChebyshevFit.h"
+#include "smCellSurface.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -113,8 +113,9 @@ private:
     return offset;
   }
 
-  /// Solves (S(c(tau)) - C(t)) . C'(t) = 0 for tau by Newton's method from a guess, where C is the edge's polynomial `piece`. The steps are
-  /// confined to the bracket of points that are known to lie before and behind, because a curve of uneven speed may make them too long.
+  /// Solves (S(c(tau)) - C(t)) . C'(t) = 0 for tau by Newton's method from a guess, where C is the edge's
+  /// polynomial `piece`. The steps are confined to the bracket of points that are known to lie before and
+  /// behind, because a curve of uneven speed may make them too long.
   bool Solve(double t, int piece, double guess, double& tau) const
   {
     Point3 tangent;

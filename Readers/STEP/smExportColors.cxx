@@ -14,7 +14,8 @@ namespace
 {
 constexpr Color None{ -1.0, -1.0, -1.0 };
 
-/// Reads the colour of each face from the cell array; a face without triangles has none. Returns false if the leaf has no such array.
+/// Reads the colour of each face from the cell array; a face without triangles has none. Returns false if the
+/// leaf has no such array.
 bool ReadShown(vtkNURBSDataSet* leaf, std::vector<Color>& shown)
 {
   auto* colors = vtkUnsignedCharArray::SafeDownCast(leaf->GetCellData()->GetArray("Color"));

@@ -12,14 +12,16 @@ namespace
 {
 using Vector3 = std::array<double, 3>;
 
-/// Ends of coedges that are farther apart than this, relative to the body's size, do not share a vertex; the reader's limit for closed
-/// loops.
+/// Ends of coedges that are farther apart than this, relative to the body's size, do not share a vertex; the
+/// reader's limit for closed loops.
 constexpr double SameVertex = 1e-5;
 
-/// A jump in (u,v) between coedges above this fraction of the surface's domain is not rounding; OpenCASCADE's check allows 0.01.
+/// A jump in (u,v) between coedges above this fraction of the surface's domain is not rounding; OpenCASCADE's
+/// check allows 0.01.
 constexpr double JumpFraction = 0.005;
 
-/// Number of samples of an edge between two of its breaks, and the least total number. OpenCASCADE's check takes 23.
+/// Number of samples of an edge between two of its breaks, and the least total number. OpenCASCADE's check
+/// takes 23.
 constexpr int SamplesPerPiece = 4;
 constexpr int LeastSamples = 46;
 constexpr int JumpSamples = 16;
@@ -205,8 +207,8 @@ void ExportTopology::MeasureGap(const Face& face, const Coedge& coedge)
   }
 }
 
-/// Finds the places where a loop jumps in (u,v) but not in space: the image of the straight piece between two coedges is the vertex between
-/// them.
+/// Finds the places where a loop jumps in (u,v) but not in space: the image of the straight piece between two
+/// coedges is the vertex between them.
 void ExportTopology::FindJumps(const Face& face, const Loop& loop)
 {
   for (std::size_t i = 0; i < loop.Coedges.size(); ++i)

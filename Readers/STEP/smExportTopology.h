@@ -1,6 +1,7 @@
 /**
  * @file smExportTopology.h
- * @brief Edges and vertices of a body that is saved: their identification, and the distances of the faces from them
+ * @brief Edges and vertices of a body that is saved: their identification, and the distances of the faces
+ * from them
  */
 #ifndef smExportTopology_h
 #define smExportTopology_h
@@ -18,8 +19,8 @@ class vtkTrimmedNURBSModel;
 
 namespace sm
 {
-/// Finds the vertices that edges share, and measures gaps. Lengths are those of the model, before a conversion of units. Does not use
-/// OpenCASCADE.
+/// Finds the vertices that edges share, and measures gaps. Lengths are those of the model, before a
+/// conversion of units. Does not use OpenCASCADE.
 class ExportTopology
 {
 public:

@@ -22,7 +22,8 @@ const Placement IdentityPlacement{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
 
 namespace
 {
-/// Placements are equal if their entries differ by no more than this, relative to 1 or, for translations, to the larger one.
+/// Placements are equal if their entries differ by no more than this, relative to 1 or, for translations, to
+/// the larger one.
 constexpr double SamePlacement = 1e-12;
 
 /// Largest deviation of a rotation's rows from orthonormality.
@@ -290,7 +291,8 @@ private:
     }
   }
 
-  /// Adds a part to a node. Its placement is that of the first leaf; the other leaves are placed relative to it.
+  /// Adds a part to a node. Its placement is that of the first leaf; the other leaves are placed relative to
+  /// it.
   void AddPart(const std::vector<Leaf*>& leaves, ExportNode& node)
   {
     ExportPart part;
@@ -342,7 +344,8 @@ private:
     node.InstanceColor = instance;
   }
 
-  /// Adds notes about fitted surfaces: the bounds of the reader refer to the original surface, but the file contains only the fit.
+  /// Adds notes about fitted surfaces: the bounds of the reader refer to the original surface, but the file
+  /// contains only the fit.
   void AddFitNotes(const ExportPart& part)
   {
     int fits = 0;

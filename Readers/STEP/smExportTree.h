@@ -20,7 +20,8 @@ namespace sm
 using Placement = std::array<double, 12>;
 using Color = std::array<double, 3>;
 
-/// A body of a part: the model, mapped by `Own` (the identity, unless the part has several bodies, or is mirrored).
+/// A body of a part: the model, mapped by `Own` (the identity, unless the part has several bodies, or is
+/// mirrored).
 struct ExportBody
 {
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
@@ -67,13 +68,15 @@ struct ExportTree
 extern const Placement IdentityPlacement;
 
 /**
- * Makes the tree of a dataset. Leaves of one model are instances of one part. The assembly of a partitioned dataset collection gives
- * structure, names and layers; leaves that it does not name, and those of other datasets, are children of the root with the names of their
- * blocks. A node's leaves are the bodies of one part.
+ * Makes the tree of a dataset. Leaves of one model are instances of one part. The assembly of a partitioned
+ * dataset collection gives structure, names and layers; leaves that it does not name, and those of other
+ * datasets, are children of the root with the names of their blocks. A node's leaves are the bodies of one
+ * part.
  *
- * A mirrored placement becomes a rigid one of a separate part, whose x coordinates are exactly negated; a placement that is not rigid is
- * applied to the geometry. The roots of the tree are parts in their own coordinates, or assemblies: if one of them has another placement,
- * or occurs twice, all roots are put into an additional assembly.
+ * A mirrored placement becomes a rigid one of a separate part, whose x coordinates are exactly negated; a
+ * placement that is not rigid is applied to the geometry. The roots of the tree are parts in their own
+ * coordinates, or assemblies: if one of them has another placement, or occurs twice, all roots are put into
+ * an additional assembly.
  *
  * Colours come from the cell array Color (per face) where there is one, else from the faces.
  *

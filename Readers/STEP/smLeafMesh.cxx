@@ -26,8 +26,8 @@ namespace
 /// Grey value of a face without a colour in a body where others have one.
 constexpr double DefaultColor = 0.8;
 
-/// A coarse mesh is within this part of the diagonal of all bodies together: a pixel where they fill a window. At its angle a round hole
-/// has six sides.
+/// A coarse mesh is within this part of the diagonal of all bodies together: a pixel where they fill a
+/// window. At its angle a round hole has six sides.
 constexpr double CoarsePart = 1e-3;
 constexpr double CoarseAngle = 1.2;
 

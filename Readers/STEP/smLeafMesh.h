@@ -48,14 +48,16 @@ struct ShownMesh
   vtkIdType CoarseAbove = 0;
 };
 
-/// Makes the display meshes of instances. Those of one model share all arrays that placement and colour leave alone.
+/// Makes the display meshes of instances. Those of one model share all arrays that placement and colour leave
+/// alone.
 class LeafMesher
 {
 public:
   /// `sources` outlive it.
   LeafMesher(const std::vector<LeafSource>& sources, const ShownMesh& shown);
 
-  /// The instance with its mesh; null when `progress` answered false. The mesh of a model is made for its first instance.
+  /// The instance with its mesh; null when `progress` answered false. The mesh of a model is made for its
+  /// first instance.
   vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(const LeafSource& source, const ProgressCallback& progress);
 
   /// The meshes are coarser than what is asked, for there would be more than CoarseAbove triangles.

@@ -116,7 +116,8 @@ void ShortenItems(const ModelEntities& entities)
   ItemSets items;
   std::unordered_map<const StepRepr_Representation*, ItemSet> targets;
   std::vector<Handle(StepRepr_Representation)> assemblies;
-  // Placements that the transfer must find: all origins, and both placements of a relationship in which they are interchanged.
+  // Placements that the transfer must find: all origins, and both placements of a relationship in which they
+  // are interchanged.
   ItemSet sought;
   const auto visit = [&](const Handle(Relationship) & relationship)
   {

@@ -148,7 +148,8 @@ private:
     }
   }
 
-  /// Calls convert(i) for all i on the application's threads. An edge or face for which it throws is left out, and a message says why.
+  /// Calls convert(i) for all i on the application's threads. An edge or face for which it throws is left
+  /// out, and a message says why.
   template <class Work>
   void Run(std::size_t count, const Work& convert, const char* kind, double done)
   {
@@ -187,7 +188,8 @@ private:
     this->Edges[index] = ConvertEdgeShape(edge, Find(this->Table, edge), this->Place, *face, *coedge);
   }
 
-  /// Returns the trim curves of coedges without a pcurve: the edge's curve projected onto the plane. Entries of other coedges are empty.
+  /// Returns the trim curves of coedges without a pcurve: the edge's curve projected onto the plane. Entries
+  /// of other coedges are empty.
   std::vector<std::vector<TrimCurve>> ProjectTrims(const DraftFace& draft, const AffineMap& map) const
   {
     std::vector<std::vector<TrimCurve>> trims(draft.Loops.size());

@@ -27,11 +27,13 @@ struct ShapeInfo
   int FileId = 0;
   std::string Name;
   Vector3 Color{ -1.0, -1.0, -1.0 };
-  /// True for a shell that the file declares as a solid; OpenCASCADE makes no solid of a shell that is not closed.
+  /// True for a shell that the file declares as a solid; OpenCASCADE makes no solid of a shell that is not
+  /// closed.
   bool OpenSolid = false;
   /// True if the shape is a face for which the file has bounds.
   bool Bounded = false;
-  /// The completed loops (smOCCTCompleteLoops.h) of a face that OpenCASCADE has not repaired; null for other shapes.
+  /// The completed loops (smOCCTCompleteLoops.h) of a face that OpenCASCADE has not repaired; null for other
+  /// shapes.
   std::shared_ptr<const DraftFace> AsInFile;
   /// The surface of a face in the file, if OpenCASCADE changed it.
   FileSurface OwnSurface;
@@ -56,8 +58,8 @@ struct ConvertedFace
   double Period[2] = { 0.0, 0.0 };
   /// Number of defects of this face, see vtkTrimmedNURBSModel::SetNumberOfDefects().
   int Defects = 0;
-  /// Numbers of coedges whose 2D curve was parametrised differently from the edge's 3D curve: corrected ones, and uncorrected ones
-  /// (smCommonParameter.h).
+  /// Numbers of coedges whose 2D curve was parametrised differently from the edge's 3D curve: corrected ones,
+  /// and uncorrected ones (smCommonParameter.h).
   int RestoredCoedges = 0;
   int LaggingCoedges = 0;
 };
@@ -78,9 +80,10 @@ struct ConvertedBody
 
 /**
  * Converts all faces of `shape` (its own location included). `trsf` and then `unit` apply before `origin` is
- * subtracted. A face whose conversion fails is reported and left out; all others are kept. Edges and faces are converted in parallel by
- * vtkSMPTools. `progress`, if not empty, gets a fraction in [0,1] on the calling thread, and returns false to stop. `roundings`: number of
- * roundings of a coordinate in OpenCASCADE's conversion of the file's length unit to mm.
+ * subtracted. A face whose conversion fails is reported and left out; all others are kept. Edges and faces
+ * are converted in parallel by vtkSMPTools. `progress`, if not empty, gets a fraction in [0,1] on the calling
+ * thread, and returns false to stop. `roundings`: number of roundings of a coordinate in OpenCASCADE's
+ * conversion of the file's length unit to mm.
  */
 SMREADERSSTEP_EXPORT ConvertedBody ConvertBody(const TopoDS_Shape& shape, const gp_Trsf& trsf, double unit,
   const double origin[3], const ShapeTable& table, const ProgressCallback& progress = {}, int roundings = 0);

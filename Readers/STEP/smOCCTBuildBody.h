@@ -1,12 +1,13 @@
 /**
  * @file smOCCTBuildBody.h
- * @brief A trimmed NURBS model as a shape of OpenCASCADE: shared edges and vertices, trim curves, measured tolerances
+ * @brief A trimmed NURBS model as a shape of OpenCASCADE: shared edges and vertices, trim curves, measured
+ * tolerances
  */
 #ifndef smOCCTBuildBody_h
 #define smOCCTBuildBody_h
 
-#include "smFace.h"
 #include "Geometry/smParameterMap.h"
+#include "smFace.h"
 
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -36,15 +37,18 @@ struct BuiltBody
 };
 
 /**
- * Builds the shape of all faces. `map` transforms stored coordinates to those of OpenCASCADE; a reflection reverses the faces.
+ * Builds the shape of all faces. `map` transforms stored coordinates to those of OpenCASCADE; a reflection
+ * reverses the faces.
  *
- * The edge of a face becomes one edge with the curve C_e(t), and each coedge a curve of the same parameter in the face's
- * (u,v); two coedges of one face that run against each other are a seam. Coedges that follow each other in a loop share
- * a vertex when their ends are no farther apart than 1e-5 of the body's size. The tolerance of an edge is the largest distance
- * of S(c(t)) from C_e(t) at equal parameters, measured; that of a vertex is the largest distance of the ends that meet there. Neither is
- * below 1e-7 kernel units. A face without loops is bounded by the borders of its domain.
+ * The edge of a face becomes one edge with the curve C_e(t), and each coedge a curve of the same parameter in
+ * the face's (u,v); two coedges of one face that run against each other are a seam. Coedges that follow each
+ * other in a loop share a vertex when their ends are no farther apart than 1e-5 of the body's size. The
+ * tolerance of an edge is the largest distance of S(c(t)) from C_e(t) at equal parameters, measured; that of
+ * a vertex is the largest distance of the ends that meet there. Neither is below 1e-7 kernel units. A face
+ * without loops is bounded by the borders of its domain.
  *
- * Where a loop jumps in (u,v) and not in space, at a pole, the straight piece that closes it becomes a degenerate edge.
+ * Where a loop jumps in (u,v) and not in space, at a pole, the straight piece that closes it becomes a
+ * degenerate edge.
  *
  * A face that OpenCASCADE refuses is left out and named in a warning. Throws only std::bad_alloc.
  */

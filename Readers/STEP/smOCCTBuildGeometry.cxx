@@ -62,8 +62,8 @@ bool IsClamped(const std::vector<double>& knots, int degree)
   return knots[0] == knots[degree] && knots[last] == knots[last - degree];
 }
 
-/// Clamps the knots of one direction. Control point i for the knots `to` is the polar form, at to[i+1] .. to[i+p], of the polynomial on any
-/// span of its support.
+/// Clamps the knots of one direction. Control point i for the knots `to` is the polar form, at to[i+1] ..
+/// to[i+p], of the polynomial on any span of its support.
 NURBSSurface ClampDirection(const NURBSSurface& surface, int direction)
 {
   using Homogeneous = std::array<double, 4>;
@@ -131,7 +131,8 @@ NURBSSurface ClampDirection(const NURBSSurface& surface, int direction)
   return result;
 }
 
-/// Returns the Bernstein coefficients of all pieces, raised to one degree; neighbours share their common coefficient.
+/// Returns the Bernstein coefficients of all pieces, raised to one degree; neighbours share their common
+/// coefficient.
 template <int Dimension>
 std::vector<std::array<double, Dimension>> RaiseDegrees(const PolynomialCurve<Dimension>& curve, int& degree)
 {

@@ -1,16 +1,18 @@
 /**
  * @file smOCCTBuildGeometry.h
- * @brief NURBS surfaces, edge curves and trim curves as OpenCASCADE's B-splines: the same functions of the same parameters
+ * @brief NURBS surfaces, edge curves and trim curves as OpenCASCADE's B-splines: the same functions of the
+ * same parameters
  *
- * Only the representation changes: homogeneous control points are divided by their weights, knots are clamped, and polynomial pieces are
- * raised to the highest degree among them, each with one or two roundings of the coordinates. All functions throw std::runtime_error, with
- * the reason, if OpenCASCADE has no such spline, or Standard_Failure.
+ * Only the representation changes: homogeneous control points are divided by their weights, knots are
+ * clamped, and polynomial pieces are raised to the highest degree among them, each with one or two roundings
+ * of the coordinates. All functions throw std::runtime_error, with the reason, if OpenCASCADE has no such
+ * spline, or Standard_Failure.
  */
 #ifndef smOCCTBuildGeometry_h
 #define smOCCTBuildGeometry_h
 
-#include "smNURBSSurface.h"
 #include "Geometry/smParameterMap.h"
+#include "smNURBSSurface.h"
 #include "smPolynomialCurve.h"
 
 #include <Geom2d_BSplineCurve.hxx>

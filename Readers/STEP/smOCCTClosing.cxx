@@ -14,10 +14,11 @@ namespace sm
 {
 namespace
 {
-/// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a defect. Real files have
-/// distances of up to 1.3e-3.
+/// Largest distance of the end of an edge from its vertex, relative to the body's size, before it counts as a
+/// defect. Real files have distances of up to 1.3e-3.
 constexpr double EndTolerance = 2e-3;
-/// The same for an edge that is closed, relative to its own size: where it begins changes no area and no volume.
+/// The same for an edge that is closed, relative to its own size: where it begins changes no area and no
+/// volume.
 constexpr double ClosedEndTolerance = 0.05;
 }
 
@@ -64,7 +65,8 @@ void CheckClosing(double unit, double size, DraftFace& draft, Face& face)
   {
     tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
   }
-  // OpenCASCADE enlarges the tolerance of a vertex until it contains the ends of all its edges, so it is limited here.
+  // OpenCASCADE enlarges the tolerance of a vertex until it contains the ends of all its edges, so it is
+  // limited here.
   tolerance = std::min(tolerance * unit, VertexTolerance * size);
   for (const Loop& loop : face.Loops)
   {

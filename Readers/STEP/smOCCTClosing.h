@@ -28,8 +28,9 @@ double GetVertexGap(const Edge& edge);
 /// Returns the largest distance that is no defect; `size`: of the body.
 double GetVertexLimit(const Edge& edge, double size);
 
-/// Adds the number of places where loops are open to the defects of the draft, and writes a message. Gaps are measured in space and
-/// compared with the tolerances of the file. `unit`: model lengths per kernel length; `size`: of the body, in model lengths.
+/// Adds the number of places where loops are open to the defects of the draft, and writes a message. Gaps are
+/// measured in space and compared with the tolerances of the file. `unit`: model lengths per kernel length;
+/// `size`: of the body, in model lengths.
 void CheckClosing(double unit, double size, DraftFace& draft, Face& face);
 }
 

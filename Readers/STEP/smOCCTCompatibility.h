@@ -1,6 +1,7 @@
 /**
  * @file smOCCTCompatibility.h
- * @brief Differences between versions of OpenCASCADE (7.6 to 8.0), found by the headers that exist and by the compiler
+ * @brief Differences between versions of OpenCASCADE (7.6 to 8.0), found by the headers that exist and by the
+ * compiler
  */
 #ifndef smOCCTCompatibility_h
 #define smOCCTCompatibility_h
@@ -22,15 +23,16 @@
 
 namespace sm
 {
-/// True from OpenCASCADE 7.7 on, which reads the entities of tessellated shapes. Earlier versions do not know their types, and take time
-/// quadratic in their number.
+/// True from OpenCASCADE 7.7 on, which reads the entities of tessellated shapes. Earlier versions do not know
+/// their types, and take time quadratic in their number.
 extern const bool KernelReadsTessellations;
 
-/// Returns the surface of an entity; its lengths are converted as in the running transfer before 7.8, and not at all from then on.
+/// Returns the surface of an entity; its lengths are converted as in the running transfer before 7.8, and not
+/// at all from then on.
 Handle(Geom_Surface) MakeEntitySurface(const Handle(StepGeom_Surface) & entity);
 
-/// Makes geometry of entities in their own unit of length, during the lifetime of this object, which changes global settings of OpenCASCADE.
-/// `angle` is the file's unit of angles in radians.
+/// Makes geometry of entities in their own unit of length, during the lifetime of this object, which changes
+/// global settings of OpenCASCADE. `angle` is the file's unit of angles in radians.
 class SMREADERSSTEP_EXPORT EntityGeometry
 {
 public:
@@ -53,15 +55,17 @@ private:
 /// Returns the units, in millimetres and radians, that OpenCASCADE takes for a context.
 STEPConstruct_UnitContext GetUnitFactors(const Handle(StepRepr_GlobalUnitAssignedContext) & context);
 
-/// Repairs some faces of a shape as OpenCASCADE's repair of the whole shape would, and returns the shape with them; `repaired` gets what
-/// became of these faces. The shape given is not changed, apart from what OpenCASCADE adds to edges and vertices of these faces.
+/// Repairs some faces of a shape as OpenCASCADE's repair of the whole shape would, and returns the shape with
+/// them; `repaired` gets what became of these faces. The shape given is not changed, apart from what
+/// OpenCASCADE adds to edges and vertices of these faces.
 using FaceRepair = std::function<TopoDS_Shape(
   const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& faces, std::vector<TopoDS_Shape>& repaired)>;
 
 /**
- * During the lifetime of this object `isSound` is called for each shape of a STEP transfer before OpenCASCADE repairs it. If it returns
- * true, the shape, which it may exchange or repair in part, is not repaired. The hook is global: hold a KernelSession. From OpenCASCADE 7.9
- * on it is never called and all shapes are repaired, because the repair is no virtual function any more.
+ * During the lifetime of this object `isSound` is called for each shape of a STEP transfer before OpenCASCADE
+ * repairs it. If it returns true, the shape, which it may exchange or repair in part, is not repaired. The
+ * hook is global: hold a KernelSession. From OpenCASCADE 7.9 on it is never called and all shapes are
+ * repaired, because the repair is no virtual function any more.
  */
 class TransferFilter
 {

@@ -149,8 +149,8 @@ private:
     return coedge;
   }
 
-  /// Returns the change of the coordinate along a pole from one coedge to the next. Its sign follows from the side of the pole on which the
-  /// surface lies, because the loop runs counter-clockwise.
+  /// Returns the change of the coordinate along a pole from one coedge to the next. Its sign follows from the
+  /// side of the pole on which the surface lies, because the loop runs counter-clockwise.
   double GetPoleStep(
     const Pole& pole, const DraftLoop& loop, const DraftCoedge& from, const DraftCoedge& to) const
   {
@@ -291,7 +291,8 @@ private:
     }
   }
 
-  /// Makes a seam between two vertices along straight lines: its forward coedges, and its backward ones a period away.
+  /// Makes a seam between two vertices along straight lines: its forward coedges, and its backward ones a
+  /// period away.
   std::pair<DraftLoop, DraftLoop> MakeSeam(const std::vector<Point2>& path, int direction, double period,
     const TopoDS_Vertex& from, const TopoDS_Vertex& to)
   {
@@ -462,8 +463,9 @@ std::string CompleteLoops(DraftFace& face)
   {
     return LoopCompleter(face).Run();
   }
-  // The poles of a sphere can be chosen freely. The foot point of an edge that passes a pole is not a smooth function of the parameter, and
-  // a hole that contains no pole is the only loop of a face that is larger than half the sphere.
+  // The poles of a sphere can be chosen freely. The foot point of an edge that passes a pole is not a smooth
+  // function of the parameter, and a hole that contains no pole is the only loop of a face that is larger
+  // than half the sphere.
   DraftFace before = face;
   DraftFace second;
   bool hasSecond = false;

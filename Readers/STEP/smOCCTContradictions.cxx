@@ -37,7 +37,8 @@ constexpr double Rounding = 1e-14;
 /// Largest depth of trimmed surfaces of trimmed surfaces that is examined.
 constexpr int MostTrimmedSurfaces = 4;
 
-/// Largest distance of a vertex from the apex of its cone, relative to the cone's size: that of a vertex from its sphere or torus.
+/// Largest distance of a vertex from the apex of its cone, relative to the cone's size: that of a vertex from
+/// its sphere or torus.
 constexpr double ApexLimit = 2e-3;
 
 bool GetCoordinates(const Handle(StepGeom_CartesianPoint) & point, gp_XYZ& xyz)
@@ -106,7 +107,8 @@ bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face)
 Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & face)
 {
   Handle(StepGeom_Surface) surface = face.IsNull() ? nullptr : face->FaceGeometry();
-  // A damaged trimmed surface may be its own basis. Faces that were removed for this reason are still entities of the model.
+  // A damaged trimmed surface may be its own basis. Faces that were removed for this reason are still
+  // entities of the model.
   for (int depth = 0; depth < MostTrimmedSurfaces; ++depth)
   {
     const auto trimmed = Handle(StepGeom_RectangularTrimmedSurface)::DownCast(surface);

@@ -78,7 +78,8 @@ bool IsShapeType(const Standard_Type& type)
     IsPlacing(type);
 }
 
-/// Returns true for failures that do not matter: a name that is no string, or a value that the parser itself replaced.
+/// Returns true for failures that do not matter: a name that is no string, or a value that the parser itself
+/// replaced.
 bool IsHarmless(const std::string& failure)
 {
   return failure.find("not a quoted String") != std::string::npos ||
@@ -142,7 +143,8 @@ Damage FollowUsers(const Interface_Graph& graph, std::vector<Handle(Standard_Tra
   return damage;
 }
 
-/// Returns true for the shape of an aspect whose first item is an unresolved reference: the transfer asks for its type.
+/// Returns true for the shape of an aspect whose first item is an unresolved reference: the transfer asks for
+/// its type.
 bool IsBrokenAspect(const Handle(StepRepr_PropertyDefinitionRepresentation) & shape)
 {
   const Handle(StepRepr_PropertyDefinition) definition = shape->Definition().PropertyDefinition();
@@ -151,8 +153,8 @@ bool IsBrokenAspect(const Handle(StepRepr_PropertyDefinitionRepresentation) & sh
     !items->Items().IsNull() && items->NbItems() > 0 && items->ItemsValue(1).IsNull();
 }
 
-/// Returns true for a validation property with an unresolved reference. Real files have unresolved references in other properties, too,
-/// which the transfer does not examine.
+/// Returns true for a validation property with an unresolved reference. Real files have unresolved references
+/// in other properties, too, which the transfer does not examine.
 bool IsBrokenValidation(const Handle(StepRepr_PropertyDefinitionRepresentation) & property)
 {
   if (property->IsKind(STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation)))

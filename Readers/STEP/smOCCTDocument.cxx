@@ -63,8 +63,9 @@ void Configure(STEPCAFControl_Reader& reader)
   reader.SetSHUOMode(false);
 }
 
-/// Keeps the session from checking the entities of the model that it will read: nobody asks for the result, and the check takes as long as
-/// half of the loading, and crashes on damage. After ComputeGraph() a session takes the next model for checked.
+/// Keeps the session from checking the entities of the model that it will read: the result is not used, and
+/// the check takes half as long as the loading and does not survive all damage. After ComputeGraph() a
+/// session takes the next model for checked.
 void SkipChecks(const Handle(XSControl_WorkSession) & session)
 {
   const Handle(StepData_StepModel) other = new StepData_StepModel();
@@ -73,12 +74,13 @@ void SkipChecks(const Handle(XSControl_WorkSession) & session)
   session->ComputeGraph(true);
 }
 
-/// Reads the entities of the file. `completed` gets what was made explicit for OpenCASCADE. Returns false, with document.Problem, if
-/// OpenCASCADE cannot.
+/// Reads the entities of the file. `completed` gets what was made explicit for OpenCASCADE. Returns false,
+/// with document.Problem, if OpenCASCADE cannot.
 bool Parse(const FileCheck& check, const Part21File& file, const std::vector<bool>& unparsable,
   STEPCAFControl_Reader& reader, STEPExplicit& completed, Document& document)
 {
-  // Behind damage OpenCASCADE's lexer loses more than the census does, or makes entities of it that crash its translation.
+  // Behind damage OpenCASCADE's lexer loses more than the census does, or makes entities of it that crash its
+  // translation.
   std::string remains = GetRemains(file, unparsable);
   Part21File sound;
   const bool isBroken = !remains.empty() && sound.Parse(std::move(remains));
@@ -132,8 +134,8 @@ void SkipDamagedAttributes(const ModelEntities& entities, STEPCAFControl_Reader&
 }
 
 /**
- * Replaces a negative major radius of a torus by the positive one and reverses its faces: this is the same surface with the opposite
- * normal. OpenCASCADE would reverse the loops of such a face but not the face.
+ * Replaces a negative major radius of a torus by the positive one and reverses its faces: this is the same
+ * surface with the opposite normal. OpenCASCADE would reverse the loops of such a face but not the face.
  */
 void TurnNegativeTori(const ModelEntities& entities)
 {
@@ -154,8 +156,9 @@ void TurnNegativeTori(const ModelEntities& entities)
   }
 }
 
-/// Keeps OpenCASCADE from reading other files, which it would seek in the working directory: their bodies would have numbers that are none
-/// of this file, and nothing would tell whether they are complete. Reconcile() reports the products that lack them.
+/// Keeps OpenCASCADE from reading other files, which it would seek in the working directory: their bodies
+/// would have numbers that are none of this file, and nothing would tell whether they are complete.
+/// Reconcile() reports the products that lack them.
 void ForgetOtherFiles(const ModelEntities& entities)
 {
   entities.ForEach<StepBasic_ProductDefinitionWithAssociatedDocuments>(
@@ -196,7 +199,8 @@ struct DeclaredContent
   STEPCensus Census;
   std::unordered_map<std::uint64_t, std::string> Perils;
   std::vector<bool> Unparsable;
-  /// Entities with references that lead nowhere, for which OpenCASCADE's parser gives no message with the entity: it has a null for them.
+  /// Entities with references that lead nowhere, for which OpenCASCADE's parser gives no message with the
+  /// entity: it has a null for them.
   std::unordered_map<std::uint64_t, const char*> BrokenReferences;
 
   DeclaredContent(std::string content, Document& document)
@@ -242,8 +246,8 @@ struct DeclaredContent
     }
   }
 
-  /// Returns a message about an oriented edge that is part of itself, on which OpenCASCADE crashes right after parsing; empty if there is
-  /// none.
+  /// Returns a message about an oriented edge that is part of itself; empty if there is none. Such a file is
+  /// not given to OpenCASCADE.
   std::string FindCycle() const
   {
     for (const CensusProblem& peril : this->Census.Perils)
@@ -258,8 +262,8 @@ struct DeclaredContent
     return {};
   }
 
-  /// Returns a message about a file whose bodies are all of kinds that are not supported, though valid; empty for others. OpenCASCADE has no
-  /// types for some of them and would call them damaged.
+  /// Returns a message about a file whose bodies are all of kinds that are not supported, though valid; empty
+  /// for others. OpenCASCADE has no types for some of them and would call them damaged.
   std::string FindUnsupported() const
   {
     const CensusBody* first = nullptr;
@@ -288,7 +292,8 @@ struct DeclaredContent
       "; export it as a boundary representation (AP203, AP214 or AP242)";
   }
 
-  /// Returns a message about an entity that bodies depend on and whose number is too long for OpenCASCADE; empty if there is none.
+  /// Returns a message about an entity that bodies depend on and whose number is too long for OpenCASCADE;
+  /// empty if there is none.
   std::string FindLongNumber() const
   {
     for (Part21File::Index i = 0; i < this->Text.GetNumberOfInstances(); ++i)
@@ -302,7 +307,8 @@ struct DeclaredContent
     return {};
   }
 
-  /// Returns a message about entities that are nested too deeply for OpenCASCADE, which recurses over them; empty if there are none.
+  /// Returns a message about entities that are nested too deeply for OpenCASCADE, which recurses over them;
+  /// empty if there are none.
   std::string FindDeepNesting() const
   {
     const std::string limit = ", and at most " + std::to_string(MostLevels) + " are read; export ";

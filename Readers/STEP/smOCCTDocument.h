@@ -72,10 +72,11 @@ struct Document
   /// The reason why Status is not Ok: a sentence without the file's name.
   std::string Problem;
   std::vector<std::string> Messages;
-  /// Solids, faces and instances that the file declares and the document lacks, and contradictions that belong to no single body; a
-  /// sentence each.
+  /// Solids, faces and instances that the file declares and the document lacks, and contradictions that
+  /// belong to no single body; a sentence each.
   std::vector<std::string> Defects;
-  /// The length unit of the file, in its spelling ("millimetre"), and its size in mm; empty and 1 if it states none.
+  /// The length unit of the file, in its spelling ("millimetre"), and its size in mm; empty and 1 if it
+  /// states none.
   std::string FileUnit;
   double FileUnitInMillimetres = 1.0;
   /// Size in mm of the unit of all lengths in this document, also of those that are said to be in mm above.
@@ -87,18 +88,18 @@ struct Document
   ShapeTable Table;
   /// What a STEP file says about its faces in space.
   FaceStatements Statements;
-  /// Wall-clock seconds until the entities are in memory, and those of the inspection of faces, which finds missing trim curves. The rest
-  /// of the time of reading is the transfer of entities to shapes.
+  /// Wall-clock seconds until the entities are in memory, and those of the inspection of faces, which finds
+  /// missing trim curves. The rest of the time of reading is the transfer of entities to shapes.
   double ParseSeconds = 0.0;
   double TrimSeconds = 0.0;
 };
 
-/// Largest number of instances of bodies and sub-assemblies that are read. Each becomes a node of the tree, and each instance of a body a
-/// leaf with points of its own.
+/// Largest number of instances of bodies and sub-assemblies that are read. Each becomes a node of the tree,
+/// and each instance of a body a leaf with points of its own.
 constexpr std::uint64_t MostInstances = 100000;
 
-/// Largest number of levels of assemblies, and of geometric entities that refer to one another, that are read: OpenCASCADE recurses over them,
-/// and its stack ends at about 3500 levels for 8 MB.
+/// Largest number of levels of assemblies, and of geometric entities that refer to one another, that are
+/// read: OpenCASCADE recurses over them, and its stack ends at about 3500 levels for 8 MB.
 constexpr std::size_t MostLevels = 1000;
 
 /// The shapes that OpenCASCADE repairs before they are converted.
@@ -110,8 +111,8 @@ enum class RepairMode
 };
 
 /**
- * Reads the bytes of a STEP file. `progress` gets a fraction in [0,1] and returns false to stop. Holds a KernelSession, so that one thread
- * of the process reads at a time. Throws only std::bad_alloc.
+ * Reads the bytes of a STEP file. `progress` gets a fraction in [0,1] and returns false to stop. Holds a
+ * KernelSession, so that one thread of the process reads at a time. Throws only std::bad_alloc.
  */
 Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress);
 }

@@ -13,7 +13,8 @@
 
 namespace sm
 {
-/// The map from the coordinates of a body's shape to those of its model: `Trsf`, then the factor `Unit`, then minus `Origin`.
+/// The map from the coordinates of a body's shape to those of its model: `Trsf`, then the factor `Unit`, then
+/// minus `Origin`.
 struct BodyPlace
 {
   gp_Trsf Trsf;
@@ -28,9 +29,9 @@ struct BodyPlace
 };
 
 /**
- * Converts an edge with forward orientation. `face` and `coedge` are its first use. An edge without a curve in space gets the image of
- * the coedge's trim curve. Missing vertices are the ends of the curve. Throws std::runtime_error if the edge has no curve at all, and what
- * OpenCASCADE throws.
+ * Converts an edge with forward orientation. `face` and `coedge` are its first use. An edge without a curve
+ * in space gets the image of the coedge's trim curve. Missing vertices are the ends of the curve. Throws
+ * std::runtime_error if the edge has no curve at all, and what OpenCASCADE throws.
  */
 std::shared_ptr<const Edge> ConvertEdgeShape(const TopoDS_Edge& edge, const ShapeInfo& info,
   const BodyPlace& place, const DraftFace& face, const DraftCoedge& coedge);

@@ -19,8 +19,8 @@ namespace sm
 /// Returns true if geometry or structure of a body depends on the entity with this number in the file.
 using EntityFilter = std::function<bool(int)>;
 
-/// The entities of a model, listed by type in one pass: to ask every entity whether it is of some type takes longer than to parse it. A model
-/// whose entities are replaced must not get others of the types sought.
+/// The entities of a model, listed by type in one pass: to ask every entity whether it is of some type takes
+/// longer than to parse it. A model whose entities are replaced must not get others of the types sought.
 class SMREADERSSTEP_EXPORT ModelEntities
 {
 public:
@@ -28,7 +28,8 @@ public:
 
   const Handle(StepData_StepModel) & GetModel() const { return this->Model; }
 
-  /// Returns the positions in the model, from 1 and in ascending order, of all entities of these types or of types derived from them.
+  /// Returns the positions in the model, from 1 and in ascending order, of all entities of these types or of
+  /// types derived from them.
   std::vector<int> Find(std::initializer_list<Handle(Standard_Type)> types) const;
 
   /// Calls `visit` with every entity of type T, or of a type derived from it, in their order in the model.

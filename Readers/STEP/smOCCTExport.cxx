@@ -40,7 +40,8 @@ namespace
 constexpr double BuildingShare = 0.4;
 constexpr double TransferShare = 0.8;
 
-/// Sets OpenCASCADE's parameters for writing. The scale of lengths is not set here, but in the document and the model.
+/// Sets OpenCASCADE's parameters for writing. The scale of lengths is not set here, but in the document and
+/// the model.
 void SetForWriting(KernelSettings& settings, const std::string& unit)
 {
   std::string name;
@@ -151,7 +152,8 @@ private:
     }
   }
 
-  /// Returns a name for a material that is unique for its density: OpenCASCADE writes one density for each name, the first one.
+  /// Returns a name for a material that is unique for its density: OpenCASCADE writes one density for each
+  /// name, the first one.
   std::string NameMaterial(const std::string& wanted, double density)
   {
     std::string name = wanted;
@@ -276,8 +278,9 @@ void Write(const ExportTree& tree, const ExportOptions& options, std::ostream& s
   }
   const Handle(TDocStd_Document) document = DocumentMaker(tree, parts, options.Unit).Make(result.Warnings);
   STEPCAFControl_Writer writer;
-  // The shapes are in the unit of the file already, so document and file must have the same unit, and nothing is scaled. Otherwise
-  // OpenCASCADE takes one unit from the settings of the process and, since 7.8, mm for the other one.
+  // The shapes are in the unit of the file already, so document and file must have the same unit, and nothing
+  // is scaled. Otherwise OpenCASCADE takes one unit from the settings of the process and, since 7.8, mm for
+  // the other one.
   SetMillimetres(document);
   writer.ChangeWriter().Model()->SetWriteLengthUnit(1.0);
   writer.SetColorMode(true);

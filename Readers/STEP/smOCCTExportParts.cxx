@@ -87,7 +87,8 @@ TopLoc_Location MakeLocation(const Placement& placement, double unit)
       rotation(i + 1, j + 1) = placement[4 * i + j];
     }
   }
-  // The rotation is set by a quaternion, so that its scale is exactly 1, which OpenCASCADE requires of locations.
+  // The rotation is set by a quaternion, so that its scale is exactly 1, which OpenCASCADE requires of
+  // locations.
   gp_Trsf trsf;
   trsf.SetRotation(gp_Quaternion(rotation));
   trsf.SetTranslationPart(gp_Vec(unit * placement[3], unit * placement[7], unit * placement[11]));

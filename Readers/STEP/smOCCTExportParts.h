@@ -24,8 +24,8 @@ struct BuiltPart
   std::vector<BuiltBody> Bodies;
 };
 
-/// Builds all parts, with `unit` kernel lengths per length of the models, and adds warnings with the name of the part. If `progress`
-/// returns false, it stops and returns fewer parts than the tree has.
+/// Builds all parts, with `unit` kernel lengths per length of the models, and adds warnings with the name of
+/// the part. If `progress` returns false, it stops and returns fewer parts than the tree has.
 std::vector<BuiltPart> BuildParts(
   const ExportTree& tree, double unit, std::vector<std::string>& warnings, const ProgressCallback& progress);
 

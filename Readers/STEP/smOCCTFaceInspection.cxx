@@ -25,7 +25,8 @@ using Point2 = std::array<double, 2>;
 /// Number of segments that approximate a coedge's trim curve.
 constexpr int Samples = 8;
 
-/// If an edge is farther from its surface than this, relative to the face's size, its foot points are not meaningful.
+/// If an edge is farther from its surface than this, relative to the face's size, its foot points are not
+/// meaningful.
 constexpr double LargestShare = 0.02;
 
 /// Returns the distance of a point from a curve on [first,last].
@@ -44,8 +45,9 @@ struct SampledLoops
   gp_XYZ High{ -1e300, -1e300, -1e300 };
 };
 
-/// Samples a coedge and sets its EdgeDistance. A trim curve of the file may be parametrised differently from its edge: if points at equal
-/// parameter are farther apart than `tolerance`, the distance from the nearest point of the edge's curve is used.
+/// Samples a coedge and sets its EdgeDistance. A trim curve of the file may be parametrised differently from
+/// its edge: if points at equal parameter are farther apart than `tolerance`, the distance from the nearest
+/// point of the edge's curve is used.
 void SampleCoedge(const DraftFace& face, double tolerance, DraftCoedge& coedge, SampledLoops& result)
 {
   const auto plane = Handle(Geom_Plane)::DownCast(face.Surface);
@@ -120,7 +122,8 @@ double GetArea(const std::vector<Point2>& points)
   return area;
 }
 
-/// Returns the contribution of a loop to the integral of r . (Su x Sv) / 3, by Green's theorem from u = `base` on.
+/// Returns the contribution of a loop to the integral of r . (Su x Sv) / 3, by Green's theorem from u =
+/// `base` on.
 double GetConeVolume(
   const DraftFace& face, const std::vector<Point2>& points, double area, double base, const gp_Pnt& origin)
 {
@@ -157,7 +160,8 @@ double GetConeVolume(
   return volume;
 }
 
-/// Returns the reason why the edges do not lie on the surface; empty if they do, up to gaps that ribbons may close.
+/// Returns the reason why the edges do not lie on the surface; empty if they do, up to gaps that ribbons may
+/// close.
 std::string FindWideGap(const DraftFace& face, double tolerance, double largestGap)
 {
   for (const DraftLoop& loop : face.Loops)
@@ -177,7 +181,8 @@ std::string FindWideGap(const DraftFace& face, double tolerance, double largestG
   return {};
 }
 
-/// Returns true if a loop is narrower in space than the allowed gaps, so that its orientation cannot be determined.
+/// Returns true if a loop is narrower in space than the allowed gaps, so that its orientation cannot be
+/// determined.
 bool IsSliver(const DraftFace& face, const std::vector<Point2>& points, double area, double tolerance)
 {
   double length = 0.0;

@@ -24,9 +24,10 @@ struct FaceInspection
 };
 
 /**
- * Calls TurnEdges() and CompleteLoops() and then checks the loops together. A loop with gaps up to `tolerance` in space is closed. Edges may be `tolerance`
- * away from the surface, and up to `largestGap` away from it or beyond its border unless the face is small compared with that: ribbons
- * close such gaps, and the integrals report them. If all loops are holes in a closed surface, its natural boundary is added
+ * Calls TurnEdges() and CompleteLoops() and then checks the loops together. A loop with gaps up to
+ * `tolerance` in space is closed. Edges may be `tolerance` away from the surface, and up to `largestGap` away
+ * from it or beyond its border unless the face is small compared with that: ribbons close such gaps, and the
+ * integrals report them. If all loops are holes in a closed surface, its natural boundary is added
  * (smOCCTNaturalBoundary.h).
  */
 FaceInspection InspectFace(DraftFace& face, const gp_Pnt& origin, double tolerance, double largestGap);

@@ -18,8 +18,9 @@
 namespace sm
 {
 /**
- * Runs `work`. Returns the reason for an exception, or an empty string. A lack of memory is not a property of the shape that is processed:
- * std::bad_alloc is thrown, also for OpenCASCADE's Standard_OutOfMemory and if a thread could not be started.
+ * Runs `work`. Returns the reason for an exception, or an empty string. A lack of memory is not a property of
+ * the shape that is processed: std::bad_alloc is thrown, also for OpenCASCADE's Standard_OutOfMemory and if a
+ * thread could not be started.
  */
 template <class Work>
 std::string CatchFailure(const Work& work)
@@ -57,7 +58,8 @@ std::string CatchFailure(const Work& work)
   }
 }
 
-/// The same for methods that VTK calls, which must not throw: a lack of memory, and an exception of any other type, is a reason, too.
+/// The same for methods that VTK calls, which must not throw: a lack of memory, and an exception of any other
+/// type, is a reason, too.
 template <class Work>
 std::string CatchEverything(const Work& work)
 {

@@ -1,6 +1,7 @@
 /**
  * @file smOCCTFile.h
- * @brief Loads files and checks them before OpenCASCADE reads them; OpenCASCADE's global settings and its progress
+ * @brief Loads files and checks them before OpenCASCADE reads them; OpenCASCADE's global settings and its
+ * progress
  */
 #ifndef smOCCTFile_h
 #define smOCCTFile_h
@@ -22,8 +23,8 @@
 
 namespace sm
 {
-/// Reads all bytes of a file. Sets `problem`, with a remedy, if it cannot be opened or is empty. Returns false if `progress`, which is
-/// called repeatedly, returned false.
+/// Reads all bytes of a file. Sets `problem`, with a remedy, if it cannot be opened or is empty. Returns
+/// false if `progress`, which is called repeatedly, returned false.
 bool LoadFile(
   const std::string& name, const std::function<bool()>& progress, std::string& bytes, std::string& problem);
 
@@ -46,8 +47,8 @@ SMREADERSSTEP_EXPORT std::string LoadHead(const std::string& name);
 /// Returns true if the file begins like a STEP file; reads only its beginning.
 bool LooksLikeSTEP(const std::string& name);
 
-/// Sets parameters of OpenCASCADE, which are global in the process, and restores them in the destructor. Parameters that this version does
-/// not know are ignored.
+/// Sets parameters of OpenCASCADE, which are global in the process, and restores them in the destructor.
+/// Parameters that this version does not know are ignored.
 class SMREADERSSTEP_EXPORT KernelSettings
 {
 public:
@@ -63,8 +64,9 @@ private:
 };
 
 /**
- * A lock on OpenCASCADE, whose parameters and messenger are global. During a session OpenCASCADE prints nothing, lengths are converted to
- * mm, and tessellations are not read. The session of another thread waits; a nested session of the same thread has no effect.
+ * A lock on OpenCASCADE, whose parameters and messenger are global. During a session OpenCASCADE prints
+ * nothing, lengths are converted to mm, and tessellations are not read. The session of another thread waits;
+ * a nested session of the same thread has no effect.
  */
 class SMREADERSSTEP_EXPORT KernelSession
 {
@@ -74,7 +76,8 @@ public:
   KernelSession(const KernelSession&) = delete;
   void operator=(const KernelSession&) = delete;
 
-  /// Returns true if this thread has a session, for example if an observer of a reader's progress updates another reader.
+  /// Returns true if this thread has a session, for example if an observer of a reader's progress updates
+  /// another reader.
   static bool IsHeldHere();
 
 private:
@@ -83,15 +86,16 @@ private:
   KernelSettings Settings;
 };
 
-/// States that the lengths of a document are in mm. OpenCASCADE uses the settings of the process only for a document without a unit.
+/// States that the lengths of a document are in mm. OpenCASCADE uses the settings of the process only for a
+/// document without a unit.
 SMREADERSSTEP_EXPORT void SetMillimetres(const Handle(TDocStd_Document) & document);
 
-/// Returns the CPU time of this thread in seconds. A limit in CPU time does not depend on the load of the machine, so that results are the
-/// same on a busy one.
+/// Returns the CPU time of this thread in seconds. A limit in CPU time does not depend on the load of the
+/// machine, so that results are the same on a busy one.
 double GetThreadSeconds();
 
-/// Forwards OpenCASCADE's progress to `progress`, as a fraction in [0,1]; if that returns false, OpenCASCADE is asked to stop. It is also
-/// asked to stop after `seconds` of CPU time of this thread; 0: no limit.
+/// Forwards OpenCASCADE's progress to `progress`, as a fraction in [0,1]; if that returns false, OpenCASCADE
+/// is asked to stop. It is also asked to stop after `seconds` of CPU time of this thread; 0: no limit.
 class SMREADERSSTEP_EXPORT KernelProgress : public Message_ProgressIndicator
 {
   DEFINE_STANDARD_RTTI_INLINE(KernelProgress, Message_ProgressIndicator)
@@ -100,8 +104,9 @@ public:
 
   bool IsTimedOut() const { return this->TimedOut; }
 
-  /// Rethrows an exception of `progress`. OpenCASCADE reports progress from destructors, which must not throw, so the exception is stored
-  /// and OpenCASCADE is asked to stop. Call this after OpenCASCADE has returned.
+  /// Rethrows an exception of `progress`. OpenCASCADE reports progress from destructors, which must not
+  /// throw, so the exception is stored and OpenCASCADE is asked to stop. Call this after OpenCASCADE has
+  /// returned.
   void Rethrow() const;
 
 protected:

@@ -17,7 +17,8 @@ namespace sm
 {
 namespace
 {
-/// A box may extend beyond the domain by this fraction of the period: the rounding of trim curves along the border.
+/// A box may extend beyond the domain by this fraction of the period: the rounding of trim curves along the
+/// border.
 constexpr double DomainSlack = 1e-9;
 /// Largest distance, relative to the size, of a control point that OpenCASCADE keeps from the file's.
 constexpr double KeptTolerance = 1e-9;
@@ -50,7 +51,8 @@ double GetDiameter(const NURBSSurface& surface)
   return Norm(Subtract(high, low));
 }
 
-/// Returns the factor of OpenCASCADE's conversion of the length unit: the ratio of the largest coordinates that no row at the end has.
+/// Returns the factor of OpenCASCADE's conversion of the length unit: the ratio of the largest coordinates
+/// that no row at the end has.
 double FindScale(const NURBSSurface& read, const NURBSSurface& file)
 {
   double scale = 1.0;
@@ -75,9 +77,9 @@ double FindScale(const NURBSSurface& read, const NURBSSurface& file)
 }
 
 /**
- * Returns a bound of the distance of two surfaces with the same knots: with control points P_i and P_i + d_i and weights w_i and w_i + e_i it
- * is at most the largest |d_i| + |e_i| / min(w_i, w_i + e_i) diameter, because the basis functions B_i w_i / sum B_i w_i are at most 1 in
- * total.
+ * Returns a bound of the distance of two surfaces with the same knots: with control points P_i and P_i + d_i
+ * and weights w_i and w_i + e_i it is at most the largest |d_i| + |e_i| / min(w_i, w_i + e_i) diameter,
+ * because the basis functions B_i w_i / sum B_i w_i are at most 1 in total.
  */
 double GetDistance(const NURBSSurface& a, const NURBSSurface& b, double scale, double diameter)
 {

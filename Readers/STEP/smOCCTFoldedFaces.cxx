@@ -17,10 +17,12 @@ namespace sm
 {
 namespace
 {
-/// Cosine of the angle between normals that are opposite: within 0.8 degrees. Smooth edges of real files deviate by less.
+/// Cosine of the angle between normals that are opposite: within 0.8 degrees. Smooth edges of real files
+/// deviate by less.
 constexpr double Opposite = -0.9999;
-/// The same between planes and surfaces of the second order, and tori, whose edges are smooth to the digits of their radii and places: within
-/// 0.1 degrees. A cap that is flatter than 1e-6 of its radius, and a ball on a plate with a rim narrower than 1e-3 of its radius, have such edges.
+/// The same between planes and surfaces of the second order, and tori, whose edges are smooth to the digits
+/// of their radii and places: within 0.1 degrees. A cap that is flatter than 1e-6 of its radius, and a ball
+/// on a plate with a rim narrower than 1e-3 of its radius, have such edges.
 constexpr double OppositeOfElementary = -0.999999;
 
 /// Returns true if the direction of its loops has decided on which part of a closed surface the face is.
@@ -36,8 +38,8 @@ bool IsElementary(const TopoDS_Shape& face)
   return !surface.IsNull() && surface->IsKind(STANDARD_TYPE(Geom_ElementarySurface));
 }
 
-/// Finds the foot of a point on the surface of a face. A surface of revolution may have its points twice, with opposite normals: the surface
-/// is the part that was inspected, if the face was.
+/// Finds the foot of a point on the surface of a face. A surface of revolution may have its points twice,
+/// with opposite normals: the surface is the part that was inspected, if the face was.
 Handle(Geom_Surface)
   FindFoot(const TopoDS_Shape& shape, const SoundFaceTable& faces, const gp_Pnt& point, gp_Pnt2d& foot)
 {

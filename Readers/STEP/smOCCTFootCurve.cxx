@@ -28,11 +28,12 @@ constexpr int MostAdded = 64;
 /// A curve that ends so close to a pole, relative to its size, is taken to end at the pole.
 constexpr double PoleTolerance = 1e-5;
 
-/// Largest distance of a foot from a straight line that replaces its curve, relative to the curve's size, away from poles. It is charged to
-/// the bounds, so it has to be small.
+/// Largest distance of a foot from a straight line that replaces its curve, relative to the curve's size,
+/// away from poles. It is charged to the bounds, so it has to be small.
 constexpr double StraightTolerance = 1e-10;
 
-/// Distance from a pole, relative to the curve's size, at which foot points are not smooth enough to be followed to rounding.
+/// Distance from a pole, relative to the curve's size, at which foot points are not smooth enough to be
+/// followed to rounding.
 constexpr double PoleReach = 0.05;
 
 /// Part of a curve between its last sample beside a pole and the one before.
@@ -41,8 +42,8 @@ constexpr double PoleShare = 2.0 * PoleTolerance;
 /// What may be missed between samples.
 constexpr double BetweenSamples = 1.25;
 
-/// Returns the length below which distances are ignored: 1e-9 of the size or, if larger, 1e-7 mm (the confusion tolerance of OpenCASCADE
-/// and of many CAD systems), but at most 1e-6 of the size.
+/// Returns the length below which distances are ignored: 1e-9 of the size or, if larger, 1e-7 mm (the
+/// confusion tolerance of OpenCASCADE and of many CAD systems), but at most 1e-6 of the size.
 double GetSlack(double size)
 {
   return std::max(1e-9 * size, std::min(1e-7, 1e-6 * size));
@@ -178,8 +179,8 @@ bool FootCurve::IsFar(const Sample& a, const Sample& b) const
   return false;
 }
 
-/// Returns true if no step between samples is a large part of a period. Large steps occur close to a pole, where polynomials cannot
-/// approximate the curve.
+/// Returns true if no step between samples is a large part of a period. Large steps occur close to a pole,
+/// where polynomials cannot approximate the curve.
 bool FootCurve::IsEven() const
 {
   for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
@@ -264,8 +265,8 @@ double FootCurve::GetLineValue(int d, double t) const
   return this->Offset[d] + this->Slope[d] * t;
 }
 
-/// Moves the samples to the line of coordinate d. Samples beside a pole, which are not in [first, last), may be on its other side: their
-/// displacement counts as a length.
+/// Moves the samples to the line of coordinate d. Samples beside a pole, which are not in [first, last), may
+/// be on its other side: their displacement counts as a length.
 void FootCurve::SetLine(int d, std::size_t first, std::size_t last)
 {
   double fastest = 0.0;
@@ -284,8 +285,9 @@ void FootCurve::SetLine(int d, std::size_t first, std::size_t last)
   }
 }
 
-/// Returns the parameter between two samples at which a coordinate passes a value, to the next numbers: by the Illinois method, a secant
-/// whose end that stays is halved, as every evaluation is a search for a foot point.
+/// Returns the parameter between two samples at which a coordinate passes a value, to the next numbers: by
+/// the Illinois method, a secant whose end that stays is halved, as every evaluation is a search for a foot
+/// point.
 double FootCurve::FindCrossing(int direction, double value, const Sample& from, const Sample& to) const
 {
   double a = from.T;

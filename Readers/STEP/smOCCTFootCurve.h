@@ -19,18 +19,20 @@
 namespace sm
 {
 /**
- * The foot points of an edge's curve on a surface, in the curve's own parameter: closed forms on cylinders, cones, spheres and tori,
- * Newton's method to rounding elsewhere. A coordinate that is constant, or the parameter plus a constant, within 1e-10 of the size (beside
- * poles 1e-7 mm, 1e-6 of the size of small curves, 1e-9 of large ones) is made so exactly, see GetResidual(): circles and rulings become
- * straight lines. On periodic surfaces the curve is continuous and may leave the base period; at a pole the undetermined coordinate is
- * continued from its neighbours. Const methods may be called by several threads.
+ * The foot points of an edge's curve on a surface, in the curve's own parameter: closed forms on cylinders,
+ * cones, spheres and tori, Newton's method to rounding elsewhere. A coordinate that is constant, or the
+ * parameter plus a constant, within 1e-10 of the size (beside poles 1e-7 mm, 1e-6 of the size of small
+ * curves, 1e-9 of large ones) is made so exactly, see GetResidual(): circles and rulings become straight
+ * lines. On periodic surfaces the curve is continuous and may leave the base period; at a pole the
+ * undetermined coordinate is continued from its neighbours. Const methods may be called by several threads.
  */
 class SMREADERSSTEP_EXPORT FootCurve
 {
 public:
   /**
-   * `placement` transforms the curve to the coordinates of the surface. Returns null if FootPointFinder does not support the surface, or if
-   * foot points could not be found along the whole curve. The surface must not be trimmed (GetBasisSurface).
+   * `placement` transforms the curve to the coordinates of the surface. Returns null if FootPointFinder does
+   * not support the surface, or if foot points could not be found along the whole curve. The surface must not
+   * be trimmed (GetBasisSurface).
    */
   static std::shared_ptr<const FootCurve> Make(const std::shared_ptr<const FootPointFinder>& finder,
     const Handle(Geom_Curve) & curve, const gp_Trsf& placement, double first, double last);
@@ -38,18 +40,22 @@ public:
   std::array<double, 2> Evaluate(double t) const;
   /// First, last and the knots of the curve between.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
-  /// Returns the same curve as a line if one coordinate is constant and the other one is the parameter plus a constant; else null.
+  /// Returns the same curve as a line if one coordinate is constant and the other one is the parameter plus a
+  /// constant; else null.
   Handle(Geom2d_Curve) GetLine() const;
-  /// Returns the largest distance of a foot point beyond the border of the surface's domain, where its polynomials are continued; 0 if all
-  /// are inside.
+  /// Returns the largest distance of a foot point beyond the border of the surface's domain, where its
+  /// polynomials are continued; 0 if all are inside.
   double GetOverhang() const;
   /// Returns OpenCASCADE's approximation of the same curve, to 1e-7 mm at best; null if it fails.
   Handle(Geom2d_Curve) Approximate() const;
-  /// Calls visit(u, v) for points that are no less extreme than the curve's, but for what two more parabolas would find.
+  /// Calls visit(u, v) for points that are no less extreme than the curve's, but for what two more parabolas
+  /// would find.
   void VisitExtremes(const std::function<void(double, double)>& visit) const;
-  /// Largest distance of a coordinate from the foot points' that it was made constant or linear from; 0 if it was not.
+  /// Largest distance of a coordinate from the foot points' that it was made constant or linear from; 0 if it
+  /// was not.
   double GetResidual(int direction) const { return this->Residual[direction]; }
-  /// Returns true if the curve passes a pole so closely that its foot points are not smooth, or not within rounding of a straight line.
+  /// Returns true if the curve passes a pole so closely that its foot points are not smooth, or not within
+  /// rounding of a straight line.
   bool IsDisturbedByPole() const { return this->Disturbed; }
   /// Largest distance of a sample from its foot, in the surface's coordinates.
   double GetDistance() const { return this->Distance; }

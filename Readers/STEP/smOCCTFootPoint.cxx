@@ -31,7 +31,8 @@ namespace
 /// Largest distance of foot points beyond the border of the domain, relative to its width.
 constexpr double Margin = 0.01;
 
-/// Largest degree of a spline whose patches are cached as polynomials in powers of the parameters; higher degrees lose too many digits.
+/// Largest degree of a spline whose patches are cached as polynomials in powers of the parameters; higher
+/// degrees lose too many digits.
 constexpr int LargestCachedDegree = 8;
 
 /// Finds foot points on cylinders, cones, spheres and tori in closed form.
@@ -86,15 +87,16 @@ private:
   Handle(Geom_ToroidalSurface) Torus;
 };
 
-/// Finds foot points on any other surface, by Newton's method from a guess or from the nearest one of some points.
+/// Finds foot points on any other surface, by Newton's method from a guess or from the nearest one of some
+/// points.
 class NewtonFinder : public FootPointFinder
 {
 public:
   explicit NewtonFinder(const Handle(Geom_Surface) & surface)
     : FootPointFinder(surface)
   {
-    // Only splines that are not periodic and have low degrees are cached: otherwise the cached polynomials differ from the surface beyond
-    // the domain, or by rounding.
+    // Only splines that are not periodic and have low degrees are cached: otherwise the cached polynomials
+    // differ from the surface beyond the domain, or by rounding.
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
     this->Inaccurate =
       !spline.IsNull() && std::max(spline->UDegree(), spline->VDegree()) > LargestCachedDegree;
@@ -159,12 +161,13 @@ private:
     }
   }
 
-  /// The search continues a little beyond the border of the domain, so that the foot point of an edge there is a smooth function.
+  /// The search continues a little beyond the border of the domain, so that the foot point of an edge there
+  /// is a smooth function.
   double GetLow(int d) const { return this->Low[d] - Margin * (this->High[d] - this->Low[d]); }
   double GetHigh(int d) const { return this->High[d] + Margin * (this->High[d] - this->Low[d]); }
 
-  /// Solves by Gauss-Newton and Newton steps, in a range a little larger than the domain. At the end of the range steps are taken only
-  /// along it.
+  /// Solves by Gauss-Newton and Newton steps, in a range a little larger than the domain. At the end of the
+  /// range steps are taken only along it.
   bool Solve(const gp_Pnt& point, double uv[2], double& distance) const
   {
     double last = std::numeric_limits<double>::infinity();
@@ -183,7 +186,8 @@ private:
       {
         return false;
       }
-      // Convergence is quadratic until rounding stops it. If the foot point is on a border, the last step ends there.
+      // Convergence is quadratic until rounding stops it. If the foot point is on a border, the last step
+      // ends there.
       if (length <= rounding || (i > 2 && length <= 1e-6 * (distance + rounding) && length >= 0.5 * last) ||
         (i > 6 && length <= 1e-9 * this->Extent && length >= 0.5 * last))
       {
@@ -330,7 +334,8 @@ private:
   std::vector<gp_Pnt> Points;
 };
 
-/// Finds seeds on surfaces of revolution and extrusion, from points of their profile curve; the other coordinate has a closed form.
+/// Finds seeds on surfaces of revolution and extrusion, from points of their profile curve; the other
+/// coordinate has a closed form.
 class SweptFinder : public NewtonFinder
 {
 public:
@@ -407,7 +412,8 @@ private:
   std::vector<std::pair<double, gp_XYZ>> Profile;
 };
 
-/// Finds seeds on extrusions and revolutions of a line that has no ends: planes, cylinders, cones and hyperboloids.
+/// Finds seeds on extrusions and revolutions of a line that has no ends: planes, cylinders, cones and
+/// hyperboloids.
 class RuledFinder : public NewtonFinder
 {
 public:
@@ -441,7 +447,8 @@ public:
   }
 
 protected:
-  /// One Newton step from the origin of a plane is exact; the height of a point on a revolution decides about the place on the line.
+  /// One Newton step from the origin of a plane is exact; the height of a point on a revolution decides about
+  /// the place on the line.
   bool FindSeed(const gp_Pnt& point, double uv[2]) const override
   {
     uv[0] = uv[1] = 0.0;
@@ -521,7 +528,8 @@ std::shared_ptr<const FootPointFinder> FootPointFinder::Make(const Handle(Geom_S
   {
     return std::make_shared<ElementaryFinder>(Handle(Geom_ElementarySurface)::DownCast(surface));
   }
-  // A point on the seam of a closed surface that is not periodic has two foot points, which cannot be distinguished by position.
+  // A point on the seam of a closed surface that is not periodic has two foot points, which cannot be
+  // distinguished by position.
   if ((surface->IsUClosed() && !surface->IsUPeriodic()) || (surface->IsVClosed() && !surface->IsVPeriodic()))
   {
     return nullptr;

@@ -16,7 +16,8 @@
 
 namespace sm
 {
-/// Finds the foot points of points on a surface. Every face has one finder, which computes the data that it needs of the surface once.
+/// Finds the foot points of points on a surface. Every face has one finder, which computes the data that it
+/// needs of the surface once.
 class SMREADERSSTEP_EXPORT FootPointFinder
 {
 public:
@@ -24,7 +25,8 @@ public:
   static std::shared_ptr<const FootPointFinder> Make(const Handle(Geom_Surface) & surface);
   virtual ~FootPointFinder() = default;
 
-  /// Finds the parameters of the foot point; if there is a `guess`, in the period nearest to it. Returns false if it was not found.
+  /// Finds the parameters of the foot point; if there is a `guess`, in the period nearest to it. Returns
+  /// false if it was not found.
   virtual bool Find(const gp_Pnt& point, const double* guess, double uv[2]) const = 0;
 
   const Handle(Geom_Surface) & GetSurface() const { return this->Surface; }
@@ -41,14 +43,16 @@ public:
   const std::vector<Pole>& GetPoles() const { return this->Poles; }
   /// Interior knots of a spline surface.
   const std::vector<double>& GetKnots(int direction) const { return this->Knots[direction]; }
-  /// Returns true for splines of high degree, of which OpenCASCADE's points have errors of up to 1e-9 of the size.
+  /// Returns true for splines of high degree, of which OpenCASCADE's points have errors of up to 1e-9 of the
+  /// size.
   bool IsInaccurate() const { return this->Inaccurate; }
   /// Returns the distance of a parameter beyond the domain; 0 inside, and in a periodic direction.
   double GetExcess(int direction, double value) const
   {
     return std::max({ 0.0, this->Low[direction] - value, value - this->High[direction] });
   }
-  /// Returns the border of the domain, or the pole, if it is within `slack` of the parameter; else the parameter.
+  /// Returns the border of the domain, or the pole, if it is within `slack` of the parameter; else the
+  /// parameter.
   double SnapToBorder(int direction, double value, double slack) const;
 
 protected:

@@ -14,8 +14,8 @@
 
 namespace sm
 {
-/// Makes a value of a curve or surface without its trims. Null for a kind that OpenCASCADE does not make of STEP files.
-/// Throws std::runtime_error with a short reason if OpenCASCADE's data are not consistent.
+/// Makes a value of a curve or surface without its trims. Null for a kind that OpenCASCADE does not make of
+/// STEP files. Throws std::runtime_error with a short reason if OpenCASCADE's data are not consistent.
 SMREADERSSTEP_EXPORT SurfacePointer MakeGeometry(const Handle(Geom_Surface) & surface);
 SMREADERSSTEP_EXPORT CurvePointer<3> MakeGeometry(const Handle(Geom_Curve) & curve);
 SMREADERSSTEP_EXPORT CurvePointer<2> MakeGeometry(const Handle(Geom2d_Curve) & curve);

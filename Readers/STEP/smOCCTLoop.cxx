@@ -23,7 +23,8 @@ namespace sm
 {
 namespace
 {
-/// Finds the pcurve that the edge stores for this surface. BRep_Tool is not used, because it makes a pcurve on a plane if there is none.
+/// Finds the pcurve that the edge stores for this surface. BRep_Tool is not used, because it makes a pcurve
+/// on a plane if there is none.
 bool FindStoredTrim(const TopoDS_Edge& edge, const Handle(Geom_Surface) & surface,
   const TopLoc_Location& faceLocation, NativeTrim& trim)
 {
@@ -78,7 +79,8 @@ double GetGap(const DraftFace& face, const DraftCoedge& from, const DraftCoedge&
   return gap;
 }
 
-/// Returns the squared distance without the reduction modulo periods, which distinguishes the two sides of a seam.
+/// Returns the squared distance without the reduction modulo periods, which distinguishes the two sides of a
+/// seam.
 double GetRawGap(const DraftCoedge& from, const DraftCoedge& to)
 {
   if (from.Projected || to.Projected)
@@ -100,8 +102,8 @@ double GetVertexDistance(const DraftCoedge& from, const DraftCoedge& to)
   return BRep_Tool::Pnt(from.End).SquareDistance(BRep_Tool::Pnt(to.Start));
 }
 
-/// Returns true if the signed jumps of the loop's pcurves by whole periods do not add up to 0, that is, if the loop winds around the
-/// surface.
+/// Returns true if the signed jumps of the loop's pcurves by whole periods do not add up to 0, that is, if
+/// the loop winds around the surface.
 bool Winds(const DraftFace& face, const DraftLoop& loop)
 {
   double turns[2] = { 0.0, 0.0 };
@@ -141,7 +143,8 @@ bool IsChain(const DraftFace& face, const DraftLoop& loop)
   return !Winds(face, loop);
 }
 
-/// Returns the unused coedge that follows best: by common vertex, then by distance in (u,v), then by distance in space.
+/// Returns the unused coedge that follows best: by common vertex, then by distance in (u,v), then by distance
+/// in space.
 std::size_t FindNext(const DraftLoop& loop, const std::vector<bool>& used, const DraftCoedge& last)
 {
   std::size_t best = loop.size();
@@ -210,7 +213,8 @@ std::vector<DraftLoop> Chain(const DraftLoop& loop)
   return chains;
 }
 
-/// Returns the sum of the squared distances in (u,v) between the ends of the coedges, without the reduction modulo periods.
+/// Returns the sum of the squared distances in (u,v) between the ends of the coedges, without the reduction
+/// modulo periods.
 double GetTotalRawGap(const DraftLoop& loop)
 {
   double total = 0.0;
@@ -240,8 +244,9 @@ bool HasSharedPlace(const DraftLoop& loop, double limit)
   return false;
 }
 
-/// Brings the coedges of a loop that all meet at one vertex, as those round a whole torus, into the order in which they are continuous in
-/// (u,v) as they are: continued by periods, another order may run round the rest of the plane. Returns false if there is no such order.
+/// Brings the coedges of a loop that all meet at one vertex, as those round a whole torus, into the order in
+/// which they are continuous in (u,v) as they are: continued by periods, another order may run round the rest
+/// of the plane. Returns false if there is no such order.
 bool OrderAtOneVertex(const DraftFace& face, DraftLoop& loop)
 {
   double limit = 0.0;
@@ -290,11 +295,13 @@ NativeBox GetBox(const DraftLoop& loop)
   return box;
 }
 
-/// Sets the trim curve of a coedge. Returns a sentence with the reason if there is none, else an empty string.
+/// Sets the trim curve of a coedge. Returns a sentence with the reason if there is none, else an empty
+/// string.
 std::string SetTrim(
   const DraftFace& face, const TopLoc_Location& location, MissingTrim missing, DraftCoedge& coedge)
 {
-  // A trim curve that cannot be moved into the domain passes a pole, where a curve of the surface continues on the other side.
+  // A trim curve that cannot be moved into the domain passes a pole, where a curve of the surface continues
+  // on the other side.
   const bool isUsable = FindStoredTrim(coedge.Edge, face.Stored, location, coedge.Trim) &&
     (MoveIntoDomain(face, coedge.Edge, coedge.Trim) || missing == MissingTrim::Approximated);
   if (!isUsable)

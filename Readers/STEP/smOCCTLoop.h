@@ -20,14 +20,15 @@ namespace sm
 struct DraftCoedge
 {
   TopoDS_Edge Edge;
-  /// Index of the edge in the body, from 0; below 0 for an added pole or seam: -1 - its number in the face. The curve of such an edge is
-  /// the image of its trim curve.
+  /// Index of the edge in the body, from 0; below 0 for an added pole or seam: -1 - its number in the face.
+  /// The curve of such an edge is the image of its trim curve.
   int EdgeIndex = -1;
   bool Reversed = false;
   bool Degenerate = false;
   /// True for a coedge without a pcurve on a plane: its trim curve is the projection of the edge's curve.
   bool Projected = false;
-  /// True for a coedge without a pcurve on another surface: its trim curve will be computed from foot points of the edge's curve.
+  /// True for a coedge without a pcurve on another surface: its trim curve will be computed from foot points
+  /// of the edge's curve.
   bool NeedsFeet = false;
   /// Largest distance between samples of the edge and of the surface along the trim curve; 0 if not measured.
   double EdgeDistance = 0.0;
@@ -57,14 +58,16 @@ struct DraftFace
   bool Reversed = false;
   /// True if its loops are those of the file, to be completed by CompleteLoops().
   bool AsInFile = false;
-  /// The surface without rectangular trims. CompleteLoops() may replace a sphere by the same one with other poles.
+  /// The surface without rectangular trims. CompleteLoops() may replace a sphere by the same one with other
+  /// poles.
   Handle(Geom_Surface) Surface;
   /// The surface as the face stores it; its domain is used for a face without loops.
   Handle(Geom_Surface) Stored;
   gp_Trsf Location;
   /// Periods in u and v; 0: not periodic.
   double Period[2] = { 0.0, 0.0 };
-  /// Periods of the surface's formula in directions in which the surface is not periodic (FindFaceDomain()); 0: none.
+  /// Periods of the surface's formula in directions in which the surface is not periodic (FindFaceDomain());
+  /// 0: none.
   double FormulaPeriod[2] = { 0.0, 0.0 };
   /// Domain in directions with a FormulaPeriod.
   double Low[2] = { 0.0, 0.0 };
@@ -73,8 +76,8 @@ struct DraftFace
   bool EndsAtPole[2] = { false, false };
   /// True if Surface is a part of the file's surface of revolution, which reaches its axis.
   bool IsPart = false;
-  /// The other part with the same points and opposite normals, if the file does not state which one is meant: every point of a symmetric profile
-  /// that crosses the axis has two parameters.
+  /// The other part with the same points and opposite normals, if the file does not state which one is meant:
+  /// every point of a symmetric profile that crosses the axis has two parameters.
   Handle(Geom_Surface) OtherSurface;
   /// True if both parts make a solid (OtherSurface).
   bool IsEitherPart = false;
@@ -85,7 +88,8 @@ struct DraftFace
   int AddedEdges = 0;
   /// True if its outer loop was added by AddNaturalBoundary().
   bool HasNaturalBoundary = false;
-  /// True if all its loops are holes between the poles that the file gives its sphere; CompleteLoops() has chosen others.
+  /// True if all its loops are holes between the poles that the file gives its sphere; CompleteLoops() has
+  /// chosen others.
   bool HasTurnedSphere = false;
   /// Returns true if it is the part of a closed surface outside its loops.
   bool IsOutside() const { return this->HasNaturalBoundary || this->HasTurnedSphere; }
@@ -106,8 +110,9 @@ enum class MissingTrim
 };
 
 /**
- * Collects surface, loops and pcurves of one face and adds its edges (forward) to `edges`. Not thread safe, because a missing pcurve is
- * added to the shape. Throws std::runtime_error if the face has no surface, or if none of its loops can be used.
+ * Collects surface, loops and pcurves of one face and adds its edges (forward) to `edges`. Not thread safe,
+ * because a missing pcurve is added to the shape. Throws std::runtime_error if the face has no surface, or if
+ * none of its loops can be used.
  */
 DraftFace CollectFace(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges,
   MissingTrim missing = MissingTrim::Approximated);

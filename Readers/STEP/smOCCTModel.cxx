@@ -84,7 +84,8 @@ Handle(StepRepr_GlobalUnitAssignedContext) GetUnits(const Handle(Standard_Transi
                            : nullptr;
 }
 
-/// Returns the length unit of the first context that has one. OpenCASCADE only considers contexts that belong to products.
+/// Returns the length unit of the first context that has one. OpenCASCADE only considers contexts that belong
+/// to products.
 std::string FindUnitInContexts(const ModelEntities& entities)
 {
   for (const int i : FindContexts(entities))
@@ -158,7 +159,8 @@ int GetStartMultiplicity(const Handle(StepGeom_BSplineCurve) & curve)
   return 1;
 }
 
-/// Returns true if the control points and weights at the end are those at the start: one for each degree of continuity, and one more.
+/// Returns true if the control points and weights at the end are those at the start: one for each degree of
+/// continuity, and one more.
 bool IsClosedByRows(const Handle(StepGeom_BSplineCurve) & curve)
 {
   const int count = curve->ControlPointsList().IsNull() ? 0 : curve->NbControlPointsList();

@@ -27,7 +27,8 @@ struct SMREADERSSTEP_EXPORT NativeTrim
   double First = 0.0;
   double Last = 0.0;
   double Shift[2] = { 0.0, 0.0 };
-  /// Largest distance of each coordinate from the foot points that the curve stands for; 0 for a curve of the file.
+  /// Largest distance of each coordinate from the foot points that the curve stands for; 0 for a curve of the
+  /// file.
   double Residual[2] = { 0.0, 0.0 };
   /// The result of Sample(), if it is kept; else empty.
   std::vector<std::array<double, 2>> Samples;

@@ -17,7 +17,8 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-/// A seam stays away from the holes by this fraction of a period; their extent is known from points of their curves only.
+/// A seam stays away from the holes by this fraction of a period; their extent is known from points of their
+/// curves only.
 constexpr double LeastDistance = 1e-3;
 
 /// Number of segments that approximate a coedge's trim curve.
@@ -41,7 +42,8 @@ std::pair<double, double> GetRange(const DraftLoop& loop, int direction)
   return range;
 }
 
-/// Finds the middle of the widest gap between the ranges of the loops, modulo a period, and moves the loops into the period from there on.
+/// Finds the middle of the widest gap between the ranges of the loops, modulo a period, and moves the loops
+/// into the period from there on.
 bool PlaceSeam(DraftFace& face, int direction, double& start)
 {
   const double period = face.Period[direction];
@@ -95,7 +97,8 @@ DraftCoedge MakeSide(DraftFace& face, const Point2& from, const Point2& to, bool
   return side;
 }
 
-/// Finds the range of parameters between the poles; a periodic direction is left as it is. Returns false if the surface has another border.
+/// Finds the range of parameters between the poles; a periodic direction is left as it is. Returns false if
+/// the surface has another border.
 bool FindDomain(const DraftFace& face, double low[2], double high[2])
 {
   if (face.Period[0] <= 0.0 && face.Period[1] <= 0.0)
@@ -184,7 +187,8 @@ bool AddNaturalBoundary(DraftFace& face)
   const Point2 corners[4] = { { low[0], low[1] }, { high[0], low[1] }, { high[0], high[1] },
     { low[0], high[1] } };
   DraftLoop loop;
-  // A side whose coordinate in direction 1 - d is constant is a seam if that direction is periodic, else a pole.
+  // A side whose coordinate in direction 1 - d is constant is a seam if that direction is periodic, else a
+  // pole.
   for (int i = 0; i < 4; ++i)
   {
     const int across = i % 2 == 0 ? 1 : 0;

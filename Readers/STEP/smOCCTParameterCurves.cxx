@@ -52,11 +52,12 @@ namespace
 /// Fractions of an edge at which it is compared. Its ends are left out: they may lie at a pole.
 constexpr std::array<double, 4> Fractions = { 0.13, 0.37, 0.61, 0.86 };
 
-/// Parameter curves may lie this far beside their edges, relative to the size of all: the default of vtkSurfaceIntegralBase::SetGapLimit().
+/// Parameter curves may lie this far beside their edges, relative to the size of all: the default of
+/// vtkSurfaceIntegralBase::SetGapLimit().
 constexpr double GapLimit = 1e-3;
 
-/// Up to this distance, relative to the size of all, a parameter curve may be a rough approximation; of 23 real files with parameter
-/// curves one has such that are 2e-3 beside, and none has larger ones.
+/// Up to this distance, relative to the size of all, a parameter curve may be a rough approximation; of 23
+/// real files with parameter curves one has such that are 2e-3 beside, and none has larger ones.
 constexpr double ApproximationLimit = 1e-2;
 
 /// Calls `visit` once with each edge of a face that is in a shell.
@@ -89,7 +90,8 @@ void VisitEdges(
   entities.ForEach<StepShape_ConnectedFaceSet>(visitShell);
 }
 
-/// Finds the parameters between which an edge uses its curve, the first one below the last one. Returns false if they are not clear.
+/// Finds the parameters between which an edge uses its curve, the first one below the last one. Returns false
+/// if they are not clear.
 bool FindRange(const Handle(StepShape_EdgeCurve) & edge, const Handle(Geom_Curve) & curve, double range[2])
 {
   gp_Pnt ends[2];
@@ -156,9 +158,9 @@ public:
     return this->Surface->Value(p.X(), p.Y());
   }
 
-  /// Returns the distance of a point at the parameter `t` of the edge: from the point at the same parameter or, if that is above `limit`, from
-  /// the whole curve, of the point's foot on the surface. A point that is farther than that from the surface has a gap there, which is told
-  /// elsewhere, and no distance.
+  /// Returns the distance of a point at the parameter `t` of the edge: from the point at the same parameter
+  /// or, if that is above `limit`, from the whole curve, of the point's foot on the surface. A point that is
+  /// farther than that from the surface has a gap there, which is told elsewhere, and no distance.
   double GetDistance(const gp_Pnt& point, double t, double limit)
   {
     const bool isInside = t >= this->Curve->FirstParameter() && t <= this->Curve->LastParameter();
@@ -197,7 +199,8 @@ private:
   /// Parameter curves may be moved by whole periods.
   static constexpr int MostTurns = 2;
 
-  /// Lowers `least` to the distance of `foot` from the point of the curve that is nearest to `uv` in the parameters.
+  /// Lowers `least` to the distance of `foot` from the point of the curve that is nearest to `uv` in the
+  /// parameters.
   void Approach(const gp_Pnt2d& uv, const gp_Pnt& foot, double& least) const
   {
     const Geom2dAPI_ProjectPointOnCurve nearest(uv, this->Curve);
@@ -211,8 +214,8 @@ private:
     }
   }
 
-  /// Returns the least distance near `s`, which is nearest in the parameters, where a unit of u may be longer than one of v. The interval is
-  /// divided by the golden ratio.
+  /// Returns the least distance near `s`, which is nearest in the parameters, where a unit of u may be longer
+  /// than one of v. The interval is divided by the golden ratio.
   double Improve(double s, const gp_Pnt& foot) const
   {
     constexpr double ratio = 0.6180339887498949;
@@ -242,7 +245,8 @@ private:
   bool IsSphere = false;
 };
 
-/// Returns true for surfaces whose parameters are certain: not for those that depend on a curve's, or on the length of a vector.
+/// Returns true for surfaces whose parameters are certain: not for those that depend on a curve's, or on the
+/// length of a vector.
 bool IsExamined(const Handle(Geom_Surface) & surface)
 {
   return !surface.IsNull() &&
@@ -250,8 +254,8 @@ bool IsExamined(const Handle(Geom_Surface) & surface)
       surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)));
 }
 
-/// Returns the whole ellipse of a curve, or of a part of one, whose first axis is the shorter one: OpenCASCADE makes another ellipse of it.
-/// Null for other curves.
+/// Returns the whole ellipse of a curve, or of a part of one, whose first axis is the shorter one:
+/// OpenCASCADE makes another ellipse of it. Null for other curves.
 Handle(Geom2d_Curve) MakeTallEllipse(Handle(StepGeom_Curve) entity)
 {
   const auto part = Handle(StepGeom_TrimmedCurve)::DownCast(entity);

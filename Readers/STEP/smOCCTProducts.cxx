@@ -74,8 +74,8 @@ private:
     return info != this->Result.Table.end() && info->second.OpenSolid;
   }
 
-  /// Returns true if at least half of the edges of a shell are used twice. A shell that the file declares as a solid is then read as a
-  /// solid with openings.
+  /// Returns true if at least half of the edges of a shell are used twice. A shell that the file declares as
+  /// a solid is then read as a solid with openings.
   static bool IsMostlyClosed(const TopoDS_Shape& shell)
   {
     TopTools_IndexedDataMapOfShapeListOfShape users;
@@ -102,7 +102,8 @@ private:
     return solids;
   }
 
-  /// Makes the node of a product or of one occurrence of it (`label`); `parent` is the placement of the assembly.
+  /// Makes the node of a product or of one occurrence of it (`label`); `parent` is the placement of the
+  /// assembly.
   ProductNode Visit(const TDF_Label& label, const gp_Trsf& parent, Inherited inherited)
   {
     TDF_Label product = label;
@@ -119,7 +120,8 @@ private:
     node.Layer = GetLabelLayer(this->Xde, product);
     if (XCAFDoc_ShapeTool::IsAssembly(product))
     {
-      // Some CAD systems attach the validation properties and the material of a part with one solid to its product.
+      // Some CAD systems attach the validation properties and the material of a part with one solid to its
+      // product.
       const bool single = CountSolids(XCAFDoc_ShapeTool::GetShape(product)) == 1;
       inherited.Volume = single ? inherited.Volume : Nothing;
       inherited.Area = single ? inherited.Area : Nothing;
@@ -205,8 +207,8 @@ private:
     }
   }
 
-  /// Returns the bodies of a shell that is no part of a solid. OpenCASCADE's repair divides a shell into connected parts; a shell that was
-  /// not repaired is divided here.
+  /// Returns the bodies of a shell that is no part of a solid. OpenCASCADE's repair divides a shell into
+  /// connected parts; a shell that was not repaired is divided here.
   std::vector<TopoDS_Shape> GetParts(const TopoDS_Shape& shell)
   {
     if (!IsAsInFile(shell, this->Result.Table))

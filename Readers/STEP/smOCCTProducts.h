@@ -11,8 +11,8 @@
 
 namespace sm
 {
-/// Adds the products of `xde` to the root of the document. The table of the document must have the data of the shapes. Faces outside of
-/// solids become bodies only if the file has no solids; else they are counted.
+/// Adds the products of `xde` to the root of the document. The table of the document must have the data of
+/// the shapes. Faces outside of solids become bodies only if the file has no solids; else they are counted.
 SMREADERSSTEP_EXPORT void AddProducts(const Handle(TDocStd_Document) & xde, Document& document);
 }
 

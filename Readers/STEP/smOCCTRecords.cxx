@@ -29,7 +29,8 @@ bool HasOnly(std::string_view text, const char* characters)
   return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
 }
 
-/// Returns the kind that OpenCASCADE's lexer gives to a number; Interface_ParamMisc if it does not accept it as a number.
+/// Returns the kind that OpenCASCADE's lexer gives to a number; Interface_ParamMisc if it does not accept it
+/// as a number.
 Interface_ParamType GetNumberType(std::string_view number, bool real)
 {
   const std::size_t exponent = number.find_first_of("Ee");
@@ -244,8 +245,8 @@ private:
     return this->Skip(';');
   }
 
-  /// Reads the parameters of a record from its bracket on. A list is recorded when its bracket closes; until then its parameters are in
-  /// Waiting.
+  /// Reads the parameters of a record from its bracket on. A list is recorded when its bracket closes; until
+  /// then its parameters are in Waiting.
   bool ReadParameters(OpenList record)
   {
     if (!this->Skip('('))

@@ -20,16 +20,16 @@
 namespace sm
 {
 /**
- * The records that OpenCASCADE's own lexer and parser would make of the text, in the same order: one for each entity of the header, for
- * each record of an instance, and for each list or typed value within, which comes before the record that has it. They are made in
- * a twentieth of the time.
+ * The records that OpenCASCADE's own lexer and parser would make of the text, in the same order: one for each
+ * entity of the header, for each record of an instance, and for each list or typed value within, which comes
+ * before the record that has it. They are made in a twentieth of the time.
  */
 class SMREADERSSTEP_EXPORT KernelRecords
 {
 public:
-  /// Makes the records. Returns false if OpenCASCADE may read the text differently (damage, a second DATA section, numbers beyond 31 bits,
-  /// numbers like 1e5, and enumerations in lower case), so that its own parser must be used. Instances of types whose flag in `emptied` is
-  /// set get no parameters.
+  /// Makes the records. Returns false if OpenCASCADE may read the text differently (damage, a second DATA
+  /// section, numbers beyond 31 bits, numbers like 1e5, and enumerations in lower case), so that its own
+  /// parser must be used. Instances of types whose flag in `emptied` is set get no parameters.
   bool Make(const Part21File& file, const std::vector<bool>& emptied);
 
   /// Makes OpenCASCADE's data object, which refers to texts of this object.
@@ -71,8 +71,8 @@ private:
   std::size_t HeaderRecords = 0;
 };
 
-/// Makes a library for a session's SetLibrary() that loads the model from `records`, which must outlive the reading, and does not read the
-/// stream.
+/// Makes a library for a session's SetLibrary() that loads the model from `records`, which must outlive the
+/// reading, and does not read the stream.
 SMREADERSSTEP_EXPORT Handle(IFSelect_WorkLibrary) MakeRecordLibrary(const KernelRecords& records);
 }
 

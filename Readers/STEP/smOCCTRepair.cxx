@@ -57,8 +57,9 @@ void AddOutsideFaces(const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel
   }
 }
 
-/// Adds faces whose sense contradicts their neighbours' to the log. Returns the reason why a body with faces outside their loops is repaired
-/// all the same; empty if there is none. OpenCASCADE's repair takes the part inside.
+/// Adds faces whose sense contradicts their neighbours' to the log. Returns the reason why a body with faces
+/// outside their loops is repaired all the same; empty if there is none. OpenCASCADE's repair takes the part
+/// inside.
 std::string FindContradiction(
   const TopoDS_Shape& original, const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
 {
@@ -84,7 +85,8 @@ std::string FindContradiction(
   return problem;
 }
 
-/// Returns true if the body needs no repair, or no more after some of its faces were repaired; the result is added to `log`.
+/// Returns true if the body needs no repair, or no more after some of its faces were repaired; the result is
+/// added to `log`.
 bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, const FaceRepair& repair)
 {
   if (shape.IsNull() || (shape.ShapeType() != TopAbs_SOLID && shape.ShapeType() != TopAbs_SHELL))

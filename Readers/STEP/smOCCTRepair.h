@@ -17,8 +17,8 @@
 
 namespace sm
 {
-/// A surface that one face of a repaired body has, with the side that the face took before, and the shell that it was in; ambiguous if
-/// several faces have it.
+/// A surface that one face of a repaired body has, with the side that the face took before, and the shell
+/// that it was in; ambiguous if several faces have it.
 struct FaceSide
 {
   Handle(Geom_Surface) Surface;
@@ -58,10 +58,10 @@ struct RepairLog
 std::vector<std::string> Describe(const RepairLog& log);
 
 /**
- * During the lifetime of this object OpenCASCADE's transfer does not repair solids and shells that are sound: edges of a solid are used
- * once in either direction, each shell is connected, and all faces pass InspectFace() (smOCCTFaceInspection.h). A solid that is inside out
- * is reversed. If only a few faces do not pass, these alone are repaired. All others are repaired as usual. The conditions of
- * TransferFilter apply.
+ * During the lifetime of this object OpenCASCADE's transfer does not repair solids and shells that are sound:
+ * edges of a solid are used once in either direction, each shell is connected, and all faces pass
+ * InspectFace() (smOCCTFaceInspection.h). A solid that is inside out is reversed. If only a few faces do not
+ * pass, these alone are repaired. All others are repaired as usual. The conditions of TransferFilter apply.
  */
 class RepairOnNeed
 {
@@ -72,7 +72,8 @@ private:
   TransferFilter Filter;
 };
 
-/// During the lifetime of this object all shapes are repaired. The sides of faces, and faces outside their loops, are added to the log.
+/// During the lifetime of this object all shapes are repaired. The sides of faces, and faces outside their
+/// loops, are added to the log.
 class RepairAlways
 {
 public:

@@ -19,12 +19,13 @@ namespace
 constexpr int Plain = 2;
 // Roundings by another output unit: its factor, and the product.
 constexpr int Scaled = 2;
-// Roundings by a rotation: entries of the matrix, which come from normalized directions and products of placements, and three products
-// each.
+// Roundings by a rotation: entries of the matrix, which come from normalized directions and products of
+// placements, and three products each.
 constexpr int Rotated = 16;
 // Roundings of a profile's distance from its axis, or of an offset.
 constexpr int Profiled = 6;
-// Roundings of lengths in a local frame: directions are normalized, made orthogonal, mapped, and multiplied by sines and cosines.
+// Roundings of lengths in a local frame: directions are normalized, made orthogonal, mapped, and multiplied
+// by sines and cosines.
 constexpr int Framed = 16;
 // Roundings of weights, relative to distances between control points.
 constexpr int Weighted = 4;
@@ -81,11 +82,12 @@ bool IsRotated(const AffineMap& map)
 }
 
 /**
- * Returns a bound of the displacement of the surface by the rounding of the knots t_j of one direction. The derivative with respect to a
- * knot is a B-spline whose knots have t_j once more, with coefficients (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)); a point depends on p knots
- * before and after it. With weights these are differences of homogeneous points relative to a point of the surface, divided by weights
- * between w_i and w_(i+1), which the surface has after the insertion of t_j. A knot moves no control point beyond its neighbour, and
- * differences whose support does not meet the box, which the face covers, are not counted.
+ * Returns a bound of the displacement of the surface by the rounding of the knots t_j of one direction. The
+ * derivative with respect to a knot is a B-spline whose knots have t_j once more, with coefficients (P_(i+1)
+ * - P_i) / (t_(i+p+1) - t_(i+1)); a point depends on p knots before and after it. With weights these are
+ * differences of homogeneous points relative to a point of the surface, divided by weights between w_i and
+ * w_(i+1), which the surface has after the insertion of t_j. A knot moves no control point beyond its
+ * neighbour, and differences whose support does not meet the box, which the face covers, are not counted.
  */
 double GetKnotRounding(const NURBSSurface& surface, int direction, const NativeBox& box, double diameter)
 {

@@ -21,24 +21,28 @@ namespace sm
 {
 namespace
 {
-/// Gaps between edges and surfaces up to this, relative to the size, need no repair. It is a quarter of the limit of the integrals, because
-/// their bound of the distance of an edge beyond its surface may be several times too large.
+/// Gaps between edges and surfaces up to this, relative to the size, need no repair. It is a quarter of the
+/// limit of the integrals, because their bound of the distance of an edge beyond its surface may be several
+/// times too large.
 constexpr double LargestGap = 2.5e-4;
 
-/// Number of faces of the first group that is inspected in parallel; each further group has as many as all groups before it, and this many
-/// more.
+/// Number of faces of the first group that is inspected in parallel; each further group has as many as all
+/// groups before it, and this many more.
 constexpr std::size_t FirstFaces = 32;
 
-/// The sign of an estimated volume is certain if it exceeds this fraction of the sum of the absolute volumes of its faces' cones.
+/// The sign of an estimated volume is certain if it exceeds this fraction of the sum of the absolute volumes
+/// of its faces' cones.
 constexpr double LeastShare = 0.2;
 
-/// A shell whose estimated volume has the wrong sign by at most this fraction of that sum may not be inside out.
+/// A shell whose estimated volume has the wrong sign by at most this fraction of that sum may not be inside
+/// out.
 constexpr double UncertainShare = 0.02;
 
 /// Choices of parts of surfaces are tried for so many faces of a shell at most.
 constexpr std::size_t MostOtherParts = 6;
 
-/// One of so many faces of a shell at most is repaired by itself, but one face always; if more need it, the body is repaired.
+/// One of so many faces of a shell at most is repaired by itself, but one face always; if more need it, the
+/// body is repaired.
 constexpr std::size_t FacesPerRepair = 48;
 
 /// Number and signed sum of the uses of an edge by faces.
@@ -103,8 +107,8 @@ private:
   gp_XYZ High{ -1e300, -1e300, -1e300 };
 };
 
-/// The faces of a shell and its edges, which are numbered once: OpenCASCADE's entities lie scattered in memory, and in a large model each
-/// look-up by their address waits for it.
+/// The faces of a shell and its edges, which are numbered once: OpenCASCADE's entities lie scattered in
+/// memory, and in a large model each look-up by their address waits for it.
 struct ShellDraft
 {
   std::vector<TopoDS_Shape> Faces;
@@ -162,7 +166,8 @@ void AddUses(const DraftFace& face, std::size_t index, const TopTools_IndexedMap
   }
 }
 
-/// Checks that every edge of a solid has two uses, one in each direction, and that the faces of a shell are connected.
+/// Checks that every edge of a solid has two uses, one in each direction, and that the faces of a shell are
+/// connected.
 std::string InspectStructure(
   const std::vector<EdgeUse>& uses, std::size_t faceCount, std::size_t edgeCount, bool isSolid)
 {
@@ -260,8 +265,8 @@ private:
     {
       double outwards = 0.0;
       problem = problem.empty() ? this->InspectShell(shell, outwards) : problem;
-      // A void with the wrong orientation is detected later by exact volumes, but the shell may also be no void: one outside the outer
-      // shell needs a repair.
+      // A void with the wrong orientation is detected later by exact volumes, but the shell may also be no
+      // void: one outside the outer shell needs a repair.
       if (problem.empty() && this->Sign * outwards > 0.0 &&
         !shells[0].Box.Contains(shell.Box, this->Tolerance))
       {
@@ -291,8 +296,8 @@ private:
     return result;
   }
 
-  /// Inspects a shell and adds faces with problems to Damaged. `outwards` is set to its signed volume, relative to the sum of the absolute
-  /// volumes of its faces' cones.
+  /// Inspects a shell and adds faces with problems to Damaged. `outwards` is set to its signed volume,
+  /// relative to the sum of the absolute volumes of its faces' cones.
   std::string InspectShell(ShellDraft& shell, double& outwards)
   {
     const bool isWhole = std::all_of(
@@ -307,7 +312,8 @@ private:
     std::vector<OtherPart> others = CopyOtherParts(shell);
     const std::size_t most = std::max<std::size_t>(1, shell.Drafts.size() / FacesPerRepair);
     std::size_t damaged = 0;
-    // A body with many problems is repaired as a whole, so the inspection stops behind the group that has too many.
+    // A body with many problems is repaired as a whole, so the inspection stops behind the group that has too
+    // many.
     for (std::size_t start = 0; start < shell.Drafts.size() && damaged <= most;)
     {
       const std::size_t stop = std::min(2 * start + FirstFaces, shell.Drafts.size());
@@ -365,7 +371,8 @@ private:
     return others;
   }
 
-  /// Takes the other part of the surface for a face that has a problem on the first one and none on the other.
+  /// Takes the other part of the surface for a face that has a problem on the first one and none on the
+  /// other.
   void TryOtherPart(
     ShellDraft& shell, std::size_t index, std::vector<OtherPart>& others, FaceInspection& result) const
   {
@@ -389,8 +396,9 @@ private:
   }
 
   /**
-   * Chooses the parts of surfaces of revolution of which the file does not say which one is meant, so that the shell is not inside out: with
-   * the first parts if they do, else with the first choice that does. Faces that differ between choices that do so are marked.
+   * Chooses the parts of surfaces of revolution of which the file does not say which one is meant, so that
+   * the shell is not inside out: with the first parts if they do, else with the first choice that does. Faces
+   * that differ between choices that do so are marked.
    */
   void ChooseParts(
     ShellDraft& shell, std::vector<OtherPart>& others, std::vector<FaceInspection>& results) const
@@ -427,7 +435,8 @@ private:
     }
   }
 
-  /// Returns the signed volume of a shell, relative to the sum of the absolute volumes of its faces' cones, for a choice of other parts.
+  /// Returns the signed volume of a shell, relative to the sum of the absolute volumes of its faces' cones,
+  /// for a choice of other parts.
   static double GetOutwards(const ShellDraft& shell, const std::vector<OtherPart>& others,
     const std::vector<FaceInspection>& results, unsigned int choice)
   {

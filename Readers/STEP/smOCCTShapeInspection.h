@@ -37,8 +37,8 @@ struct ShapeDamage
   bool IsReversed = false;
 };
 
-/// Inspects a solid or shell. If it is sound, or `repair` makes it so, its faces that were not repaired are added to `faces`. A solid that is
-/// clearly inside out is reversed.
+/// Inspects a solid or shell. If it is sound, or `repair` makes it so, its faces that were not repaired are
+/// added to `faces`. A solid that is clearly inside out is reversed.
 SMREADERSSTEP_EXPORT ShapeDamage FindShapeDamage(
   TopoDS_Shape& shape, const ShapeLabel& label, SoundFaceTable& faces, const FaceRepair& repair = {});
 }

@@ -47,8 +47,8 @@ struct NearSurface
   AffineMap Map;
 };
 
-/// Returns the same surface, translated so that the model's origin is that of OpenCASCADE. Evaluation far from the origin would lose digits
-/// that the poles have.
+/// Returns the same surface, translated so that the model's origin is that of OpenCASCADE. Evaluation far
+/// from the origin would lose digits that the poles have.
 NearSurface MoveToOrigin(const Handle(Geom_Surface) & surface, const AffineMap& map)
 {
   NearSurface near{ surface, map };
@@ -87,7 +87,8 @@ double GetSize(const NURBSSurface& surface)
   return size;
 }
 
-/// Returns the knots inside the box of the basis surface of an offset surface; cells of the fit must not extend across them.
+/// Returns the knots inside the box of the basis surface of an offset surface; cells of the fit must not
+/// extend across them.
 std::vector<double> GetFitBreaks(const Handle(Geom_Surface) & surface, int direction, double low, double high)
 {
   std::vector<double> breaks{ low };
@@ -161,7 +162,8 @@ ConvertedSurface ConvertSurface(
   if (surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface)))
   {
     const NearSurface near = MoveToOrigin(surface, map);
-    // An offset of an elementary surface may be an elementary surface itself, which is used if it agrees at sample points.
+    // An offset of an elementary surface may be an elementary surface itself, which is used if it agrees at
+    // sample points.
     const Handle(Geom_Surface) same = Handle(Geom_OffsetSurface)::DownCast(near.Surface)->Surface();
     done = !same.IsNull() && ConvertKernelSurface(GetBasisSurface(same), box, near.Map, result) &&
       MeasureDistance(near.Surface, box, near.Map, result) < 1e-13 * GetSize(result.Surface);

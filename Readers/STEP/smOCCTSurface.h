@@ -1,6 +1,7 @@
 /**
  * @file smOCCTSurface.h
- * @brief Exact conversion of OpenCASCADE surfaces to rational B-splines, with the map between their parameters
+ * @brief Exact conversion of OpenCASCADE surfaces to rational B-splines, with the map between their
+ * parameters
  */
 #ifndef smOCCTSurface_h
 #define smOCCTSurface_h

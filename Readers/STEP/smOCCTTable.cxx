@@ -257,7 +257,8 @@ std::string GetLabelName(const TDF_Label& label)
     return {};
   }
   const std::string text = ToUTF8(name->Get());
-  // OpenCASCADE names shapes without a name in the file after their type, or after the label to which they refer.
+  // OpenCASCADE names shapes without a name in the file after their type, or after the label to which they
+  // refer.
   static const char* const made[] = { "COMPOUND", "COMPSOLID", "SOLID", "SHELL", "FACE", "NONE", "ASSEMBLY" };
   for (const char* word : made)
   {

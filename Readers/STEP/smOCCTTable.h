@@ -16,16 +16,17 @@
 
 namespace sm
 {
-/// Fills the table: entity numbers and names of solids, shells, faces and edges; colours; faces for which the file has bounds; and the
-/// numbers of missing faces of shells, which are those in `lost` and those without a shape.
+/// Fills the table: entity numbers and names of solids, shells, faces and edges; colours; faces for which the
+/// file has bounds; and the numbers of missing faces of shells, which are those in `lost` and those without a
+/// shape.
 void FillTable(const Handle(XSControl_WorkSession) & session, const Handle(TDocStd_Document) & document,
   const LostFaces& lost, ShapeTable& table);
 
 /// Returns "face #12" for a shape that the transfer has just made of entity #12, else "a shape".
 std::string GetShapeLabel(const Handle(XSControl_WorkSession) & session, const TopoDS_Shape& shape);
 
-/// Marks the solids and shells that the operators place (ShapeInfo::Misplaced). Returns false if an operator places something else, so that
-/// any shape may be affected.
+/// Marks the solids and shells that the operators place (ShapeInfo::Misplaced). Returns false if an operator
+/// places something else, so that any shape may be affected.
 bool MarkMisplaced(const Handle(XSControl_WorkSession) & session,
   const std::vector<Handle(Standard_Transient)>& operators, ShapeTable& table);
 

@@ -41,7 +41,8 @@ struct RangeMap
   }
 };
 
-/// Sets a component that is equal for all poles up to rounding to exactly one value, without the rounding of blossoming.
+/// Sets a component that is equal for all poles up to rounding to exactly one value, without the rounding of
+/// blossoming.
 void KeepConstant(const std::vector<TrimCurve::Point>& poles, TrimCurve& curve)
 {
   for (int d = 0; d < 2; ++d)
@@ -81,8 +82,9 @@ public:
     }
   }
 
-  /// Returns true if the fit is poor: its residual is far above rounding, or it was stopped after many more pieces than the curve has. Foot
-  /// points close to a nearly singular point of the surface are not a smooth function of the parameter.
+  /// Returns true if the fit is poor: its residual is far above rounding, or it was stopped after many more
+  /// pieces than the curve has. Foot points close to a nearly singular point of the surface are not a smooth
+  /// function of the parameter.
   bool IsPoor() const { return this->GivenUp || this->HasLargeResidual(); }
 
   /// Returns true if the fit was stopped before the end of the curve.
@@ -175,8 +177,8 @@ private:
       (this->Constant[1] || this->Maps[1].Type == ParameterMap::Kind::Identity);
   }
 
-  /// Returns the parameter at which component d crosses `border` inside [a, b]; its differences from it at the ends must have different
-  /// signs.
+  /// Returns the parameter at which component d crosses `border` inside [a, b]; its differences from it at
+  /// the ends must have different signs.
   double FindCrossing(int d, double border, double a, double b, bool rising) const
   {
     for (int i = 0; i < 80; ++i)
@@ -385,8 +387,8 @@ private:
 
 std::array<double, 2> GetTrimTolerance(const ParameterMap maps[2], const double width[2])
 {
-  // If the other parameter is an angle, whose arcs have width 1, a length is fitted to rounding: the tolerance 1e-13 of a long cylinder
-  // would be far larger than 1e-13 of an arc.
+  // If the other parameter is an angle, whose arcs have width 1, a length is fitted to rounding: the
+  // tolerance 1e-13 of a long cylinder would be far larger than 1e-13 of an arc.
   const bool plain = maps[0].Type == maps[1].Type;
   std::array<double, 2> tolerance;
   for (int d = 0; d < 2; ++d)
@@ -412,8 +414,8 @@ void AddNativeResidual(const double residual[2], const ParameterMap maps[2], Tri
 TrimCurve ConvertTo(
   const NativeTrim& trim, const RangeMap& range, const ParameterMap maps[2], const double width[2]);
 
-/// Converts OpenCASCADE's approximation of foot points that are not a smooth function, to its measured distance from them. Empty if it
-/// fails.
+/// Converts OpenCASCADE's approximation of foot points that are not a smooth function, to its measured
+/// distance from them. Empty if it fails.
 TrimCurve ConvertApproximation(
   const NativeTrim& trim, const RangeMap& range, const ParameterMap maps[2], const double width[2])
 {

@@ -14,7 +14,8 @@ void Turn(DraftCoedge& coedge)
   std::swap(coedge.Start, coedge.End);
 }
 
-/// Reverses all coedges behind the first that would not begin where the one before ends; returns false if they make no closed chain.
+/// Reverses all coedges behind the first that would not begin where the one before ends; returns false if
+/// they make no closed chain.
 bool TurnToChain(DraftLoop& loop, int& turned)
 {
   for (std::size_t i = 1; i < loop.size(); ++i)

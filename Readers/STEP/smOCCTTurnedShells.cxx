@@ -31,7 +31,8 @@ struct TurnedShells
 {
   int Turned = 0;
   int Kept = 0;
-  /// Turned shells that the file has as such, so that it says which is the outer one and which are voids. Others were parts of one shell.
+  /// Turned shells that the file has as such, so that it says which is the outer one and which are voids.
+  /// Others were parts of one shell.
   int Declared = 0;
   /// Entity number of a face of the first turned shell that is not declared, else of the first one.
   int Face = 0;

@@ -79,7 +79,8 @@ public:
 
   /// Returns the errno for which the program could not be started; 0 if it was.
   int GetError() const { return this->Error; }
-  /// Appends the bytes that the program has sent. Waits up to `milliseconds` if there are none. Returns false at the end of its output.
+  /// Appends the bytes that the program has sent. Waits up to `milliseconds` if there are none. Returns false
+  /// at the end of its output.
   bool Receive(int milliseconds, Bytes& received);
   /// Waits for the end of the program, and returns the status of waitpid().
   int Wait();
@@ -90,8 +91,8 @@ private:
   int Error = 0;
 };
 
-/// Makes a nameless file in memory with these bytes, positioned at its start, which no other program inherits. Returns -1, with errno, if
-/// that fails.
+/// Makes a nameless file in memory with these bytes, positioned at its start, which no other program
+/// inherits. Returns -1, with errno, if that fails.
 int MakeInput(const std::string& bytes)
 {
 #ifdef __linux__

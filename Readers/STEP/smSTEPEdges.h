@@ -14,7 +14,8 @@
 
 namespace sm
 {
-/// An edge as a part of a curve. Its direction is that of the curve's natural parameter, its vertices are in this order.
+/// An edge as a part of a curve. Its direction is that of the curve's natural parameter, its vertices are in
+/// this order.
 struct STEPEdge
 {
   std::uint64_t Id = 0;
@@ -35,8 +36,8 @@ struct STEPEdge
 };
 
 /**
- * Converts EDGE_CURVE, each once, when it is asked for. The part of its curve is what its vertices, their order and its
- * sense state (ISO 10303-42, edge_curve):
+ * Converts EDGE_CURVE, each once, when it is asked for. The part of its curve is what its vertices, their
+ * order and its sense state (ISO 10303-42, edge_curve):
  *
  * | curve | parameters of the vertices | both vertices are the same |
  * |---|---|---|
@@ -53,7 +54,8 @@ class SMREADERSSTEP_EXPORT STEPEdges
 public:
   using Index = Part21File::Index;
 
-  /// Vertices closer than this are the same, in millimetres: the accuracy that CAD systems give their vertices.
+  /// Vertices closer than this are the same, in millimetres: the accuracy that CAD systems give their
+  /// vertices.
   static constexpr double SameVertex = 1e-7;
 
   /// Keeps references to all.

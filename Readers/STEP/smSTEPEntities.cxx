@@ -108,7 +108,8 @@ private:
   std::unordered_set<const Standard_Transient*> Numbered;
 };
 
-/// Finds the accuracy of each body's entity through the context of the representation that has the body as an item.
+/// Finds the accuracy of each body's entity through the context of the representation that has the body as an
+/// item.
 class Accuracies
 {
 public:

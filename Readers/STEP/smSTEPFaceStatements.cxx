@@ -133,7 +133,8 @@ public:
   }
 
 private:
-  /// Finds the faces whose shell uses them with the opposite normal. Faces that are used with both, or several times, are not known.
+  /// Finds the faces whose shell uses them with the opposite normal. Faces that are used with both, or
+  /// several times, are not known.
   void FindOrientedFaces()
   {
     const std::vector<std::string>& names = this->File.GetTypeNames();

@@ -26,8 +26,8 @@ struct STEPUnitSizes
 };
 
 /**
- * A curve of a file. Its entity is the value over `Range`; the parameter of the entity is an affine function of the
- * value's. `Parameter.Scale` is negative for a curve that runs against its value.
+ * A curve of a file. Its entity is the value over `Range`; the parameter of the entity is an affine function
+ * of the value's. `Parameter.Scale` is negative for a curve that runs against its value.
  */
 template <int Dimension>
 struct STEPCurve
@@ -39,7 +39,8 @@ struct STEPCurve
   ParameterScale Parameter;
 };
 
-/// A surface of a file, likewise. Its normal, and with it that of its faces, is against the value's if IsReversed().
+/// A surface of a file, likewise. Its normal, and with it that of its faces, is against the value's if
+/// IsReversed().
 struct STEPSurface
 {
   SurfacePointer Value;
@@ -50,14 +51,15 @@ struct STEPSurface
 };
 
 /**
- * Converts geometry of a file, each entity once, when it is asked for. An entity that is not converted gets a row in the
- * ledger, together with each one that depends on it.
+ * Converts geometry of a file, each entity once, when it is asked for. An entity that is not converted gets a
+ * row in the ledger, together with each one that depends on it.
  *
  * Curves: LINE, CIRCLE, ELLIPSE, PARABOLA, HYPERBOLA, POLYLINE, B_SPLINE_CURVE of all kinds, TRIMMED_CURVE,
- * COMPOSITE_CURVE of all kinds, OFFSET_CURVE_3D and _2D, CURVE_REPLICA, SURFACE_CURVE of all kinds (the curve in space),
- * PCURVE. Surfaces: PLANE, CYLINDRICAL_, CONICAL_, SPHERICAL_, TOROIDAL_ and DEGENERATE_TOROIDAL_SURFACE,
- * SURFACE_OF_LINEAR_EXTRUSION, SURFACE_OF_REVOLUTION, B_SPLINE_SURFACE of all kinds, RECTANGULAR_TRIMMED_SURFACE,
- * CURVE_BOUNDED_SURFACE (its basis: the loops of a face bound it), OFFSET_SURFACE, SURFACE_REPLICA.
+ * COMPOSITE_CURVE of all kinds, OFFSET_CURVE_3D and _2D, CURVE_REPLICA, SURFACE_CURVE of all kinds (the curve
+ * in space), PCURVE. Surfaces: PLANE, CYLINDRICAL_, CONICAL_, SPHERICAL_, TOROIDAL_ and
+ * DEGENERATE_TOROIDAL_SURFACE, SURFACE_OF_LINEAR_EXTRUSION, SURFACE_OF_REVOLUTION, B_SPLINE_SURFACE of all
+ * kinds, RECTANGULAR_TRIMMED_SURFACE, CURVE_BOUNDED_SURFACE (its basis: the loops of a face bound it),
+ * OFFSET_SURFACE, SURFACE_REPLICA.
  *
  * Lengths are in millimetres, angles in radians. Not thread safe. Throws only std::bad_alloc.
  */
@@ -75,7 +77,8 @@ public:
   const STEPSurface* GetSurface(Index entity);
   /// Returns a curve in the parameters of a surface, in the file's units.
   const STEPCurve<2>* GetPlaneCurve(Index entity);
-  /// Returns a curve in the natural parameters of a surface, converted from the file's units; null Value if that fails.
+  /// Returns a curve in the natural parameters of a surface, converted from the file's units; null Value if
+  /// that fails.
   STEPCurve<2> MapToNatural(
     const STEPCurve<2>& curve, const STEPSurface& surface, std::string& problem) const;
 

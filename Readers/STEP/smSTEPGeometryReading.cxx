@@ -341,8 +341,8 @@ SplineBasis ReadGeometryBasis(const STEPAttributes& entities, Part21File::Index 
     }
     return basis;
   }
-  // ISO 10303-42: Bézier pieces join at knots of multiplicity `degree`; uniform knots are -degree, 1 - degree, ...;
-  // quasi-uniform ones are 0 and the integers, with the ends repeated.
+  // ISO 10303-42: Bézier pieces join at knots of multiplicity `degree`; uniform knots are -degree, 1 -
+  // degree, ...; quasi-uniform ones are 0 and the integers, with the ends repeated.
   const bool isBezier = has("BEZIER_" + kind);
   const int spans = isBezier ? (count - 1) / degree : count - degree;
   if (spans < 1 || (isBezier && spans * degree + 1 != count))

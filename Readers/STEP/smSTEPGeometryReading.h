@@ -1,6 +1,7 @@
 /**
  * @file smSTEPGeometryReading.h
- * @brief Points, placements, operators and splines of a STEP file, for the conversion of its curves and surfaces
+ * @brief Points, placements, operators and splines of a STEP file, for the conversion of its curves and
+ * surfaces
  */
 #ifndef smSTEPGeometryReading_h
 #define smSTEPGeometryReading_h
@@ -28,7 +29,8 @@ void RequireGeometry(const std::string& problem);
 double RequireNumber(const Part21Value& value, const char* name);
 bool RequireLogical(const Part21Value& value, const char* name);
 
-/// Reads a CARTESIAN_POINT and multiplies it by the unit of lengths. Throws if it has another number of coordinates.
+/// Reads a CARTESIAN_POINT and multiplies it by the unit of lengths. Throws if it has another number of
+/// coordinates.
 template <int Dimension>
 std::array<double, Dimension> ReadGeometryPoint(
   const STEPAttributes& entities, Part21File::Index point, double unit);
@@ -58,8 +60,8 @@ template <int Dimension>
 AffineTransform<Dimension> ReadGeometryOperator(
   const STEPAttributes& entities, Part21File::Index entity, double unit);
 
-/// Makes the knots of a spline of a subtype without own ones, or reads those of the attributes `multiplicities` and
-/// `knots`. `direction` is 0 for a curve.
+/// Makes the knots of a spline of a subtype without own ones, or reads those of the attributes
+/// `multiplicities` and `knots`. `direction` is 0 for a curve.
 SplineBasis ReadGeometryBasis(const STEPAttributes& entities, Part21File::Index entity, bool isSurface,
   int direction, int degree, int count);
 

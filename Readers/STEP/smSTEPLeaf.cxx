@@ -20,7 +20,8 @@ namespace
 /// Fraction of a body's progress for its conversion; the triangles take the rest.
 constexpr double ConversionShare = 0.8;
 
-/// Roundings of a coordinate by the conversion of its unit to mm: the factor is a product of up to three rounded numbers (0.0254, 0.001,
+/// Roundings of a coordinate by the conversion of its unit to mm: the factor is a product of up to three
+/// rounded numbers (0.0254, 0.001,
 /// ...).
 constexpr int UnitRoundings = 6;
 
@@ -41,9 +42,8 @@ std::array<double, 16> GetPlacement(const gp_Trsf& trsf, double unit)
 }
 }
 
-LeafMaker::LeafMaker(
-  const PartBody& part, const ShapeTable& table, const FaceStatements& statements, const LeafOptions& options,
-  const ProgressCallback& progress)
+LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const FaceStatements& statements,
+  const LeafOptions& options, const ProgressCallback& progress)
   : Options(options)
   , Color(part.Color)
   , Model(vtkSmartPointer<vtkTrimmedNURBSModel>::New())
@@ -57,7 +57,8 @@ LeafMaker::LeafMaker(
     body.Messages.push_back("The body could not be carried over: " + failure + ".");
     ++body.MissingFaces;
   }
-  CheckFaces(statements, { this->GetStatementPlace(part), part.Solid, size.SignedVolume, std::move(size.FaceAreas) }, body);
+  CheckFaces(statements,
+    { this->GetStatementPlace(part), part.Solid, size.SignedVolume, std::move(size.FaceAreas) }, body);
   body.MissingFaces = std::max(body.MissingFaces, part.LostFaces);
   body.Messages.insert(body.Messages.end(), part.Messages.begin(), part.Messages.end());
   if (part.Misplaced)
@@ -187,8 +188,8 @@ void LeafMaker::MakeModel(const PartBody& part, const BodySize& size, ConvertedB
   }
   model->SetFaces(std::move(faces));
   model->SetScaleMesh(this->Mesh);
-  // Released here: VTK's garbage collector needs memory when one of several owners releases a dataset, which must not fail at the end of a
-  // run.
+  // Released here: VTK's garbage collector needs memory when one of several owners releases a dataset, which
+  // must not fail at the end of a run.
   this->Mesh = nullptr;
   model->SetShells(body.Shells);
   model->SetMessages(body.Messages);

@@ -34,8 +34,8 @@ struct LeafOptions
 class LeafMaker
 {
 public:
-  /// Converts and measures the body. A failure becomes a message; only std::bad_alloc is thrown. `progress` gets a fraction in [0,1] and
-  /// returns false to stop.
+  /// Converts and measures the body. A failure becomes a message; only std::bad_alloc is thrown. `progress`
+  /// gets a fraction in [0,1] and returns false to stop.
   LeafMaker(const PartBody& part, const ShapeTable& table, const FaceStatements& statements,
     const LeafOptions& options, const ProgressCallback& progress);
 
@@ -54,7 +54,8 @@ private:
     BodySize& size, ConvertedBody& body);
   /// Returns the place of the model relative to the statements of the file.
   StatementPlace GetStatementPlace(const PartBody& part) const;
-  /// Makes the scale mesh, and measures the body by it. `box` is the approximate box of the body, relative to the model's origin.
+  /// Makes the scale mesh, and measures the body by it. `box` is the approximate box of the body, relative to
+  /// the model's origin.
   void Triangulate(
     const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body);
   void MakeModel(const PartBody& part, const BodySize& size, ConvertedBody& body);

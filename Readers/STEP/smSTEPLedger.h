@@ -1,6 +1,7 @@
 /**
  * @file smSTEPLedger.h
- * @brief What became of the entities of a STEP file on which bodies depend: converted, or listed with a reason
+ * @brief What became of the entities of a STEP file on which bodies depend: converted, or listed with a
+ * reason
  */
 #ifndef smSTEPLedger_h
 #define smSTEPLedger_h

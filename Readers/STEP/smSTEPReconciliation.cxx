@@ -47,8 +47,8 @@ std::string Count(CensusCount count)
   return count == CensusMaximum ? "more than " + std::to_string(count - 1) : std::to_string(count);
 }
 
-/// Returns true for a face whose boundary and surface need nothing of the file's entity: it has an edge, and its surface is no spline that
-/// OpenCASCADE made periodic.
+/// Returns true for a face whose boundary and surface need nothing of the file's entity: it has an edge, and
+/// its surface is no spline that OpenCASCADE made periodic.
 bool IsPlainFace(const TopoDS_Face& face)
 {
   TopLoc_Location location;
@@ -213,7 +213,8 @@ private:
     }
   }
 
-  /// Reports open edges that run the wrong way, which changes no result: they have the same points in both directions.
+  /// Reports open edges that run the wrong way, which changes no result: they have the same points in both
+  /// directions.
   void ReportReversedLines(std::size_t count, const std::vector<std::uint64_t>& first)
   {
     if (count > 0)
@@ -240,7 +241,8 @@ private:
           : ".");
   }
 
-  /// Reports densities that cannot be used, since the parts have no mass then, and those that others contradict.
+  /// Reports densities that cannot be used, since the parts have no mass then, and those that others
+  /// contradict.
   void ReportDensities()
   {
     for (const STEPDensity& density : this->Census.Densities)
@@ -268,7 +270,8 @@ private:
     this->Result.Messages.push_back(message);
   }
 
-  /// Reports a file that OpenCASCADE reads but the census cannot interpret: nothing is known about its completeness.
+  /// Reports a file that OpenCASCADE reads but the census cannot interpret: nothing is known about its
+  /// completeness.
   void CheckDeclared()
   {
     std::set<std::uint64_t> declared;
@@ -332,7 +335,8 @@ private:
     return this->FaceUses[face] > 1;
   }
 
-  /// Returns true if the file has the face: a copy of one that is used in both orientations has another number.
+  /// Returns true if the file has the face: a copy of one that is used in both orientations has another
+  /// number.
   bool IsDeclaredFace(std::uint64_t id)
   {
     if (this->FaceIds.empty())
@@ -396,8 +400,8 @@ private:
 
   void CheckInstances(const CensusBody& body, const std::vector<std::size_t>& parts)
   {
-    // A solid may be read as several bodies: its parts, and copies with a scale or a reflection. Each part must have as many instances as
-    // the solid.
+    // A solid may be read as several bodies: its parts, and copies with a scale or a reflection. Each part
+    // must have as many instances as the solid.
     std::map<const TopoDS_TShape*, CensusCount> counts;
     for (const std::size_t i : parts)
     {
@@ -420,8 +424,8 @@ private:
     const CensusCount read = most > body.Instances ? most : least;
     if (read != body.Instances)
     {
-      // Mapped items in addition to occurrences of products may place one solid at the same place, and then only too many instances are a
-      // certain contradiction. A solid of several products is in each of them.
+      // Mapped items in addition to occurrences of products may place one solid at the same place, and then
+      // only too many instances are a certain contradiction. A solid of several products is in each of them.
       const bool isCertain = most > body.Instances || !this->HasMappedItems;
       (isCertain ? this->Result.Defects : this->Result.Messages)
         .push_back("Solid " + Name(body) + " occurs " + Count(body.Instances) +

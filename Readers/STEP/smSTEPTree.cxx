@@ -18,7 +18,8 @@ namespace sm
 {
 namespace
 {
-/// Adds a node below `parent`. Its node name is made valid for XML; its attribute "label" is the given name, or `fallback`.
+/// Adds a node below `parent`. Its node name is made valid for XML; its attribute "label" is the given name,
+/// or `fallback`.
 int AddChild(vtkDataAssembly* assembly, int parent, const std::string& name, const std::string& fallback)
 {
   std::string valid = name.empty() ? fallback : vtkDataAssembly::MakeValidNodeName(name.c_str());
@@ -84,7 +85,8 @@ void CheckMemory(std::size_t bytes)
 bool BroadcastBytes(
   vtkMultiProcessController* controller, int root, std::vector<unsigned char>& bytes, bool& hasMemory)
 {
-  // The message is sent in pieces. A rank without memory for the whole receives them into a buffer on the stack.
+  // The message is sent in pieces. A rank without memory for the whole receives them into a buffer on the
+  // stack.
   constexpr long long PieceSize = 32768;
   const bool isRoot = controller->GetLocalProcessId() == root;
   auto size = static_cast<long long>(bytes.size());

@@ -19,7 +19,8 @@ double GetSide(const Point2& a, const Point2& b, const Point2& p)
   return size > 0.0 ? area / size : 0.0;
 }
 
-/// Returns true if the segment from c to d crosses the inside of the one from a to b; a point on the latter counts as left of it.
+/// Returns true if the segment from c to d crosses the inside of the one from a to b; a point on the latter
+/// counts as left of it.
 bool AreCrossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
 {
   constexpr double least = 1e-9;

@@ -1,7 +1,7 @@
 #include "smTrimResidual.h"
 
-#include "smCellSurface.h"
 #include "Geometry/smChebyshevFit.h"
+#include "smCellSurface.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -13,12 +13,14 @@ namespace sm
 {
 namespace
 {
-/// Returns by how much u and v of the pieces of a trim curve from `first` to before `last` differ from those of the edge's points, at most, if
-/// either of the two differs alone; from the distance between both curves across the edge, at some points of each piece.
+/// Returns by how much u and v of the pieces of a trim curve from `first` to before `last` differ from those
+/// of the edge's points, at most, if either of the two differs alone; from the distance between both curves
+/// across the edge, at some points of each piece.
 TrimCurve::Point MeasureResidual(
   CellSurface& cells, const TrimCurve& trim, const EdgeCurve& edge, int first, int last)
 {
-  // What may be missed between the points, and the least speed along a parameter, relative to the largest one.
+  // What may be missed between the points, and the least speed along a parameter, relative to the largest
+  // one.
   constexpr double between = 1.25;
   constexpr double leastSpeed = 0.01;
   struct Sample
@@ -95,7 +97,8 @@ double GetSweptArea(const TrimCurve& curve)
 void LowerResidual(const NURBSSurface& surface, const EdgeCurve& edge, TrimCurve& trim)
 {
   CellSurface cells(surface);
-  // u and v must be of the same comparison: a pair of the lesser u of one and the lesser v of the other bounds neither displacement.
+  // u and v must be of the same comparison: a pair of the lesser u of one and the lesser v of the other
+  // bounds neither displacement.
   const auto lower = [&](TrimCurve::Point& residual, int first, int last)
   {
     const TrimCurve::Point measured = MeasureResidual(cells, trim, edge, first, last);

@@ -11,11 +11,13 @@
 
 namespace sm
 {
-/// Returns a bound of the area of the parameters between a trim curve and the curve from which it differs by its residual.
+/// Returns a bound of the area of the parameters between a trim curve and the curve from which it differs by
+/// its residual.
 SMREADERSSTEP_EXPORT double GetSweptArea(const TrimCurve& curve);
 
-/// Replaces the residual of a trim curve, from the foot points, by the measured distance from its edge, where the area between the two is less:
-/// a line may be nearer to the edge than the foot points, which OpenCASCADE evaluates.
+/// Replaces the residual of a trim curve, from the foot points, by the measured distance from its edge, where
+/// the area between the two is less: a line may be nearer to the edge than the foot points, which OpenCASCADE
+/// evaluates.
 SMREADERSSTEP_EXPORT void LowerResidual(const NURBSSurface& surface, const EdgeCurve& edge, TrimCurve& trim);
 }
 

@@ -31,8 +31,9 @@ namespace
 constexpr double ReadingShare = 0.5;
 
 /**
- * Returns the rank that updates the first piece if all ranks of `controller` update this reader together, each a different piece; -1 if
- * they do not. An update with another number of pieces than ranks concerns this rank alone, and the others take no part.
+ * Returns the rank that updates the first piece if all ranks of `controller` update this reader together,
+ * each a different piece; -1 if they do not. An update with another number of pieces than ranks concerns this
+ * rank alone, and the others take no part.
  */
 int FindFirstPiece(vtkMultiProcessController* controller, int piece, int pieces)
 {
@@ -443,8 +444,8 @@ bool vtkCADReader::MakeBodies(const sm::Document& document, const sm::LeafOption
     {
       return false;
     }
-    makers.emplace_back(new sm::LeafMaker(
-      document.Bodies[i], document.Table, document.Statements, options, report));
+    makers.emplace_back(
+      new sm::LeafMaker(document.Bodies[i], document.Table, document.Statements, options, report));
     if (makers.back()->IsAborted())
     {
       return false;

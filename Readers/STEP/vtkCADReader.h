@@ -2,58 +2,65 @@
  * @class   vtkCADReader
  * @brief   base class of the readers of exact solids, vtkSTEPReader and vtkBREPReader
  *
- * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per solid instance; its partition
- * 0 is a vtkNURBSDataSet. A file without solids gives one per free shell instead. The name of a partitioned dataset
- * (vtkCompositeDataSet::NAME()) is that of the product. A vtkDataAssembly mirrors the product structure: its node names are valid XML
- * names, the attribute "label" has the name in the file, "layer" its layer. Instances of one part share a vtkTrimmedNURBSModel, which stays
- * in the coordinates of the part.
+ * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per solid instance; its
+ * partition 0 is a vtkNURBSDataSet. A file without solids gives one per free shell instead. The name of a
+ * partitioned dataset (vtkCompositeDataSet::NAME()) is that of the product. A vtkDataAssembly mirrors the
+ * product structure: its node names are valid XML names, the attribute "label" has the name in the file,
+ * "layer" its layer. Instances of one part share a vtkTrimmedNURBSModel, which stays in the coordinates of
+ * the part.
  *
- * Surfaces become rational B-splines without error; a surface that has no such form (an offset surface) is fitted, with
- * NURBSSurface::Residual as the error of the fit. Trim and edge curves are exact polynomials, or fitted to rounding level with
- * TrimCurve::Residual as the error. See Documentation/Numerics.md.
+ * Surfaces become rational B-splines without error; a surface that has no such form (an offset surface) is
+ * fitted, with NURBSSurface::Residual as the error of the fit. Trim and edge curves are exact polynomials, or
+ * fitted to rounding level with TrimCurve::Residual as the error. See Documentation/Numerics.md.
  *
  * Arrays of each leaf, besides those vtkNURBSDataSet documents:
- * | name    | association | components | meaning                                                             |
- * |---------|-------------|------------|---------------------------------------------------------------------|
- * | Normals | point       | 3 (float)  | outward unit normal of the exact surface                            |
- * | Color   | cell        | 3 (uchar)  | sRGB colour of the face; only when the file gives the body a colour |
+ * | name | association | components | meaning |
+ * |---|---|---|---|
+ * | Normals | point | 3 (float) | outward unit normal of the exact surface |
+ * | Color | cell | 3 (uchar) | sRGB colour of the face; only when the file gives the body a colour |
  *
- * Points are in world coordinates and OutputUnit. A face that cannot be carried over is left out and named in the
- * messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces outside the solids
- * of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
+ * Points are in world coordinates and OutputUnit. A face that cannot be carried over is left out and named in
+ * the messages of its model (vtkTrimmedNURBSModel::GetMessages); nothing else is lost. Faces outside the
+ * solids of a file belong to no body: they are counted (GetNumberOfFreeFaces) and left out.
  *
- * A file that cannot be read raises one error, with its name and a remedy; the output is then empty, GetStatus() has the reason, and
- * GetErrorCode() is not 0. The pipeline continues, so that filters do not keep the results of the previous file: their status becomes
- * unreadable or empty. No exception leaves Update(): an exception of OpenCASCADE, of an observer, or for lack of memory is such an error.
+ * A file that cannot be read raises one error, with its name and a remedy; the output is then empty,
+ * GetStatus() has the reason, and GetErrorCode() is not 0. The pipeline continues, so that filters do not
+ * keep the results of the previous file: their status becomes unreadable or empty. No exception leaves
+ * Update(): an exception of OpenCASCADE, of an observer, or for lack of memory is such an error.
  *
- * Under MPI, all ranks have the same tree: as many partitioned datasets, the same names, the same assembly. The leaves are on the rank
- * that asks for the first piece; on the others every partition is null. Status, messages and counts are the same on all ranks. For that
- * the ranks of the global controller talk to each other when the number of pieces is the number of ranks, so all of them must update
- * the reader; each asks for a piece of its own. With any other number of pieces a rank is updated for itself, and pieces beyond the
- * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the output is empty on all. If
- * one rank has not enough memory for the tree, that is an error on all ranks.
+ * Under MPI, all ranks have the same tree: as many partitioned datasets, the same names, the same assembly.
+ * The leaves are on the rank that asks for the first piece; on the others every partition is null. Status,
+ * messages and counts are the same on all ranks. For that the ranks of the global controller talk to each
+ * other when the number of pieces is the number of ranks, so all of them must update the reader; each asks
+ * for a piece of its own. With any other number of pieces a rank is updated for itself, and pieces beyond the
+ * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the
+ * output is empty on all. If one rank has not enough memory for the tree, that is an error on all ranks.
  *
- * One file is read at a time in a process, and readers on other threads wait, because OpenCASCADE's settings are global. A
- * reader that is updated by an observer of another one's progress raises an error. Conversion uses vtkSMPTools. No
- * OpenGL context is needed.
+ * One file is read at a time in a process, and readers on other threads wait, because OpenCASCADE's settings
+ * are global. A reader that is updated by an observer of another one's progress raises an error. Conversion
+ * uses vtkSMPTools. No OpenGL context is needed.
  *
- * OpenCASCADE crashes on some damaged files, and the process with it. With IsolatedOn() a crash ends a process that only reads the file,
- * and is an error.
+ * OpenCASCADE crashes on some damaged files, and the process with it. With IsolatedOn() a crash ends a
+ * process that only reads the file, and is an error.
  *
- * The display mesh is made of the exact model: every edge is sampled once and its points are shared by its faces with the same bits, so
- * that a closed solid has a closed mesh; the field array MeshDeviation holds a proved bound for each face of the distance of its
- * triangles from the surface, across it (vtkNURBSDataSet). A body whose faces are not complete has GetNumberOfMissingFaces() or
- * GetNumberOfDefects() above 0 in its model.
+ * The display mesh is made of the exact model: every edge is sampled once and its points are shared by its
+ * faces with the same bits, so that a closed solid has a closed mesh; the field array MeshDeviation holds a
+ * proved bound for each face of the distance of its triangles from the surface, across it (vtkNURBSDataSet).
+ * A body whose faces are not complete has GetNumberOfMissingFaces() or GetNumberOfDefects() above 0 in its
+ * model.
  *
- * The mesh is made on demand (SetDisplayMesh): as long as only filters that work with the exact geometry are connected, the leaves have no
- * points and triangles. A view or another filter that is connected later, to the reader or to an output with meshes of such a filter, gets
- * it at its next update, without reading the file again. Update() of the reader itself makes it, too. The scale mesh of each model
- * (vtkTrimmedNURBSModel::GetScaleMesh) is always made: the scales of all tolerances are computed from it, and filters use it to decide if
- * shells cross themselves or enclose each other, so that their results have the same bits with and without a display mesh.
+ * The mesh is made on demand (SetDisplayMesh): as long as only filters that work with the exact geometry are
+ * connected, the leaves have no points and triangles. A view or another filter that is connected later, to
+ * the reader or to an output with meshes of such a filter, gets it at its next update, without reading the
+ * file again. Update() of the reader itself makes it, too. The scale mesh of each model
+ * (vtkTrimmedNURBSModel::GetScaleMesh) is always made: the scales of all tolerances are computed from it, and
+ * filters use it to decide if shells cross themselves or enclose each other, so that their results have the
+ * same bits with and without a display mesh.
  *
- * Memory: for each point of the scale mesh 56 bytes and for each triangle 36, once a model; for each point of a display mesh 36 bytes more
- * for each instance, and for a mesh with other limits than the scale mesh's, a colour, or a mirrored instance, arrays once a model.
- * GetActualMemorySize() of the output includes all of it; that of a leaf includes its model.
+ * Memory: for each point of the scale mesh 56 bytes and for each triangle 36, once a model; for each point of
+ * a display mesh 36 bytes more for each instance, and for a mesh with other limits than the scale mesh's, a
+ * colour, or a mirrored instance, arrays once a model. GetActualMemorySize() of the output includes all of
+ * it; that of a leaf includes its model.
  */
 #ifndef vtkCADReader_h
 #define vtkCADReader_h
@@ -91,9 +98,9 @@ public:
   ///@}
 
   ///@{
-  /** The bytes of a file in memory: until ClearContent() they are read in place of a file, also if there are none, and FileName, where
-   * there is one, only names them in messages and in the assembly. In a parallel run the rank that requests the first piece needs them.
-   * Default: no content. */
+  /** The bytes of a file in memory: until ClearContent() they are read in place of a file, also if there are
+   * none, and FileName, where there is one, only names them in messages and in the assembly. In a parallel
+   * run the rank that requests the first piece needs them. Default: no content. */
   void SetContent(const std::string& bytes);
   void ClearContent();
   bool HasContent() const { return this->IsContentGiven; }
@@ -109,9 +116,10 @@ public:
 
   ///@{
   /**
-   * When the display mesh is made. MESH_BY_NEED: if something connected needs it, or after Update() of the reader (see above). MESH_ALWAYS,
-   * MESH_NEVER: independent of connections; without a mesh a view shows nothing. A change of this and of the four settings below does not
-   * read the file again. Range [MESH_BY_NEED, MESH_NEVER], clamped. Default: MESH_BY_NEED; MESH_ALWAYS in ParaView, which asks for every
+   * When the display mesh is made. MESH_BY_NEED: if something connected needs it, or after Update() of the
+   * reader (see above). MESH_ALWAYS, MESH_NEVER: independent of connections; without a mesh a view shows
+   * nothing. A change of this and of the four settings below does not read the file again. Range
+   * [MESH_BY_NEED, MESH_NEVER], clamped. Default: MESH_BY_NEED; MESH_ALWAYS in ParaView, which asks for every
    * output before it shows.
    */
   void SetDisplayMesh(int when);
@@ -123,10 +131,11 @@ public:
 
   ///@{
   /**
-   * For large assemblies: if the display mesh of all instances would have more triangles than this (as their scale meshes have, more where
-   * the deflection is finer), a coarser one is made, within 1e-3 of the diagonal of all solids together and with angles of up to 1.2. It is
-   * drawn fast and takes little memory; exact results are the same. With Refined the mesh asked for is made in any case. At least 0,
-   * clamped; 0, the default: no limit; 5 million in ParaView.
+   * For large assemblies: if the display mesh of all instances would have more triangles than this (as their
+   * scale meshes have, more where the deflection is finer), a coarser one is made, within 1e-3 of the
+   * diagonal of all solids together and with angles of up to 1.2. It is drawn fast and takes little memory;
+   * exact results are the same. With Refined the mesh asked for is made in any case. At least 0, clamped; 0,
+   * the default: no limit; 5 million in ParaView.
    */
   void SetCoarseAbove(vtkIdType triangles);
   vtkGetMacro(CoarseAbove, vtkIdType);
@@ -139,10 +148,11 @@ public:
 
   ///@{
   /**
-   * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal when
-   * RelativeDeflection is on (default), else a length in OutputUnit. Clamped to [1e-7, 1e30]; 0, less and NaN give
-   * the default, 0.001. The mesher gets no less than 1e-5 of the diagonal. Faces with gaps to their edges may be farther away: the field
-   * array MeshDeviation has a bound of their distance. The deflection does not affect the exact geometry.
+   * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal
+   * when RelativeDeflection is on (default), else a length in OutputUnit. Clamped to [1e-7, 1e30]; 0, less
+   * and NaN give the default, 0.001. The mesher gets no less than 1e-5 of the diagonal. Faces with gaps to
+   * their edges may be farther away: the field array MeshDeviation has a bound of their distance. The
+   * deflection does not affect the exact geometry.
    */
   void SetLinearDeflection(double deflection);
   vtkGetMacro(LinearDeflection, double);
@@ -152,16 +162,17 @@ public:
   ///@}
 
   ///@{
-  /** Angle between neighbouring triangles, in radians, that the mesh is made for where the deflection would allow more; aimed at, not
-   * proved. Clamped to [0.01, 3], of which at most 1.2 is used; NaN gives the default, 0.35. */
+  /** Angle between neighbouring triangles, in radians, that the mesh is made for where the deflection would
+   * allow more; aimed at, not proved. Clamped to [0.01, 3], of which at most 1.2 is used; NaN gives the
+   * default, 0.35. */
   void SetAngularDeflection(double angle);
   vtkGetMacro(AngularDeflection, double);
   ///@}
 
   ///@{
   /**
-   * Unit of all lengths of the output: "mm" (default), "cm", "m", "um", "inch", "ft", or "file" for the unit that
-   * the file is written in. Update() raises an error for any other word.
+   * Unit of all lengths of the output: "mm" (default), "cm", "m", "um", "inch", "ft", or "file" for the unit
+   * that the file is written in. Update() raises an error for any other word.
    */
   vtkSetMacro(OutputUnit, std::string);
   vtkGetMacro(OutputUnit, std::string);
@@ -169,11 +180,12 @@ public:
 
   ///@{
   /**
-   * Reads the file in a separate process, the program solidmoments-read, which sends the output. If OpenCASCADE crashes or does not
-   * terminate, only this file is lost, not the session. The output has the same bits. Starting the program takes some tenths of a second,
-   * and during the reading the models and meshes need about three times their memory; content is passed by a file in memory. If the program
-   * is not in the folder bin beside the library or above it, or does not start, the file is read in this process, and a message says so.
-   * Default: off; on in ParaView.
+   * Reads the file in a separate process, the program solidmoments-read, which sends the output. If
+   * OpenCASCADE crashes or does not terminate, only this file is lost, not the session. The output has the
+   * same bits. Starting the program takes some tenths of a second, and during the reading the models and
+   * meshes need about three times their memory; content is passed by a file in memory. If the program is not
+   * in the folder bin beside the library or above it, or does not start, the file is read in this process,
+   * and a message says so. Default: off; on in ParaView.
    */
   vtkSetMacro(Isolated, bool);
   vtkGetMacro(Isolated, bool);
@@ -181,9 +193,9 @@ public:
   ///@}
 
   ///@{
-  /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. OpenCASCADE can be stopped only when it reports
-   * progress, which for damaged geometry may never happen; an isolated reader ends its process then. At least 0, clamped. Default 0: no
-   * limit. */
+  /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. OpenCASCADE can be
+   * stopped only when it reports progress, which for damaged geometry may never happen; an isolated reader
+   * ends its process then. At least 0, clamped. Default 0: no limit. */
   vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
   ///@}
@@ -207,9 +219,9 @@ public:
   std::string GetLengthUnit() const;
 
   ///@{
-  /** Messages of the last Update(), one sentence each: those about the file, then one for each body whose conversion had problems; the model
-   * of the body has all messages about it. If the run failed, the last message is the error. An index out
-   * of range gives an empty string. */
+  /** Messages of the last Update(), one sentence each: those about the file, then one for each body whose
+   * conversion had problems; the model of the body has all messages about it. If the run failed, the last
+   * message is the error. An index out of range gives an empty string. */
   int GetNumberOfMessages() const;
   std::string GetMessage(int index) const;
   ///@}
@@ -221,10 +233,11 @@ public:
   int GetNumberOfFreeFaces() const;
 
   ///@{
-  /** Wall-clock seconds of the last Update(): reading by OpenCASCADE, the meshes, and the conversion to NURBS models (with the making of the
-   * output). Reading is the sum of parsing, until the entities are in memory, the transfer, which makes shapes of them, and trims: the
-   * inspection of faces, which finds the trim curves that the file leaves out. Where the file was not read again, those of reading and
-   * conversion are of the run that read it. */
+  /** Wall-clock seconds of the last Update(): reading by OpenCASCADE, the meshes, and the conversion to NURBS
+   * models (with the making of the output). Reading is the sum of parsing, until the entities are in memory,
+   * the transfer, which makes shapes of them, and trims: the inspection of faces, which finds the trim curves
+   * that the file leaves out. Where the file was not read again, those of reading and conversion are of the
+   * run that read it. */
   double GetReadSeconds() const;
   double GetParseSeconds() const;
   double GetTransferSeconds() const;
@@ -235,20 +248,21 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * The settings of an isolated reader as words, without those of the display mesh, and the reverse: they are the arguments of
-   * solidmoments-read.
+   * The settings of an isolated reader as words, without those of the display mesh, and the reverse: they are
+   * the arguments of solidmoments-read.
    */
   std::vector<std::string> PackSettings() const;
   static constexpr int NumberOfSettings = 3;
   void UnpackSettings(const std::vector<std::string>& words);
-  /** Returns the output, status and messages of the last Update() as bytes, which solidmoments-read sends to an isolated reader. */
+  /** Returns the output, status and messages of the last Update() as bytes, which solidmoments-read sends to
+   * an isolated reader. */
   std::vector<char> PackOutput();
 #endif
 
   ///@{
   /**
-   * Requests the display mesh, if it is made by need, and updates the reader. If the mesh is made only now, a model of the output that was
-   * edited in place is replaced by that of the file: edit a copy.
+   * Requests the display mesh, if it is made by need, and updates the reader. If the mesh is made only now, a
+   * model of the output that was edited in place is replaced by that of the file: edit a copy.
    */
   using vtkPartitionedDataSetCollectionAlgorithm::Update;
   void Update(int port) override;
@@ -256,7 +270,8 @@ public:
   void UpdateWholeExtent() override;
   ///@}
 
-  /** Reports a newer modification time if a display mesh is needed that has not been made, see smMeshDemand.h. */
+  /** Reports a newer modification time if a display mesh is needed that has not been made, see
+   * smMeshDemand.h. */
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
@@ -272,10 +287,11 @@ protected:
 
   /// "STEP" or "BREP".
   virtual const char* GetFormatName() const = 0;
-  /// Reads the bytes of a file with OpenCASCADE, whose KernelSession this thread holds. `progress` gets a fraction in [0,1] and returns
-  /// false to stop. Throws only std::bad_alloc.
+  /// Reads the bytes of a file with OpenCASCADE, whose KernelSession this thread holds. `progress` gets a
+  /// fraction in [0,1] and returns false to stop. Throws only std::bad_alloc.
   virtual sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) = 0;
-  /// Returns the reason why bytes that begin with `head` are no file of this format; empty if they may be one.
+  /// Returns the reason why bytes that begin with `head` are no file of this format; empty if they may be
+  /// one.
   virtual std::string FindMistakeOfHead(const std::string& head) const = 0;
   /// Returns a mistake in the settings that only this format has; empty if there is none.
   virtual std::string FindMistakeOfFormat() const
@@ -286,8 +302,8 @@ protected:
   virtual std::string GetSettingOfFormat() const = 0;
   virtual void SetSettingOfFormat(const std::string& word) = 0;
 
-  /// Called when a file has been read and the output is complete, while OpenCASCADE's shapes are still there: for tests that compare
-  /// both. Does nothing.
+  /// Called when a file has been read and the output is complete, while OpenCASCADE's shapes are still there:
+  /// for tests that compare both. Does nothing.
   virtual void InspectDocument(const sm::Document&) {}
 
 private:
@@ -312,7 +328,8 @@ private:
   void Read(vtkPartitionedDataSetCollection* output);
   /// Reads in a separate process. Returns false, with a message, if the program cannot be started.
   bool ReadIsolated(vtkPartitionedDataSetCollection* output);
-  /// Gets the bytes of the file or of the content. Returns false, with the reason in `document` or after Stop(), if that fails.
+  /// Gets the bytes of the file or of the content. Returns false, with the reason in `document` or after
+  /// Stop(), if that fails.
   bool Load(sm::Document& document, std::string& content);
   /// Reads in this process.
   void ReadHere(vtkPartitionedDataSetCollection* output);
@@ -326,10 +343,12 @@ private:
   void WriteState(vtkPartitionedDataSetCollection* output) const;
   void Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const;
   void Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output);
-  /// Reads the leaves of PackOutput() into `tree`, and keeps their sources. Returns false if the message is invalid.
+  /// Reads the leaves of PackOutput() into `tree`, and keeps their sources. Returns false if the message is
+  /// invalid.
   bool UnpackReading(sm::ByteReader& from, vtkPartitionedDataSetCollection* tree);
-  /// Sends status, messages and the tree of the output from `root` to all other ranks, and completes the output. Every rank makes all
-  /// collective calls, even without memory. Returns the reason for a failure, the same on all ranks that are still connected.
+  /// Sends status, messages and the tree of the output from `root` to all other ranks, and completes the
+  /// output. Every rank makes all collective calls, even without memory. Returns the reason for a failure,
+  /// the same on all ranks that are still connected.
   std::string_view ShareTree(
     vtkMultiProcessController* controller, int root, vtkPartitionedDataSetCollection* output) noexcept;
 
@@ -357,8 +376,8 @@ private:
   std::unique_ptr<Reading> Kept;
   /// MTime of the settings with which Kept was read.
   vtkMTimeType SettledTime = 0;
-  /// True if the output has a display mesh; if one was requested, by something connected or by Update(); if it must be made, since
-  /// MeshTime.
+  /// True if the output has a display mesh; if one was requested, by something connected or by Update(); if
+  /// it must be made, since MeshTime.
   bool HasMesh = false;
   bool IsMeshRequested = false;
   bool IsMeshDue = false;

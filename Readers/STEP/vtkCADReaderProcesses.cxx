@@ -1,4 +1,5 @@
-// Sends the output of a reader to other processes: to MPI ranks, and from solidmoments-read to an isolated reader.
+// Sends the output of a reader to other processes: to MPI ranks, and from solidmoments-read to an isolated
+// reader.
 #include "vtkCADReaderInternals.h"
 
 #include "smFailureReason.h"

@@ -4,15 +4,16 @@
  *
  * vtkCADReader documents the output, errors, and how it is read in a process of its own or from memory.
  *
- * Every solid that the entities of the file declare is accounted for, with its faces and instances (smSTEPReconciliation.h). Losses, and
- * contradictions within the file, are reported by messages and make the results of all filters suspect: the string arrays FileStatus,
- * FileProblem and FileDefects in the field data of the output pass them on (smFileState.h). A file of more than 100,000 instances of bodies
- * and sub-assemblies cannot be read.
+ * Every solid that the entities of the file declare is accounted for, with its faces and instances
+ * (smSTEPReconciliation.h). Losses, and contradictions within the file, are reported by messages and make the
+ * results of all filters suspect: the string arrays FileStatus, FileProblem and FileDefects in the field data
+ * of the output pass them on (smFileState.h). A file of more than 100,000 instances of bodies and
+ * sub-assemblies cannot be read.
  *
- * OpenCASCADE 7.6 crashes on some damaged files, and the process with it: on 15 of about 1,500 mutants of sound files
- * (Documentation/notes/2026-11-27-mutants.md), and on no sound file of our sweeps; eight more took longer than 12 seconds, one of them minutes. Damage
- * that the entities show is refused before OpenCASCADE processes it: unresolved references, geometry that is part of itself, trim curves of
- * a wrong type, placements with too few parameters. With IsolatedOn() other crashes do not end this process.
+ * OpenCASCADE 7.6 crashes on some damaged files, and the process with it: on 15 of about 1,500 mutants of
+ * sound files (Documentation/notes/2026-11-27-mutants.md), and on no sound file of our sweeps; eight more
+ * took longer than 12 seconds, one of them minutes. Damage that the entities show is refused before
+ * OpenCASCADE processes it. With IsolatedOn() other crashes do not end this process.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h
@@ -27,8 +28,8 @@ public:
   vtkTypeMacro(vtkSTEPReader, vtkCADReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** 1 if the file's first 64 kB hold the header of a STEP file, or if its name ends as one of GetFileExtensions(): then reading reports
-   * what is wrong with it. Otherwise 0. */
+  /** 1 if the file's first 64 kB hold the header of a STEP file, or if its name ends as one of
+   * GetFileExtensions(): then reading reports what is wrong with it. Otherwise 0. */
   static int CanReadFile(const char* fileName);
   /** 1 if the first 64 kB hold the header of a STEP file, otherwise 0. */
   static int CanReadContent(const std::string& content);
@@ -37,9 +38,10 @@ public:
 
   ///@{
   /**
-   * ON_NEED (default): OpenCASCADE repairs only solids and shells with defects, whose entity numbers are in a message; all others are
-   * converted without a repair, with missing trim curves in closed form, which is faster and more accurate. ALWAYS: it repairs all shapes
-   * of the file and computes missing trim curves. With OpenCASCADE 7.9 and later ON_NEED is the same as ALWAYS.
+   * ON_NEED (default): OpenCASCADE repairs only solids and shells with defects, whose entity numbers are in a
+   * message; all others are converted without a repair, with missing trim curves in closed form, which is
+   * faster and more accurate. ALWAYS: it repairs all shapes of the file and computes missing trim curves.
+   * With OpenCASCADE 7.9 and later ON_NEED is the same as ALWAYS.
    */
   enum RepairType
   {

@@ -48,7 +48,8 @@ public:
   bool Allocate(std::size_t bytes);
   static constexpr int UsesBeforeShrinking = 8;
 
-  /** Copies from the host. With offset 0 the buffer grows when it is smaller; else the range must be inside. */
+  /** Copies from the host. With offset 0 the buffer grows when it is smaller; else the range must be inside.
+   */
   bool Upload(const void* data, std::size_t bytes, std::size_t offset = 0);
 
   /** Makes the size that of `values` and copies them. */
@@ -60,7 +61,8 @@ public:
       this->Upload(values.data(), values.size() * sizeof(T));
   }
 
-  /** Makes the size that of `count` values, which fill(values) writes, from the first to the last and without reading them. */
+  /** Makes the size that of `count` values, which fill(values) writes, from the first to the last and without
+   * reading them. */
   template <typename T, typename FillFunction>
   bool Fill(std::size_t count, const FillFunction& fill)
   {

@@ -37,8 +37,9 @@ public:
   bool Build(vtkComputeContext* context, const std::string& name, const std::string& source);
 
   ///@{
-  /** Build() in two steps. Drivers compile several programs side by side between the first step of all and the second step of one. Both
-   * steps are in one generation of the context; BeginBuild() fails only if the context is not ready. */
+  /** Build() in two steps. Drivers compile several programs side by side between the first step of all and
+   * the second step of one. Both steps are in one generation of the context; BeginBuild() fails only if the
+   * context is not ready. */
   bool BeginBuild(vtkComputeContext* context, const std::string& name, const std::string& source);
   bool FinishBuild();
   ///@}
@@ -47,8 +48,8 @@ public:
   bool IsBuilt() const;
 
   ///@{
-  /** Sets a uniform of the program, which keeps it between dispatches. Inside a ContextScope only. False when the
-   * program has no such active uniform (the compiler removes unused ones), or one of another type. */
+  /** Sets a uniform of the program, which keeps it between dispatches. Inside a ContextScope only. False when
+   * the program has no such active uniform (the compiler removes unused ones), or one of another type. */
   bool SetUniform(const char* name, int value);
   bool SetUniform(const char* name, unsigned int value);
   bool SetUniform(const char* name, double value);

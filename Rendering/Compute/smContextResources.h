@@ -37,8 +37,8 @@ struct ContextResources
   std::int64_t MaximumStorageBlockSize = 0;
   int StorageOffsetAlignment = 0;
   int MaximumWorkGroupCount[2] = { 0, 0 };
-  /// True for a software renderer, which has few lanes, and whose copies are copies within the host. Tests set it
-  /// to false, so that what is for a GPU is done there, too.
+  /// True for a software renderer, which has few lanes, and whose copies are copies within the host. Tests
+  /// set it to false, so that what is for a GPU is done there, too.
   bool IsSoftware = true;
   /// Made by the first transfer of the generation.
   std::unique_ptr<TransferStage> Stage;

@@ -39,8 +39,8 @@ public:
   /** True when the context was made current. */
   explicit operator bool() const;
 
-  /** True when this thread is inside a scope of `context`, or of another one of the same window, and its OpenGL context is
-   * current. */
+  /** True when this thread is inside a scope of `context`, or of another one of the same window, and its
+   * OpenGL context is current. */
   static bool IsInside(vtkComputeContext* context);
 
 private:

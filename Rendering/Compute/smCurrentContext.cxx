@@ -13,7 +13,8 @@
 
 namespace
 {
-/// A window on a display that stays open: VTK leaves its colour map and its last events to the end of the connection.
+/// A window on a display that stays open: VTK leaves its colour map and its last events to the end of the
+/// connection.
 class OwnXWindow : public vtkXOpenGLRenderWindow
 {
 public:
@@ -40,7 +41,8 @@ protected:
       XFreeColormap(display, colors);
       this->ColorMap = 0;
     }
-    // Removes the events of this window from the queue, which nothing else reads. Events of other windows on this connection remain.
+    // Removes the events of this window from the queue, which nothing else reads. Events of other windows on
+    // this connection remain.
     XSync(display, False);
     XEvent event;
     const auto isOfWindow = [](Display*, XEvent* of, XPointer window) -> Bool
@@ -136,8 +138,8 @@ bool MakeWindowCurrent(vtkOpenGLRenderWindow* window)
   {
     return true;
   }
-  // glXMakeCurrent() while an EGL context is current causes an X error, which ends the process. eglMakeCurrent() while a GLX context is
-  // current only fails.
+  // glXMakeCurrent() while an EGL context is current causes an X error, which ends the process.
+  // eglMakeCurrent() while a GLX context is current only fails.
   CurrentContext::ReleaseEGL();
   window->MakeCurrent();
   if (!window->IsCurrent())
@@ -160,7 +162,8 @@ vtkOpenGLRenderWindow* NewXWindow(void* display)
 
 namespace
 {
-/// Opens the X display. Returns null, with a reason, if there is no display or its GLX has no usable configuration.
+/// Opens the X display. Returns null, with a reason, if there is no display or its GLX has no usable
+/// configuration.
 Display* OpenDisplayWithGLX(const char*& reason)
 {
   Display* opened = XOpenDisplay(nullptr);

@@ -18,8 +18,8 @@ class CurrentContext
 public:
   CurrentContext();
 
-  /// Makes the saved context current again, or none if there was none. Does nothing if it still is current. Returns false if it could not
-  /// be made current, for example because it was destroyed meanwhile.
+  /// Makes the saved context current again, or none if there was none. Does nothing if it still is current.
+  /// Returns false if it could not be made current, for example because it was destroyed meanwhile.
   bool Restore() const;
 
   /// Restores `saved` at the end of a scope.
@@ -61,9 +61,9 @@ bool MakeWindowCurrent(vtkOpenGLRenderWindow* window);
 /// Makes an X window on the display of GetXDisplay(), which is closed and never shown.
 vtkOpenGLRenderWindow* NewXWindow(void* display);
 
-/// The process's own connection to the X display, opened at the first call and never closed: an X server that resets when its last client
-/// leaves would disconnect the next one. Returns null, with a reason, if there is no display or it has no GLX with a usable configuration;
-/// the next call tries again. Thread safe.
+/// The process's own connection to the X display, opened at the first call and never closed: an X server that
+/// resets when its last client leaves would disconnect the next one. Returns null, with a reason, if there is
+/// no display or it has no GLX with a usable configuration; the next call tries again. Thread safe.
 SMRENDERINGCOMPUTE_EXPORT void* GetXDisplay(const char*& reason);
 }
 

@@ -17,7 +17,8 @@
 
 namespace sm
 {
-/// Removes pending GL errors of other code. The number of calls is limited, because a lost context may report errors for ever.
+/// Removes pending GL errors of other code. The number of calls is limited, because a lost context may report
+/// errors for ever.
 inline void DrainErrors()
 {
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
@@ -31,8 +32,8 @@ std::string LoadOpenGL(GetAddress getAddress)
 {
 #ifdef SM_HAS_GLEW
   (void)getAddress;
-  // A GLEW built for GLX searches a GLX display after it has loaded all pointers. The pointers are valid although it returns
-  // GLEW_ERROR_NO_GLX_DISPLAY (4), which is therefore ignored.
+  // A GLEW built for GLX searches a GLX display after it has loaded all pointers. The pointers are valid
+  // although it returns GLEW_ERROR_NO_GLX_DISPLAY (4), which is therefore ignored.
   glewExperimental = GL_TRUE;
   const GLenum result = glewInit();
   const bool loaded = (result == GLEW_OK || result == 4) && glGenVertexArrays != nullptr;

@@ -2,9 +2,10 @@
  * @file smReadyContexts.h
  * @brief Stops contexts when the process exits
  *
- * When the process exits, the contexts that are READY are stopped before the OpenGL driver is unloaded. Their owners may be destroyed
- * later, as ParaView's session is after Python's sys.exit(), and freeing a context then would be an X error, which ends the process. Only
- * contexts that the exiting thread started are stopped, none if exit() was called inside a ContextScope, and none in a forked process.
+ * When the process exits, the contexts that are READY are stopped before the OpenGL driver is unloaded. Their
+ * owners may be destroyed later, as ParaView's session is after Python's sys.exit(), and freeing a context
+ * then would be an X error, which ends the process. Only contexts that the exiting thread started are
+ * stopped, none if exit() was called inside a ContextScope, and none in a forked process.
  */
 #ifndef smReadyContexts_h
 #define smReadyContexts_h

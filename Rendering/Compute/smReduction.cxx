@@ -56,8 +56,8 @@ double GetNeutral(sm::Reduction::Operation operation)
                                                      : -infinity;
 }
 
-/// Adds value and error of the last row of each segment; after the last level a segment has one row or none. Results of segments without
-/// rows are not changed.
+/// Adds value and error of the last row of each segment; after the last level a segment has one row or none.
+/// Results of segments without rows are not changed.
 void AddPairs(const std::vector<double>& pairs, const Segments& segments, unsigned int columns,
   std::vector<double>& result)
 {

@@ -44,7 +44,8 @@ public:
   void Define(const std::string& name, unsigned int value);
   ///@}
 
-  /** Exchanges every line that consists of `tag`, which starts with "//SM::". The text may have tags itself. */
+  /** Exchanges every line that consists of `tag`, which starts with "//SM::". The text may have tags itself.
+   */
   void Replace(const std::string& tag, const std::string& text);
 
   /** Leaves out the check of the constructs; for the probe that tests them. */

@@ -1,6 +1,7 @@
 /**
  * @file smVTKCompatibility.h
- * @brief Names that differ between versions of VTK (9.1 to 9.7), found by the headers that exist and never by a version
+ * @brief Names that differ between versions of VTK (9.1 to 9.7), found by the headers that exist and never by
+ * a version
  *
  * | name here | until VTK 9.2 | from 9.3 on |
  * |---|---|---|
@@ -19,8 +20,8 @@
 
 namespace sm
 {
-/// Draws all blocks of a composite dataset, those of one state together. Until VTK 9.2 vtkCompositePolyDataMapper is a different class,
-/// which draws block by block and gives different pictures.
+/// Draws all blocks of a composite dataset, those of one state together. Until VTK 9.2
+/// vtkCompositePolyDataMapper is a different class, which draws block by block and gives different pictures.
 using CompositeMapper = SM_COMPOSITE_MAPPER;
 }
 

@@ -17,8 +17,8 @@ class vtkOpenGLRenderWindow;
 namespace sm
 {
 /**
- * Owned by all READY vtkComputeContexts of the window together, and deleted with the last of them. Used by the thread that uses the
- * OpenGL context; only Get() is thread safe.
+ * Owned by all READY vtkComputeContexts of the window together, and deleted with the last of them. Used by
+ * the thread that uses the OpenGL context; only Get() is thread safe.
  */
 struct SMRENDERINGCOMPUTE_EXPORT WindowResources
 {
@@ -40,7 +40,8 @@ struct SMRENDERINGCOMPUTE_EXPORT WindowResources
   std::size_t AllocatedBytes = 0;
   std::size_t PeakBytes = 0;
 
-  /// Caches of other modules, by name, for data on the GPU that several users of one window share. Each cache is owned by its users.
+  /// Caches of other modules, by name, for data on the GPU that several users of one window share. Each cache
+  /// is owned by its users.
   std::unordered_map<std::string, std::weak_ptr<void>> Caches;
 
 private:

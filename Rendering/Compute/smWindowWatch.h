@@ -1,6 +1,7 @@
 /**
  * @file smWindowWatch.h
- * @brief Observers of a render window: of the release of its GL resources, and of its error messages; not installed
+ * @brief Observers of a render window: of the release of its GL resources, and of its error messages; not
+ * installed
  */
 #ifndef smWindowWatch_h
 #define smWindowWatch_h
@@ -16,9 +17,9 @@
 
 namespace sm
 {
-/// Is notified when a window releases its graphics resources, with the window's context current. The header of VTK's class for this
-/// purpose, vtkOpenGLResourceFreeCallback, is not installed. A texture object registers one with its window, and is notified by the virtual
-/// method ReleaseGraphicsResources().
+/// Is notified when a window releases its graphics resources, with the window's context current. The header
+/// of VTK's class for this purpose, vtkOpenGLResourceFreeCallback, is not installed. A texture object
+/// registers one with its window, and is notified by the virtual method ReleaseGraphicsResources().
 class EndWatch : public vtkTextureObject
 {
 public:
@@ -40,7 +41,8 @@ protected:
   EndWatch() = default;
   ~EndWatch() override = default;
 };
-/// During its lifetime error messages of a window are not printed, and errors for which VTK would abort the process do not.
+/// During its lifetime error messages of a window are not printed, and errors for which VTK would abort the
+/// process do not.
 class ScopedErrorSilencer
 {
 public:

@@ -45,9 +45,10 @@ public:
   vtkTypeMacro(vtkComputeContext, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The source of the context. AUTOMATIC tries the given window, then an own context on the X display, then surfaceless EGL, of
-   * a GPU before a software renderer's, and uses the first that has OpenGL 4.3 with double precision. If none
-   * has, the status is the highest one of all attempts, in the order NO_CONTEXT, NO_COMPUTE, NO_DOUBLES. */
+  /** The source of the context. AUTOMATIC tries the given window, then an own context on the X display, then
+   * surfaceless EGL, of a GPU before a software renderer's, and uses the first that has OpenGL 4.3 with
+   * double precision. If none has, the status is the highest one of all attempts, in the order NO_CONTEXT,
+   * NO_COMPUTE, NO_DOUBLES. */
   enum SourceType
   {
     AUTOMATIC = 0,
@@ -66,7 +67,8 @@ public:
     LOST = 5         ///< was READY, then its window ended; Start() tries anew
   };
 
-  /** Invoked by filters before they compile shaders, which takes seconds where the driver does not have them from an earlier run. */
+  /** Invoked by filters before they compile shaders, which takes seconds where the driver does not have them
+   * from an earlier run. */
   enum EventType
   {
     COMPILE_EVENT = 1001 // above vtkCommand::UserEvent
@@ -80,10 +82,11 @@ public:
   ///@}
 
   ///@{
-  /** The window whose context is to be used, or null (default). Held weakly. AUTOMATIC and WINDOW use it; X and
-   * EGL ignore it. A window that was never opened is opened by Start(); one that was finalized is not opened
-   * again: then AUTOMATIC takes an own context, WINDOW reports NO_CONTEXT. A vtkGenericOpenGLRenderWindow
-   * must be able to make its context current. A change ends the present context. */
+  /** The window whose context is to be used, or null (default). Held weakly. AUTOMATIC and WINDOW use it; X
+   * and EGL ignore it. A window that was never opened is opened by Start(); one that was finalized is not
+   * opened again: then AUTOMATIC takes an own context, WINDOW reports NO_CONTEXT. A
+   * vtkGenericOpenGLRenderWindow must be able to make its context current. A change ends the present context.
+   */
   void SetWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetWindow();
   ///@}
@@ -111,7 +114,8 @@ public:
   /** "not-started", "ready", "no-context", "no-compute", "no-doubles" or "lost". */
   const char* GetStatusAsString();
 
-  /** Returns sentences for users: the sources that were tried, why each failed, and remedies. Empty when READY. */
+  /** Returns sentences for users: the sources that were tried, why each failed, and remedies. Empty when
+   * READY. */
   std::string GetReason();
 
   /** GL_RENDERER of the context, empty when not READY. */
@@ -121,8 +125,8 @@ public:
   /** "window", "x" or "egl"; empty when not READY. */
   std::string GetSourceName();
 
-  /** The window whose context is used: the given one or an own one that shows nothing; null when not READY. The
-   * own EGL one can render a scene off screen. */
+  /** The window whose context is used: the given one or an own one that shows nothing; null when not READY.
+   * The own EGL one can render a scene off screen. */
   vtkOpenGLRenderWindow* GetRenderWindow();
 
   /** Identifies the GL context within the process. 0 when not READY. Changes when the context ended:
@@ -133,8 +137,8 @@ public:
   bool IsSoftware();
 
   ///@{
-  /** Limits of the context: bytes of a shader storage block, alignment in bytes of a bound range's offset, and work
-   * groups along one axis of a dispatch. 0 when not READY. */
+  /** Limits of the context: bytes of a shader storage block, alignment in bytes of a bound range's offset,
+   * and work groups along one axis of a dispatch. 0 when not READY. */
   vtkTypeInt64 GetMaximumStorageBlockSize();
   int GetStorageOffsetAlignment();
   int GetMaximumWorkGroupCount();

@@ -33,7 +33,8 @@ public:
   /// True after the given window was READY once; a window that was closed since is not opened again.
   bool WasOpened = false;
   vtkSmartPointer<vtkOpenGLRenderWindow> Own;
-  /// The window in use while READY. It never dangles, because EndWatch and DeleteEvent reset it before the window is destroyed.
+  /// The window in use while READY. It never dangles, because EndWatch and DeleteEvent reset it before the
+  /// window is destroyed.
   vtkOpenGLRenderWindow* Used = nullptr;
   vtkSmartPointer<sm::EndWatch> Watch;
   vtkNew<vtkCallbackCommand> Deleted;
@@ -48,7 +49,8 @@ public:
   /// Modification time of the context with which no GPU was found.
   vtkMTimeType FoundNoGPU = 0;
 
-  /// Makes a context and sets the status to READY, or to the highest status of all attempts. Returns the status.
+  /// Makes a context and sets the status to READY, or to the highest status of all attempts. Returns the
+  /// status.
   int Search(bool onlyGPU);
   /// Each tries one source and returns READY or another status; the reasons are collected.
   int TryWindow();

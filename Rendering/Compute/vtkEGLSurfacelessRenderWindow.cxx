@@ -87,8 +87,8 @@ public:
   /// The context that was current before MakeCurrent().
   std::optional<sm::CurrentContext> Displaced;
 
-  /// Makes the context on a display. On failure it adds the reason to Reason. The display is never terminated, because other code in the
-  /// process may use it.
+  /// Makes the context on a display. On failure it adds the reason to Reason. The display is never
+  /// terminated, because other code in the process may use it.
   bool Create(const Candidate& candidate);
   bool Fail(const Candidate& candidate, const char* what)
   {
@@ -388,7 +388,8 @@ int vtkEGLSurfacelessRenderWindow::ReadPixels(
   const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right)
 {
   const int result = this->Superclass::ReadPixels(rect, front, glFormat, glType, data, right);
-  // Code that reads pixels calls MakeCurrent() first (vtkWindowToImageFilter), and does not restore the previous context afterwards.
+  // Code that reads pixels calls MakeCurrent() first (vtkWindowToImageFilter), and does not restore the
+  // previous context afterwards.
   if (sm::GetOpenScopes() == 0 && this->Internals->Displaced)
   {
     this->Internals->Displaced->Restore();
@@ -448,7 +449,8 @@ vtkTypeBool vtkEGLSurfacelessRenderWindow::IsDirect()
 
 int vtkEGLSurfacelessRenderWindow::GetColorBufferSizes(int* rgba)
 {
-  // Sizes of the colour components of VTK's own framebuffers. A surfaceless context has no framebuffer 0 that could be queried.
+  // Sizes of the colour components of VTK's own framebuffers. A surfaceless context has no framebuffer 0 that
+  // could be queried.
   if (!rgba)
   {
     return 0;
@@ -462,8 +464,8 @@ int vtkEGLSurfacelessRenderWindow::GetColorBufferSizes(int* rgba)
 
 int vtkEGLSurfacelessRenderWindow::GetDepthBufferSize()
 {
-  // Likewise. VTK needs the number of depth bits for the clipping range of a camera, also before the first picture, and would query
-  // framebuffer 0.
+  // Likewise. VTK needs the number of depth bits for the clipping range of a camera, also before the first
+  // picture, and would query framebuffer 0.
   return 32;
 }
 

@@ -10,10 +10,11 @@
  * The class needs no X server and no windowing library, and it stands in for vtkEGLRenderWindow,
  * which Debian's VTK lacks.
  *
- * GLX and EGL exclude each other on a thread: an X window that makes its context current while an EGL context is current ends the process
- * with an X error. So MakeCurrent() releases a current GLX context first, and Initialize(), Render() and reading pixels (also after
- * MakeCurrent(), as vtkWindowToImageFilter does) restore what was current before. Other callers of MakeCurrent() in programs with X windows
- * must call ReleaseCurrent() afterwards, or use sm::ContextScope.
+ * GLX and EGL exclude each other on a thread: an X window that makes its context current while an EGL context
+ * is current ends the process with an X error. So MakeCurrent() releases a current GLX context first, and
+ * Initialize(), Render() and reading pixels (also after MakeCurrent(), as vtkWindowToImageFilter does)
+ * restore what was current before. Other callers of MakeCurrent() in programs with X windows must call
+ * ReleaseCurrent() afterwards, or use sm::ContextScope.
  *
  * Not thread safe.
  */
@@ -36,7 +37,8 @@ public:
   /** Returns true if EGL lists a device of a GPU, or cannot list devices. Makes no context. */
   static bool MayHaveGPU();
 
-  /** Returns true if `renderer`, a GL_RENDERER string, is a known software renderer, for example Mesa's llvmpipe. */
+  /** Returns true if `renderer`, a GL_RENDERER string, is a known software renderer, for example Mesa's
+   * llvmpipe. */
   static bool IsSoftware(const std::string& renderer);
 
   /** Requests at most this OpenGL version. Default: 0 0, the highest. Read when the context is made. A driver
@@ -44,7 +46,8 @@ public:
   void SetMaximumVersion(int major, int minor);
 
   /**
-   * Makes the context unless there is one. Returns false, with GetReason(), if that fails. Never prints. Does not make the context current.
+   * Makes the context unless there is one. Returns false, with GetReason(), if that fails. Never prints. Does
+   * not make the context current.
    */
   bool CreateContext();
 

@@ -157,7 +157,8 @@ ResidentStore::Pages::iterator ResidentStore::Drop(Pages::iterator page)
   return this->AllPages.erase(page);
 }
 
-/// Drops the pages of which no face exists any more. An edit's faces have pages of their own, so that the next edit frees them.
+/// Drops the pages of which no face exists any more. An edit's faces have pages of their own, so that the
+/// next edit frees them.
 void ResidentStore::DropDead()
 {
   for (auto page = this->AllPages.begin(); page != this->AllPages.end();)

@@ -24,10 +24,12 @@ namespace sm
 struct PageData;
 
 /**
- * A page is a set of buffers that hold several faces, and it has a list of users. It is deleted when the list becomes empty. Pages
- * of the last request of a user are pinned: they are not deleted until that user ends its run, requests other faces, or is removed.
+ * A page is a set of buffers that hold several faces, and it has a list of users. It is deleted when the list
+ * becomes empty. Pages of the last request of a user are pinned: they are not deleted until that user ends
+ * its run, requests other faces, or is removed.
  *
- * A shared store has its own compute context on the window, so that it does not depend on the lifetime of its users' contexts.
+ * A shared store has its own compute context on the window, so that it does not depend on the lifetime of its
+ * users' contexts.
  */
 class ResidentStore
 {
@@ -35,8 +37,8 @@ public:
   /// Identifies a user.
   using User = const ResidentFaces*;
 
-  /// Returns the store that all users of the window of `context` share, or makes one for a single user. Returns null, with `error`, without
-  /// OpenGL.
+  /// Returns the store that all users of the window of `context` share, or makes one for a single user.
+  /// Returns null, with `error`, without OpenGL.
   static std::shared_ptr<ResidentStore> Open(vtkComputeContext* context, bool isShared, std::string& error);
 
   /// True while the OpenGL context lasts in which the store was made.

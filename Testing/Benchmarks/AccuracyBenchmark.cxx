@@ -1,10 +1,12 @@
-// AccuracyBenchmark [--certified FILE.json] [--output FOLDER] FILE.step...: errors of volumes beside the seconds of the processor
-// that they take once the file is read, by our filter, by OpenCASCADE's BRepGProp, and by meshes of OpenCASCADE and vtkMassProperties.
+// AccuracyBenchmark [--certified FILE.json] [--output FOLDER] FILE.step...: errors of volumes beside the
+// seconds of the processor that they take once the file is read, by our filter, by OpenCASCADE's BRepGProp,
+// and by meshes of OpenCASCADE and vtkMassProperties.
 //
-// The true volume of a file that FILE.json names is the middle of its interval there; of others it is ours at a tolerance of 1e-13, so
-// that ours are compared with themselves. Files are left out that one of them cannot read, whose volume is not known to 1e-10, or that
-// OpenCASCADE repairs into another body (more than 1e-3 apart). FOLDER gets the plot: accuracy_over_time.png, .svg and .csv.
-// Exit status 1: wrong usage, a volume farther from the true one than its bound and the interval allow, or nothing could be written.
+// The true volume of a file that FILE.json names is the middle of its interval there; of others it is ours at
+// a tolerance of 1e-13, so that ours are compared with themselves. Files are left out that one of them cannot
+// read, whose volume is not known to 1e-10, or that OpenCASCADE repairs into another body (more than 1e-3
+// apart). FOLDER gets the plot: accuracy_over_time.png, .svg and .csv. Exit status 1: wrong usage, a volume
+// farther from the true one than its bound and the interval allow, or nothing could be written.
 #include "smFigure.h"
 #include "smJson.h"
 #include "smProcessorTime.h"
@@ -51,7 +53,8 @@ namespace
 using sm::Json;
 using smtest::ProcessorTime;
 
-/// A volume in mm^3 and the seconds that it took; Bound: half the width of an interval that holds the true one, or infinity.
+/// A volume in mm^3 and the seconds that it took; Bound: half the width of an interval that holds the true
+/// one, or infinity.
 struct Measured
 {
   double Volume = std::nan("");
@@ -66,7 +69,8 @@ enum class Program
   Mesh
 };
 
-/// One way to a volume. Accuracy: our tolerance, BRepGProp's Eps (0: its default rule), or the deflection as a part of the diagonal.
+/// One way to a volume. Accuracy: our tolerance, BRepGProp's Eps (0: its default rule), or the deflection as
+/// a part of the diagonal.
 struct Method
 {
   Program By;
@@ -247,7 +251,8 @@ struct Column
   }
 };
 
-/// Adds a file to all columns. Returns why it was left out, or an empty text; sets `exceeded` where a bound is.
+/// Adds a file to all columns. Returns why it was left out, or an empty text; sets `exceeded` where a bound
+/// is.
 std::string AddFile(const std::string& path, const std::map<std::string, Measured>& certified,
   std::vector<Column>& columns, bool& exceeded)
 {

@@ -1,7 +1,9 @@
-// EditBenchmark [FILE.step] [Google Benchmark's options]: updates a second of a solid that is edited, and where their time goes.
+// EditBenchmark [FILE.step] [Google Benchmark's options]: updates a second of a solid that is edited, and
+// where their time goes.
 //
-// Without a file the solid is a free-form one of 42 faces (smFreeFormBody.h); of a file it is the first solid. Counters: updates a
-// second; milliseconds of an update's edit, display points and mass properties, of these cutting, planning and uploading
+// Without a file the solid is a free-form one of 42 faces (smFreeFormBody.h); of a file it is the first
+// solid. Counters: updates a second; milliseconds of an update's edit, display points and mass properties, of
+// these cutting, planning and uploading
 // ("prepare") and evaluating ("integrate"); faces changed, points and evaluations of an update, dispatches.
 #include "smEditSession.h"
 #include "smFreeFormBody.h"

@@ -1,14 +1,16 @@
-// ScaleBenchmark [--json FILE] [--folder FOLDER] [--only NAME] | --counts FOLDER | --write NAME SIZE: how time and memory grow with a
-// model.
+// ScaleBenchmark [--json FILE] [--folder FOLDER] [--only NAME] | --counts FOLDER | --write NAME SIZE: how
+// time and memory grow with a model.
 //
-// Plates of 900, 3,600, 10,000 and 30,000 holes, lattices of 9,000 to 100,000 different faces, assemblies of 900, 3,600 and 10,000 instances
-// (smScaleModels.h). Each is written as a STEP file, read, and integrated to 1e-9 on the CPU backend in a process of its own, by one
-// thread. Printed are the processor's seconds of every stage, the growth exponents from each model of a family to the next and from the
-// smallest to the largest, log(time ratio) / log(size ratio), and the growth of the peak memory per face or instance.
+// Plates of 900, 3,600, 10,000 and 30,000 holes, lattices of 9,000 to 100,000 different faces, assemblies of
+// 900, 3,600 and 10,000 instances (smScaleModels.h). Each is written as a STEP file, read, and integrated to
+// 1e-9 on the CPU backend in a process of its own, by one thread. Printed are the processor's seconds of
+// every stage, the growth exponents from each model of a family to the next and from the smallest to the
+// largest, log(time ratio) / log(size ratio), and the growth of the peak memory per face or instance.
 //
 // --write: the STEP file of such a model on standard output, for a profiler.
-// --counts: small ones, and no time: status, volumes, faces, and that evaluations, triangles and allocated bytes per hole, face and
-// instance do not grow. Exit status 1: a volume is not within its bound and the file's digits, or a check of --counts failed.
+// --counts: small ones, and no time: status, volumes, faces, and that evaluations, triangles and allocated
+// bytes per hole, face and instance do not grow. Exit status 1: a volume is not within its bound and the
+// file's digits, or a check of --counts failed.
 #include "smAllocatedBytes.h"
 #include "smScaleModels.h"
 #include "smStageSeconds.h"
@@ -72,8 +74,8 @@ const std::vector<Family>& GetFamilies()
   return families;
 }
 
-/// Relative error of the volume by the number of digits that the file has; the bound of the program includes the part of it that reading
-/// adds.
+/// Relative error of the volume by the number of digits that the file has; the bound of the program includes
+/// the part of it that reading adds.
 constexpr double FileDigits = 1e-12;
 
 Json MeasureHere(const std::string& path)
@@ -88,7 +90,8 @@ Json MeasureHere(const std::string& path)
   return result;
 }
 
-/// Measures in a child, so that the peak memory is that of one model. The child's result comes through a pipe.
+/// Measures in a child, so that the peak memory is that of one model. The child's result comes through a
+/// pipe.
 Json Measure(const std::string& path)
 {
   int ends[2];
@@ -251,7 +254,8 @@ int PrintTable(const std::vector<std::string>& only, const std::string& folder, 
   return right ? 0 : 1;
 }
 
-/// Counts of the small models: `most` is how much a count may grow faster than the model, which has a part that does not grow.
+/// Counts of the small models: `most` is how much a count may grow faster than the model, which has a part
+/// that does not grow.
 int CheckCounts(const std::string& folder)
 {
   using namespace smtest;

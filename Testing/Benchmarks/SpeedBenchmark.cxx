@@ -1,13 +1,15 @@
-// SpeedBenchmark [--json FILE] [--read] [--ours] [--repeat N] FILE.step...: seconds of the processor from file to numbers, beside OpenCASCADE's, in one run.
+// SpeedBenchmark [--json FILE] [--read] [--ours] [--repeat N] FILE.step...: seconds of the processor from
+// file to numbers, beside OpenCASCADE's, in one run.
 //
-// Per file: OpenCASCADE's default reader (parse, transfer); its BRepGProp, volume and area, by its default rule and with
-// Eps = 1e-6; our reader and our mass properties on the CPU backend at a tolerance of 1e-9, by stages. One thread computes, and
-// seconds are those of the process's processor time, so that other work on the machine hardly matters. The references of
-// evaluations a second are the kernel by itself, on bicubic panels of 20 x 20 points that stay in the cache: with the most lanes that
-// the processor has, and as a plain kernel with the two doubles of SSE2, for which compilers make code by default. Peak memory is the
-// process's up to the end of a file. --read: reading alone. --ours: without OpenCASCADE's. --repeat: the integrals N times,
-// the least of their seconds. Exit status 1: wrong usage, or a file whose volume is not OpenCASCADE's to a
-// thousandth.
+// Per file: OpenCASCADE's default reader (parse, transfer); its BRepGProp, volume and area, by its default
+// rule and with Eps = 1e-6; our reader and our mass properties on the CPU backend at a tolerance of 1e-9, by
+// stages. One thread computes, and seconds are those of the process's processor time, so that other work on
+// the machine hardly matters. The references of evaluations a second are the kernel by itself, on bicubic
+// panels of 20 x 20 points that stay in the cache: with the most lanes that the processor has, and as a plain
+// kernel with the two doubles of SSE2, for which compilers make code by default. Peak memory is the process's
+// up to the end of a file. --read: reading alone. --ours: without OpenCASCADE's. --repeat: the integrals N
+// times, the least of their seconds. Exit status 1: wrong usage, or a file whose volume is not OpenCASCADE's
+// to a thousandth.
 #include "Items/smBatchParameters.h"
 #include "Items/smItemKernels.h"
 #include "smJson.h"

@@ -1,4 +1,5 @@
-// TestEditSession opengl|cpu: every case of EditBenchmark once, and what it costs, counted; times are the benchmark's.
+// TestEditSession opengl|cpu: every case of EditBenchmark once, and what it costs, counted; times are the
+// benchmark's.
 #include "smEditSession.h"
 #include "smFreeFormBody.h"
 #include "smTesting.h"
@@ -19,8 +20,8 @@ struct FullRuns
   long long Before = 0;
 };
 
-/// Integrates the session's present faces by a new filter, then the original's by the same filter, which has results of all faces
-/// but those that changed.
+/// Integrates the session's present faces by a new filter, then the original's by the same filter, which has
+/// results of all faces but those that changed.
 FullRuns RunFully(EditSession& session, vtkNURBSDataSet* original, int backend, double tolerance)
 {
   FullRuns runs;

@@ -15,8 +15,8 @@ long long smtest::GetAllocatedBytes()
   return Bytes;
 }
 
-// They replace those of the standard library, in the program and in all its libraries. Where only one of a pair is inlined, GCC sees a
-// mismatch.
+// They replace those of the standard library, in the program and in all its libraries. Where only one of a
+// pair is inlined, GCC sees a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
   Bytes += static_cast<long long>(size);

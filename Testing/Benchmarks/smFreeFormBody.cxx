@@ -127,7 +127,8 @@ private:
     return face;
   }
 
-  /// The edge from lattice corner `from` along `axis`, which is the face's direction `along` at the start or the end of the other.
+  /// The edge from lattice corner `from` along `axis`, which is the face's direction `along` at the start or
+  /// the end of the other.
   sm::Coedge MakeCoedge(
     const sm::NURBSSurface& surface, int axis, const Index& from, int along, int atEnd, bool reversed)
   {

@@ -306,7 +306,8 @@ struct Tube
   }
 };
 
-/// Adds a body to the volume of the model; its centre is a sum, weighted by volumes, until the model is finished.
+/// Adds a body to the volume of the model; its centre is a sum, weighted by volumes, until the model is
+/// finished.
 void AddBody(double volume, const Vector& center, ScaleModel& model)
 {
   model.Volume += volume;

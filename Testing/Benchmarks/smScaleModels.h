@@ -23,15 +23,18 @@ struct ScaleModel
   long long Instances = 1;
 };
 
-/// A plate with `holes` (a square number) round holes of different radii: two of its faces have as many loops.
+/// A plate with `holes` (a square number) round holes of different radii: two of its faces have as many
+/// loops.
 ScaleModel MakePlate(int holes);
 
-/// A cubic lattice of side^3 blocks and the struts between them, cylinders along x and cones along y and z, as one solid. All blocks and
-/// struts differ in size; a face of a block has a loop round its strut. About 9 side^3 faces.
+/// A cubic lattice of side^3 blocks and the struts between them, cylinders along x and cones along y and z,
+/// as one solid. All blocks and struts differ in size; a face of a block has a loop round its strut. About 9
+/// side^3 faces.
 ScaleModel MakeLattice(int side);
 
-/// The order of the two placements that an instance names: first that of the part, as the format asks; first that of the assembly, an error
-/// of some CAD systems that OpenCASCADE corrects; or by turns, two instances in one place with the same placements.
+/// The order of the two placements that an instance names: first that of the part, as the format asks; first
+/// that of the assembly, an error of some CAD systems that OpenCASCADE corrects; or by turns, two instances
+/// in one place with the same placements.
 enum class Placing
 {
   InOrder,

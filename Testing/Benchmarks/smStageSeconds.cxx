@@ -12,8 +12,8 @@
 #include <ctime>
 #include <set>
 
-/// In a program with this file the clock of VTK is the processor's time, and so are the seconds of our stages, which go by it. A stage
-/// during which other programs have the processor is no longer then.
+/// In a program with this file the clock of VTK is the processor's time, and so are the seconds of our
+/// stages, which go by it. A stage during which other programs have the processor is no longer then.
 double vtkTimerLog::GetUniversalTime()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;

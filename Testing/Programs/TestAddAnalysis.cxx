@@ -1,6 +1,6 @@
-// TestAddAnalysis FILE.step: the analysis that the developer guide shows, added to the list of the program: its option and help, its
-// values in all documents, and its way through the pipe between two processes. The file is a box with the
-// edges 2, 3 and 5.
+// TestAddAnalysis FILE.step: the analysis that the developer guide shows, added to the list of the program:
+// its option and help, its values in all documents, and its way through the pipe between two processes. The
+// file is a box with the edges 2, 3 and 5.
 #include "smArguments.h"
 #include "smByteFields.h"
 #include "smCompactnessAnalysis.h"

@@ -1,9 +1,10 @@
-// TestEditPart MODE FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]: the interactive example, played back.
+// TestEditPart MODE FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]: the interactive example, played
+// back.
 //   drag     the shipped recording: values against a full run and against a formula, picture, undo
-//   placed   a rotated, mirrored, translated body: drags along the screen and the normal, a cancelled drag, weights
-//   open     one face moved alone: the opened edges and their gaps
-//   record   events of a window are recorded, with its size, and give the same bits when they are played
-//   numbers  the texts have decimal points, also in the locale de_DE.UTF-8 where LOCPATH has it
+//   placed   a rotated, mirrored, translated body: drags along the screen and the normal, a cancelled drag,
+//   weights open     one face moved alone: the opened edges and their gaps record   events of a window are
+//   recorded, with its size, and give the same bits when they are played numbers  the texts have decimal
+//   points, also in the locale de_DE.UTF-8 where LOCPATH has it
 #include "smEditPartChecks.h"
 
 #include "smBodyScene.h"
@@ -54,7 +55,8 @@ void CheckOpen(vtkSTEPReader* reader, const std::string& folder)
   CheckEqual("edges that opened", 1, static_cast<long long>(opened.size()));
   if (!opened.empty())
   {
-    // The row's points move by N_2 d, at most 1/2 of it: knots 0 0 0 0 1/2 1 1 1 1, N_2(1/2) = 1/2. Foot points may be nearer.
+    // The row's points move by N_2 d, at most 1/2 of it: knots 0 0 0 0 1/2 1 1 1 1, N_2(1/2) = 1/2. Foot
+    // points may be nearer.
     CheckRange("gap", 0.35 * length, opened[0].Gap, 0.5 * length + 1e-9, "half of the displacement at most");
     Check("as the filter says", opened[0].Gap,
       GetFieldNumbers(mass).empty()

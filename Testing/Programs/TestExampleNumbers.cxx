@@ -1,5 +1,5 @@
-// TestExampleNumbers [commas]: the command line prints and reads numbers with a decimal point, in the locale "C" or, with `commas`, in
-// de_DE.UTF-8 of LOCPATH.
+// TestExampleNumbers [commas]: the command line prints and reads numbers with a decimal point, in the locale
+// "C" or, with `commas`, in de_DE.UTF-8 of LOCPATH.
 #include "smArguments.h"
 #include "smBuoyancyAnalysis.h"
 #include "smOptionValues.h"

@@ -1,6 +1,7 @@
-// TestPaperFigures FOLDER BASELINE6.png BASELINE1.png: what paper_figures wrote into FOLDER. The curves' shape is the paper's: Fig. 7a
-// converges by the order of the rule, Fig. 7b by the trim texture whatever the rule, ADAPTIVE is at rounding; the
-// paper's estimates fall as 1 / k^2. Fig. 6 and Fig. 1, with a dot in every model, look as in the baselines.
+// TestPaperFigures FOLDER BASELINE6.png BASELINE1.png: what paper_figures wrote into FOLDER. The curves'
+// shape is the paper's: Fig. 7a converges by the order of the rule, Fig. 7b by the trim texture whatever the
+// rule, ADAPTIVE is at rounding; the paper's estimates fall as 1 / k^2. Fig. 6 and Fig. 1, with a dot in
+// every model, look as in the baselines.
 #include "smPictureTesting.h"
 #include "smTesting.h"
 
@@ -101,7 +102,8 @@ double FitOrder(const std::vector<Point>& curve)
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
-/// The largest value at this k or any larger one: so that a value that is small by chance at one k does not count.
+/// The largest value at this k or any larger one: so that a value that is small by chance at one k does not
+/// count.
 std::vector<Point> MakeEnvelope(std::vector<Point> curve)
 {
   for (std::size_t i = curve.size(); i-- > 1;)
@@ -136,7 +138,8 @@ void CheckQuarterCylinder(const std::vector<Row>& rows)
 
 void CheckSlantedBlock(const std::vector<Row>& rows)
 {
-  // Texels that a smooth curve crosses are in or out: first order if all err to one side, order 3/2 if as by chance.
+  // Texels that a smooth curve crosses are in or out: first order if all err to one side, order 3/2 if as by
+  // chance.
   for (const char* scheme : { "MIDPOINT", "GAUSS2", "GAUSS3" })
   {
     smtest::CheckRange(std::string("order of ") + scheme, -1.9,
@@ -196,8 +199,8 @@ void CheckPicture(const std::string& path, const std::string& baseline)
   difference->SetInputConnection(picture->GetOutputPort());
   difference->SetImageConnection(expected->GetOutputPort());
   difference->Update();
-  // It forgives shifts by a pixel and 16 of 255 in colour: the same driver gives 0, texture factor 3 instead of 4 gives
-  // 2278.
+  // It forgives shifts by a pixel and 16 of 255 in colour: the same driver gives 0, texture factor 3 instead
+  // of 4 gives 2278.
   smtest::CheckRange("Fig. 6 against its baseline", 0.0, difference->GetThresholdedError(), 5.0);
 }
 
@@ -243,7 +246,8 @@ void CheckModels(const std::string& folder, const std::string& baseline)
     smtest::ShareOfOtherPixels(picture, expected), smtest::PictureLimit, "share of all");
 }
 
-/// vtkSVGExporter applies a plot's transform to its clip path as well, which then hides the plot: there must be none.
+/// vtkSVGExporter applies a plot's transform to its clip path as well, which then hides the plot: there must
+/// be none.
 void CheckVectors(const std::string& path)
 {
   std::ifstream file(path);

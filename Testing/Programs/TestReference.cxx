@@ -1,5 +1,5 @@
-// TestReference FILE.md [write]: below its head, the page is the reference of JSON and CSV that the program's results give. `write` puts it
-// there.
+// TestReference FILE.md [write]: below its head, the page is the reference of JSON and CSV that the program's
+// results give. `write` puts it there.
 #include "smReference.h"
 #include "smTesting.h"
 

@@ -66,7 +66,8 @@ double GetMeshError(vtkNURBSDataSet* body)
   return worst;
 }
 
-/// One drag of the shipped recording: its start, its displacement in pixels, and true when it is along the normal.
+/// One drag of the shipped recording: its start, its displacement in pixels, and true when it is along the
+/// normal.
 struct Drag
 {
   int X;
@@ -134,7 +135,8 @@ void CheckAgainstFormula(EditSession& session, NetMoments& expected)
   }
 }
 
-/// Compares the moved control points of the net with the drags, and moves those of `net` alike. Returns the number of dragged points.
+/// Compares the moved control points of the net with the drags, and moves those of `net` alike. Returns the
+/// number of dragged points.
 int CheckMoves(
   EditSession& session, vtkTrimmedNURBSModel* original, const std::vector<Drag>& drags, NetMoments& net)
 {
@@ -232,7 +234,8 @@ void CheckDrag(
   CheckRange("display points on the new faces", 0.0, GetMeshError(session.Part.GetBody(0)), 1e-6);
   CheckTrue("an update for every move", session.Scene.GetTimes().size() > 3 * drags.size());
 
-  // vtkImageDifference forgives shifts by a pixel and 16 of 255 in colour, and sums the rest: the same driver gives 0.
+  // vtkImageDifference forgives shifts by a pixel and 16 of 255 in colour, and sums the rest: the same driver
+  // gives 0.
   vtkNew<vtkTesting> testing;
   testing->AddArguments(argc, const_cast<const char**>(argv));
   testing->SetRenderWindow(session.Window);

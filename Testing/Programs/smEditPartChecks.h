@@ -41,7 +41,8 @@ inline void CheckVector(const std::string& what, const Point3& expected, const P
   }
 }
 
-/// The shipped recording: values against a full run and against a formula, picture, undo. The arguments are vtkTesting's.
+/// The shipped recording: values against a full run and against a formula, picture, undo. The arguments are
+/// vtkTesting's.
 void CheckDrag(
   vtkSTEPReader* reader, const std::string& events, const std::string& folder, int argc, char* argv[]);
 

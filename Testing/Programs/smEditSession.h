@@ -40,8 +40,8 @@ public:
     Control = 2
   };
 
-  /// Events are played from a file in `folder`, as those of a user. Its name has the number of the process: with one name for all, tests
-  /// that ran together played each other's keys.
+  /// Events are played from a file in `folder`, as those of a user. Its name has the number of the process:
+  /// with one name for all, tests that ran together played each other's keys.
   EditSession(vtkPartitionedDataSetCollection* bodies, const std::string& name, const std::string& folder)
     : Part(bodies)
     , Folder(folder)
@@ -103,8 +103,8 @@ public:
     return { static_cast<int>(std::lround(display[0])), static_cast<int>(std::lround(display[1])) };
   }
 
-  /// The displacement in the world that a motion by so many pixels gives, in the plane of the screen at the depth of a point: by the
-  /// formula of the perspective, one pixel there is 2 depth tan(angle / 2) / height.
+  /// The displacement in the world that a motion by so many pixels gives, in the plane of the screen at the
+  /// depth of a point: by the formula of the perspective, one pixel there is 2 depth tan(angle / 2) / height.
   Point3 ToDisplacement(const Point3& at, double dx, double dy)
   {
     const Frame frame = this->GetFrame(at);

@@ -1,6 +1,7 @@
 /**
  * @file smBoxBodies.h
- * @brief Solids made of boxes by hand: shells inside out, side by side, nested and crossing, without a CAD kernel
+ * @brief Solids made of boxes by hand: shells inside out, side by side, nested and crossing, without a CAD
+ * kernel
  */
 #ifndef smBoxBodies_h
 #define smBoxBodies_h

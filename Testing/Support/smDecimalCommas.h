@@ -11,8 +11,8 @@
 
 namespace smtest
 {
-/// Numbers in C++ streams have a decimal comma while this object lives; those of printf and std::to_string, too, where LOCPATH has the
-/// locale de_DE.UTF-8.
+/// Numbers in C++ streams have a decimal comma while this object lives; those of printf and std::to_string,
+/// too, where LOCPATH has the locale de_DE.UTF-8.
 class DecimalCommas
 {
 public:

@@ -1,8 +1,10 @@
 /**
  * @file smFailingMemory.h
- * @brief operator new that counts allocations and lets one of them fail, for programs that test a shortage of memory
+ * @brief operator new that counts allocations and lets one of them fail, for programs that test a shortage of
+ * memory
  *
- * Replaces the standard library's in all libraries of the program: include it in one source file of a program.
+ * Replaces the standard library's in all libraries of the program: include it in one source file of a
+ * program.
  */
 #ifndef smFailingMemory_h
 #define smFailingMemory_h
@@ -20,8 +22,8 @@ namespace smtest
 /// Allocations by operator new while `IsCounting`; the one with the number `Failing` fails. 0: none does.
 struct FailingMemory
 {
-  /// The first allocation of so many bytes ends the counting, unless it fails: it shows that there is memory for VTK's containers, which
-  /// do not survive an operator new that fails in them.
+  /// The first allocation of so many bytes ends the counting, unless it fails: it shows that there is memory
+  /// for VTK's containers, which do not survive an operator new that fails in them.
   std::size_t LastSize = SIZE_MAX;
   std::atomic<bool> IsCounting{ false };
   std::atomic<long> Allocations{ 0 };

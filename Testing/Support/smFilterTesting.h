@@ -24,7 +24,8 @@
 
 namespace smtest
 {
-/// Two instances of one solid, the second rotated by a quarter about z and moved, and a plain mesh; names and an assembly.
+/// Two instances of one solid, the second rotated by a quarter about z and moved, and a plain mesh; names and
+/// an assembly.
 inline vtkSmartPointer<vtkPartitionedDataSetCollection> MakeProduct(LatticeBody& body)
 {
   const auto first = body.Make();
@@ -97,8 +98,8 @@ inline void CheckStructure(vtkDataObject* data)
       assembly->GetDataSetIndices(assembly->GetChild(0, 1)) == std::vector<unsigned int>{ 1 });
 }
 
-/// Stops a filter from an observer of its progress, also of the executive's report after the run. The output is then empty; that of the
-/// next run is not.
+/// Stops a filter from an observer of its progress, also of the executive's report after the run. The output
+/// is then empty; that of the next run is not.
 inline void CheckAbort(vtkAlgorithm* filter)
 {
   vtkNew<vtkCallbackCommand> stop;

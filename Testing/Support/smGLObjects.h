@@ -2,7 +2,8 @@
  * @file smGLObjects.h
  * @brief The objects that live in the current OpenGL context, counted by asking the driver for every name
  *
- * glIs...() over a range of names knows of everybody's objects, whoever forgot them; no book-keeping of ours is asked.
+ * glIs...() over a range of names knows of everybody's objects, whoever forgot them; no book-keeping of ours
+ * is asked.
  */
 #ifndef smGLObjects_h
 #define smGLObjects_h

@@ -1,10 +1,11 @@
 /**
  * @file smLatticeBody.h
- * @brief A cuboid as six B-spline faces of one lattice of control points, with a mesh, and what moving a point does to it
+ * @brief A cuboid as six B-spline faces of one lattice of control points, with a mesh, and what moving a
+ * point does to it
  *
- * The lattice's points lie at the Greville abscissae, so that the faces are planes and the edges are straight, whatever the
- * degree. Moving one point of the lattice by d maps x to x + d B(x), whose determinant is 1 + d . grad B: the volume
- * changes by d . (integral of grad B), in closed form and exactly linear in d.
+ * The lattice's points lie at the Greville abscissae, so that the faces are planes and the edges are
+ * straight, whatever the degree. Moving one point of the lattice by d maps x to x + d B(x), whose determinant
+ * is 1 + d . grad B: the volume changes by d . (integral of grad B), in closed form and exactly linear in d.
  */
 #ifndef smLatticeBody_h
 #define smLatticeBody_h
@@ -67,8 +68,9 @@ public:
     return change;
   }
 
-  /// Face 2 axis + side; its u and v are the next two axes, those of side 1 rotated by a quarter, so that rows meet
-  /// reversed and across. Control point (i,j) of the face that is point (a,b) of the lattice in these axes.
+  /// Face 2 axis + side; its u and v are the next two axes, those of side 1 rotated by a quarter, so that
+  /// rows meet reversed and across. Control point (i,j) of the face that is point (a,b) of the lattice in
+  /// these axes.
   static std::array<int, 2> ToFace(int side, int last, int a, int b)
   {
     return side == 0 ? std::array<int, 2>{ a, b } : std::array<int, 2>{ b, last - a };

@@ -29,13 +29,15 @@ struct MeshMeasures
   /// Largest distance of a sample from the surface, also as a part of the face's promise.
   double Deviation = 0.0;
   double WorstShare = 0.0;
-  /// Largest angle of a sample's normal from that of the nearest corner in this sense, as a part of what the face states.
+  /// Largest angle of a sample's normal from that of the nearest corner in this sense, as a part of what the
+  /// face states.
   double WorstTurnShare = 0.0;
   double Volume = 0.0;
   double Area = 0.0;
 };
 
-/// Distance of a point from a surface, near the parameters (u,v); an upper bound, for the foot point is sought, until a distance is `enough`.
+/// Distance of a point from a surface, near the parameters (u,v); an upper bound, for the foot point is
+/// sought, until a distance is `enough`.
 inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurface& surface,
   const sm::Vector3& point, double u, double v, double enough = 0.0)
 {
@@ -85,7 +87,8 @@ inline bool IsTurnedOver(const sm::Face& face, sm::NURBSSurface::Walker& walker,
     (sm::Dot(normal, sm::Cross(du, dv)) < 0.0) != face.Reversed;
 }
 
-/// The largest angle of the surface's normals at samples of a triangle from the normal at one of its corners, the one for which it is least.
+/// The largest angle of the surface's normals at samples of a triangle from the normal at one of its corners,
+/// the one for which it is least.
 inline double MeasureTurn(
   sm::NURBSSurface::Walker& walker, const sm::FaceMesh& mesh, const std::array<int, 3>& t)
 {

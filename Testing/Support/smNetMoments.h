@@ -1,9 +1,11 @@
 /**
  * @file smNetMoments.h
- * @brief Volume, centre and inertia of a solid of whole polynomial faces, by Gauss points that are exact for its degree
+ * @brief Volume, centre and inertia of a solid of whole polynomial faces, by Gauss points that are exact for
+ * its degree
  *
- * Nothing of the library's integration is used: the divergence theorem over every knot cell with 8 x 8 points, exact for
- * polynomials of degree 15 in u and v; x^2 (r . n) of a bicubic patch has degree 14. The control points may be moved first.
+ * Nothing of the library's integration is used: the divergence theorem over every knot cell with 8 x 8
+ * points, exact for polynomials of degree 15 in u and v; x^2 (r . n) of a bicubic patch has degree 14. The
+ * control points may be moved first.
  */
 #ifndef smNetMoments_h
 #define smNetMoments_h

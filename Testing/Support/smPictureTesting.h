@@ -2,8 +2,8 @@
  * @file smPictureTesting.h
  * @brief A picture against its baseline
  *
- * vtkImageDifference sums up what is left of a difference above a threshold, so that a large faint one counts for nothing: with an
- * opacity of 0.4 in place of 0.7 its error is 0. Here pixels are counted.
+ * vtkImageDifference sums up what is left of a difference above a threshold, so that a large faint one counts
+ * for nothing: with an opacity of 0.4 in place of 0.7 its error is 0. Here pixels are counted.
  */
 #ifndef smPictureTesting_h
 #define smPictureTesting_h
@@ -27,7 +27,8 @@ constexpr int ColorTolerance = 24;
 /// Most of the pixels that may differ. The same driver gives 0.
 constexpr double PictureLimit = 3e-4;
 
-/// True when `picture` has the colour that `other` has at (x, y), there or in one of the eight pixels around it.
+/// True when `picture` has the colour that `other` has at (x, y), there or in one of the eight pixels around
+/// it.
 inline bool HasColorNear(vtkImageData* picture, vtkImageData* other, int x, int y)
 {
   const int* size = picture->GetDimensions();
@@ -47,8 +48,9 @@ inline bool HasColorNear(vtkImageData* picture, vtkImageData* other, int x, int 
   return false;
 }
 
-/// Returns the part, 0 to 1, of the pixels whose colour the other picture has neither there nor at one of the eight neighbours. 1 where the
-/// sizes or the types differ: both need unsigned char, red, green and blue first.
+/// Returns the part, 0 to 1, of the pixels whose colour the other picture has neither there nor at one of the
+/// eight neighbours. 1 where the sizes or the types differ: both need unsigned char, red, green and blue
+/// first.
 inline double ShareOfOtherPixels(vtkImageData* one, vtkImageData* other)
 {
   const int* size = one->GetDimensions();

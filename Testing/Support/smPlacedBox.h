@@ -1,6 +1,7 @@
 /**
  * @file smPlacedBox.h
- * @brief A box in a placement that was read: its integrals in closed form for every placement that rounds to the same
+ * @brief A box in a placement that was read: its integrals in closed form for every placement that rounds to
+ * the same
  */
 #ifndef smPlacedBox_h
 #define smPlacedBox_h
@@ -26,8 +27,8 @@ struct PlacedBox
 
   static constexpr double Size[3] = { 2.0, 3.0, 5.0 };
 
-  /// Returns the box as a leaf with this placement. The faces are marked as read from a file by a small Rounding, far below that of the
-  /// placement, for only then the filters take the placement as rounded.
+  /// Returns the box as a leaf with this placement. The faces are marked as read from a file by a small
+  /// Rounding, far below that of the placement, for only then the filters take the placement as rounded.
   static vtkSmartPointer<vtkNURBSDataSet> MakeLeaf(vtkMatrix4x4* placement)
   {
     LatticeBody body;
@@ -59,7 +60,8 @@ struct PlacedBox
     }
   }
 
-  /// Makes the box in a placement whose every entry is off by as much as PlacementError allows, up or down at random.
+  /// Makes the box in a placement whose every entry is off by as much as PlacementError allows, up or down at
+  /// random.
   template <class Random>
   PlacedBox(vtkMatrix4x4* placement, Random& random)
   {

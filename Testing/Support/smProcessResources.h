@@ -16,7 +16,8 @@ namespace smtest
 {
 struct ProcessResources
 {
-  /// Bytes that malloc has given out and not got back; to the byte, but blind to what others map (a driver's compiled shaders).
+  /// Bytes that malloc has given out and not got back; to the byte, but blind to what others map (a driver's
+  /// compiled shaders).
   double Heap = 0.0;
   /// Bytes in memory: everything, in pages, and what malloc keeps for later.
   double Resident = 0.0;

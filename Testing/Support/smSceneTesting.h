@@ -17,9 +17,10 @@
 
 namespace smtest
 {
-/// Draws the renderer's actors on white, seen from the direction `from` with z upwards, in a window of `size` pixels, and checks the
-/// picture by vtkTesting with the options -T and -V of the arguments. vtkImageDifference forgives shifts by a pixel and 16 of 255 in
-/// colour, and sums the rest; the sum must not exceed 10.
+/// Draws the renderer's actors on white, seen from the direction `from` with z upwards, in a window of `size`
+/// pixels, and checks the picture by vtkTesting with the options -T and -V of the arguments.
+/// vtkImageDifference forgives shifts by a pixel and 16 of 255 in colour, and sums the rest; the sum must not
+/// exceed 10.
 inline void CheckScene(int argc, char* argv[], vtkRenderer* renderer, const std::array<double, 3>& from,
   const std::array<int, 2>& size)
 {

@@ -66,8 +66,8 @@ inline sm::NURBSSurface MakePlane(
     });
 }
 
-/// S(u,v) = (u, v, a u^2 + b u v + c v^2), of degree 2 x 2: control points are polar forms, (s + t)/2 of u and s t of u^2 at two
-/// neighbouring knots s, t.
+/// S(u,v) = (u, v, a u^2 + b u v + c v^2), of degree 2 x 2: control points are polar forms, (s + t)/2 of u
+/// and s t of u^2 at two neighbouring knots s, t.
 inline sm::NURBSSurface MakeParaboloid(
   double a, double b, double c, const std::vector<double>& breaksU, const std::vector<double>& breaksV)
 {
@@ -83,8 +83,8 @@ inline sm::NURBSSurface MakeParaboloid(
     });
 }
 
-/// A quarter of a cylinder lying along y: radius (1-u^2, ., 2u) / (1+u^2), y = length v, on [0,1] x [0,1]. From x = radius
-/// (u = 0) to z = radius. The normal Su x Sv = length (-z', 0, x') points to the axis.
+/// A quarter of a cylinder lying along y: radius (1-u^2, ., 2u) / (1+u^2), y = length v, on [0,1] x [0,1].
+/// From x = radius (u = 0) to z = radius. The normal Su x Sv = length (-z', 0, x') points to the axis.
 inline sm::NURBSSurface MakeQuarterCylinder(double radius, double length)
 {
   return MakeSurface(2, 1, { 0.0, 1.0 }, { 0.0, 1.0 },
@@ -154,8 +154,8 @@ inline sm::Loop MakePolygonLoop(const std::vector<Point2>& corners)
   return loop;
 }
 
-/// A closed loop about (x,y) of two coedges, each of two parabolas whose middle coefficients lie on the tangents: with `bulge`
-/// beyond the chord by that part of the corner between the ends. Area: MakeLeafArea.
+/// A closed loop about (x,y) of two coedges, each of two parabolas whose middle coefficients lie on the
+/// tangents: with `bulge` beyond the chord by that part of the corner between the ends. Area: MakeLeafArea.
 inline sm::Loop MakeLeaf(double x, double y, double radius, double bulge, bool clockwise)
 {
   sm::Loop loop;
@@ -176,8 +176,8 @@ inline sm::Loop MakeLeaf(double x, double y, double radius, double bulge, bool c
   return loop;
 }
 
-/// The square of half diagonal `radius`, 2 r^2, and four segments of a parabola, each 2/3 of its triangle with base r sqrt 2
-/// and height sqrt 2 bulge r: (2/3) bulge r^2 each.
+/// The square of half diagonal `radius`, 2 r^2, and four segments of a parabola, each 2/3 of its triangle
+/// with base r sqrt 2 and height sqrt 2 bulge r: (2/3) bulge r^2 each.
 inline double GetLeafArea(double radius, double bulge)
 {
   return radius * radius * (2.0 + 4.0 * 2.0 / 3.0 * bulge);

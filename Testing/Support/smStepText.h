@@ -113,8 +113,8 @@ private:
   int Next = 1;
 };
 
-/// A prism over a region bounded by polygons: outer ones counter-clockwise, holes clockwise. Corners at one place with the
-/// same number share a vertex, and an upright edge.
+/// A prism over a region bounded by polygons: outer ones counter-clockwise, holes clockwise. Corners at one
+/// place with the same number share a vertex, and an upright edge.
 class StepPrism
 {
 public:

@@ -21,7 +21,8 @@ struct ExactQuantity
 {
   const char* Name;
   std::vector<double> Values;
-  /// How far the digits of the file, gaps between faces and edges, and the double of the expected value can move it.
+  /// How far the digits of the file, gaps between faces and edges, and the double of the expected value can
+  /// move it.
   double Allowance;
 };
 
@@ -65,8 +66,8 @@ inline std::array<long double, 3> GetEigenvalues(const std::array<double, 9>& ma
 class ExactValues
 {
 public:
-  /// `gapSquared`: integral of the squared gap along the edges, by which volumes with gaps closed in other ways differ. `gapArea`: area of
-  /// the gaps, which changes the area of the faces to first order.
+  /// `gapSquared`: integral of the squared gap along the edges, by which volumes with gaps closed in other
+  /// ways differ. `gapArea`: area of the gaps, which changes the area of the faces to first order.
   ExactValues(const Expected& expected, double gapSquared, double gapArea)
   {
     namespace names = sm::names;

@@ -22,7 +22,8 @@ inline vtkMultiProcessController* controller = nullptr;
 inline int rank = 0;
 inline int ranks = 1;
 
-/// Ends the process, and mpirun all others, if a run takes so long that its rank must be waiting for another one.
+/// Ends the process, and mpirun all others, if a run takes so long that its rank must be waiting for another
+/// one.
 class Watchdog
 {
 public:

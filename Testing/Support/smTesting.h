@@ -38,7 +38,8 @@ inline bool Record(bool passed)
   return passed;
 }
 
-/// Checks |actual - expected| <= limit, and prints the result. A NaN fails. `reason` says where the limit comes from.
+/// Checks |actual - expected| <= limit, and prints the result. A NaN fails. `reason` says where the limit
+/// comes from.
 inline bool Check(
   const std::string& what, double expected, double actual, double limit, const char* reason = "")
 {

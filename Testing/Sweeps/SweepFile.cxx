@@ -1,5 +1,5 @@
-// SweepFile FILE.step RESULT.json FOLDER [backends] [buoyancy] [writers]: reads a file once and judges every stage with it.
-// RESULT.json gets
+// SweepFile FILE.step RESULT.json FOLDER [backends] [buoyancy] [writers]: reads a file once and judges every
+// stage with it. RESULT.json gets
 //   runs      for each tolerance the entry of the command line's JSON document, its exit status, and seconds
 //   kernel    the converted faces against OpenCASCADE's (smKernelComparison.h), null for an unreadable file
 //   mesh      the display mesh

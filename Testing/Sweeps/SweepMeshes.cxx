@@ -1,14 +1,16 @@
-// SweepMeshes [options] FILE.step...: the display mesh of every body beside that of OpenCASCADE's mesher, in one run on one
-// core: seconds, triangles, faces without triangles, open sides of closed solids, inverted triangles, and the largest distance from the
-// surface, all at the same deflection. Beside ours, the seconds of bounds of surfaces and points of edges alone; beside both, triangles
-// times distance: at equal distance, the ratio of triangles. Exit status 1 where ours breaks its promise, or has faces without triangles,
+// SweepMeshes [options] FILE.step...: the display mesh of every body beside that of OpenCASCADE's mesher, in
+// one run on one core: seconds, triangles, faces without triangles, open sides of closed solids, inverted
+// triangles, and the largest distance from the surface, all at the same deflection. Beside ours, the seconds
+// of bounds of surfaces and points of edges alone; beside both, triangles times distance: at equal distance,
+// the ratio of triangles. Exit status 1 where ours breaks its promise, or has faces without triangles,
 // triangles turned over, or open sides of closed bodies that it gives no reason for.
 //     --deflection X   a part of the diagonal, 0.001 by default
 //     --threads N      meshes on N threads; seconds are those of the clock on the wall then
 //     --alone          without OpenCASCADE
 //     --repeat N       meshes each body N times and counts the least seconds
 //     --quick          the same without measures: only seconds, triangles and the bits of the mesh
-//     --picture FILE.png ID,ID...   draws these faces of the next file, OpenCASCADE's triangles on the left, ours on the right
+//     --picture FILE.png ID,ID...   draws these faces of the next file, OpenCASCADE's triangles on the left,
+//     ours on the right
 //     --tile N         pixels along a side of its tiles, 700 by default
 //     --verbose        says so of every face
 #include "smKernelMesh.h"
@@ -63,13 +65,16 @@ struct Totals
   double EdgeSeconds = 0.0;
   /// Sums of triangles times the largest distance as a part of the deflection, over bodies that are not flat.
   double Effort[2] = { 0, 0 };
-  /// Faces without triangles and without a reason, and open sides of closed bodies whose faces have no reason.
+  /// Faces without triangles and without a reason, and open sides of closed bodies whose faces have no
+  /// reason.
   int Unexplained = 0;
-  /// Bodies whose edges cancel, those of them whose meshes have boundary edges, and the number of these where no face has a reason.
+  /// Bodies whose edges cancel, those of them whose meshes have boundary edges, and the number of these where
+  /// no face has a reason.
   int ClosedBodies = 0;
   int BodiesWithBoundary = 0;
   int BoundaryEdges = 0;
-  /// Faces on which the normal turns within a triangle by at most the wanted angle, by more, and without a bound.
+  /// Faces on which the normal turns within a triangle by at most the wanted angle, by more, and without a
+  /// bound.
   int Turns[3] = { 0, 0, 0 };
   smtest::MeshMeasures Mesh[2];
 };
@@ -116,7 +121,8 @@ bool IsClosed(const std::vector<sm::FacePointer>& faces)
   return std::all_of(directions.begin(), directions.end(), [](const auto& d) { return d.second == 0; });
 }
 
-/// Number of edges that vtkFeatureEdges finds to belong to one triangle only, where points with the same bits are one.
+/// Number of edges that vtkFeatureEdges finds to belong to one triangle only, where points with the same bits
+/// are one.
 vtkIdType CountBoundaryEdges(const std::vector<sm::FaceMesh>& meshes)
 {
   std::map<std::array<double, 3>, vtkIdType> places;
@@ -154,7 +160,8 @@ vtkIdType CountBoundaryEdges(const std::vector<sm::FaceMesh>& meshes)
   return edges->GetOutput()->GetNumberOfCells();
 }
 
-/// Seconds of what comes before the first triangle: bounds of the surfaces, and points of edges that suit them.
+/// Seconds of what comes before the first triangle: bounds of the surfaces, and points of edges that suit
+/// them.
 double MeasureEdges(const std::vector<sm::FacePointer>& faces, const sm::MeshLimits& limits)
 {
   const double start = GetSeconds();

@@ -49,7 +49,8 @@ struct NativeTrim
   Handle(Geom2d_Curve) Curve;
   double First = 0.0;
   double Last = 0.0;
-  /// True if the file has the curve; otherwise OpenCASCADE computes one, on a plane only, with another parametrisation than the edge's.
+  /// True if the file has the curve; otherwise OpenCASCADE computes one, on a plane only, with another
+  /// parametrisation than the edge's.
   Standard_Boolean Stored = false;
 
   NativeTrim(const TopoDS_Edge& edge, const TopoDS_Face& face)
@@ -58,8 +59,8 @@ struct NativeTrim
   }
 };
 
-/// The point of the trim curve that is nearest to `point`, near parameter t: a curve whose 2D and 3D parametrisations differ was
-/// given another parameter, and is to be the same curve.
+/// The point of the trim curve that is nearest to `point`, near parameter t: a curve whose 2D and 3D
+/// parametrisations differ was given another parameter, and is to be the same curve.
 sm::Vector3 GetNearest(const NativeTrim& trim, const Handle(Geom_Surface) & surface, const sm::AffineMap& map,
   double t, const double* point)
 {

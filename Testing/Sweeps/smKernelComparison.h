@@ -1,6 +1,7 @@
 /**
  * @file smKernelComparison.h
- * @brief The faces, trim curves and edges that the reader makes of a file, point by point against OpenCASCADE's own evaluation
+ * @brief The faces, trim curves and edges that the reader makes of a file, point by point against
+ * OpenCASCADE's own evaluation
  */
 #ifndef smKernelComparison_h
 #define smKernelComparison_h
@@ -14,8 +15,8 @@
 
 namespace smtest
 {
-/// Largest distances that are allowed, relative to the size of the body plus its distance from the part's origin, where OpenCASCADE
-/// rounds.
+/// Largest distances that are allowed, relative to the size of the body plus its distance from the part's
+/// origin, where OpenCASCADE rounds.
 constexpr double SurfaceLimit = 2e-13;
 /// A trim curve is fitted to 1e-13 of an arc; OpenCASCADE's own evaluation adds rounding.
 constexpr double TrimLimit = 2e-12;

@@ -12,10 +12,12 @@
 
 namespace smtest
 {
-/// Triangulates the shape, in mm, on one thread; deflection and angle as MeshLimits. False where the mesher threw.
+/// Triangulates the shape, in mm, on one thread; deflection and angle as MeshLimits. False where the mesher
+/// threw.
 bool MeshByKernel(const TopoDS_Shape& shape, double deflection, double angle);
 
-/// The triangles of the faces, without normals, relative to `origin`; Deviation is `deflection`. Faces it gave up on are empty.
+/// The triangles of the faces, without normals, relative to `origin`; Deviation is `deflection`. Faces it
+/// gave up on are empty.
 std::vector<sm::FaceMesh> GetKernelMeshes(
   const sm::ConvertedBody& body, const double origin[3], double deflection);
 }

@@ -58,8 +58,8 @@ struct View
       }
     }
   }
-  /// Returns the pixel of p in direction d, in a tile of `tile` pixels. Each direction has a scale of its own where the face is much longer
-  /// than wide.
+  /// Returns the pixel of p in direction d, in a tile of `tile` pixels. Each direction has a scale of its own
+  /// where the face is much longer than wide.
   int GetPixel(const Vector3& p, int d, int tile) const
   {
     const double sizes[2] = { this->High[0] - this->Low[0], this->High[1] - this->Low[1] };

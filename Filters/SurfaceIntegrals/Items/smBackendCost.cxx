@@ -8,11 +8,13 @@ namespace sm
 {
 namespace
 {
-/// Bytes of an item on the GPU: its share of patches, points and coefficients, 123 of the real files on average, and a work record of 64.
+/// Bytes of an item on the GPU: its share of patches, points and coefficients, 123 of the real files on
+/// average, and a work record of 64.
 constexpr double BytesPerItem = 190.0;
 /// Number of integrands of mass properties (smMassIntegrands.h).
 constexpr double MassIntegrands = 14.0;
-/// Number of integrands that take as long as evaluating the surface: 84 moments were measured to take 2.6 times as long as 10.
+/// Number of integrands that take as long as evaluating the surface: 84 moments were measured to take 2.6
+/// times as long as 10.
 constexpr double IntegrandsPerSurface = 40.0;
 
 /// Number of intervals between different knots in the domain.

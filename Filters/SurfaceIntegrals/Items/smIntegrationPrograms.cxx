@@ -60,8 +60,8 @@ void IntegrationPrograms::Configure(const ItemRunner::Setup& setup, const RowLay
 ProgramKey IntegrationPrograms::ChooseProgram(ItemKind kind, int degreeS, int degreeR, bool isSoftware)
 {
   static const std::pair<int, int> common[] = { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 3, 3 } };
-  // With a constant degree in s the curve that a patch is along a line stays in registers. Ribbons of a plate take a
-  // sixth of the time for it on an H200; llvmpipe, which takes longer to compile, gains nothing.
+  // With a constant degree in s the curve that a patch is along a line stays in registers. Ribbons of a plate
+  // take a sixth of the time for it on an H200; llvmpipe, which takes longer to compile, gains nothing.
   constexpr int MaximumPanelDegree = 6;
   constexpr int MaximumRibbonDegree = 3;
   if (kind == ItemKind::Cap)

@@ -9,7 +9,8 @@
 
 namespace sm
 {
-/// Items of one shape: kind, degrees, orders and flags are equal. Lane l of the array entry i is at i * (number of lanes) + l.
+/// Items of one shape: kind, degrees, orders and flags are equal. Lane l of the array entry i is at i *
+/// (number of lanes) + l.
 struct ItemLanes
 {
   ItemKind Kind;
@@ -47,7 +48,8 @@ struct ItemLanes
 };
 
 ///@{
-/// Evaluates as many items as the name says. IntegrateLanes4 needs a processor with AVX2, IntegrateLanes8 one with AVX-512.
+/// Evaluates as many items as the name says. IntegrateLanes4 needs a processor with AVX2, IntegrateLanes8 one
+/// with AVX-512.
 unsigned int IntegrateLanes1(const ItemLanes& items);
 unsigned int IntegrateLanes2(const ItemLanes& items);
 unsigned int IntegrateLanes4(const ItemLanes& items);

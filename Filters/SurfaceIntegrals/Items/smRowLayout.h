@@ -13,9 +13,9 @@
 namespace sm
 {
 /**
- * A row has the largest gap and the integrals of the squared gap and of the gap; a value and an error per integrand; the
- * roundings, one per different magnitude, which several integrands may share; and per integrand the last difference between
- * orders. The layout is that of glsl/smWorkStorage.glsl.
+ * A row has the largest gap and the integrals of the squared gap and of the gap; a value and an error per
+ * integrand; the roundings, one per different magnitude, which several integrands may share; and per
+ * integrand the last difference between orders. The layout is that of glsl/smWorkStorage.glsl.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT RowLayout
 {

@@ -14,8 +14,8 @@ class vtkMultiProcessController;
 
 namespace sm
 {
-/// Messages have tags of their own, so that they are not confused with other messages between collective calls. They are sent in
-/// pieces, so that a rank without memory for a whole message can receive and drop it.
+/// Messages have tags of their own, so that they are not confused with other messages between collective
+/// calls. They are sent in pieces, so that a rank without memory for a whole message can receive and drop it.
 class SMFILTERSSURFACEINTEGRALS_EXPORT ControllerExchange : public FaceExchange
 {
 public:
@@ -31,7 +31,8 @@ public:
 
 private:
   bool Send(int to, const Bytes& message);
-  /// Receives a message; drops it if `message` is null or there is no memory for it, and then sets `isDropped`.
+  /// Receives a message; drops it if `message` is null or there is no memory for it, and then sets
+  /// `isDropped`.
   bool Receive(int from, Bytes* message, bool& isDropped);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;

@@ -19,11 +19,12 @@ namespace sm
 using RankNumbers = std::array<double, 5>;
 
 /**
- * Every method is collective: all ranks call it, in the same order, and it returns as soon as the calling rank has its data. It
- * returns false if the connection is permanently lost. Ranks are numbered from 0 and run on machines of one kind (smBytes.h).
+ * Every method is collective: all ranks call it, in the same order, and it returns as soon as the calling
+ * rank has its data. It returns false if the connection is permanently lost. Ranks are numbered from 0 and
+ * run on machines of one kind (smBytes.h).
  *
- * Other ranks do not wait for one whose memory is insufficient. Sum() needs no memory; Gather() and Scatter() take part to the end,
- * without keeping what they receive, and then throw std::bad_alloc.
+ * Other ranks do not wait for one whose memory is insufficient. Sum() needs no memory; Gather() and Scatter()
+ * take part to the end, without keeping what they receive, and then throw std::bad_alloc.
  */
 class FaceExchange
 {
@@ -37,7 +38,8 @@ public:
   virtual bool Sum(RankNumbers& numbers) = 0;
   /// Sets `all` to one message of every rank, on `root` only.
   virtual bool Gather(int root, const Bytes& mine, std::vector<Bytes>& all) = 0;
-  /// Sets `mine` to the rank's message in `all`, which is read on `root` only; messages that `all` lacks are empty.
+  /// Sets `mine` to the rank's message in `all`, which is read on `root` only; messages that `all` lacks are
+  /// empty.
   virtual bool Scatter(int root, const std::vector<Bytes>& all, Bytes& mine) = 0;
 };
 

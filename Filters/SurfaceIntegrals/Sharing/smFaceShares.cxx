@@ -18,8 +18,8 @@ constexpr std::uint64_t RunsKeptByReceivers = 2 * RunsKept;
 double EstimateCost(const Face& face)
 {
   const double points = (1.0 + face.Surface.Degree[0]) * (1.0 + face.Surface.Degree[1]);
-  // An item takes about as many points as a patch has coefficients, and each point costs as many products; the constant is the
-  // cost of planning an item.
+  // An item takes about as many points as a patch has coefficients, and each point costs as many products;
+  // the constant is the cost of planning an item.
   return CountItems(face) * (20.0 + points * points);
 }
 

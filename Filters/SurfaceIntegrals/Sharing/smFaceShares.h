@@ -2,9 +2,9 @@
  * @file smFaceShares.h
  * @brief Assignment of faces to ranks, and the messages that send them
  *
- * A face is assigned to the rank that had it last, where it is already cut, planned and perhaps integrated. New faces are
- * assigned in the order of descending cost to the rank with the least new work. A face is sent once: ranks keep the faces of the
- * last runs.
+ * A face is assigned to the rank that had it last, where it is already cut, planned and perhaps integrated.
+ * New faces are assigned in the order of descending cost to the rank with the least new work. A face is sent
+ * once: ranks keep the faces of the last runs.
  */
 #ifndef smFaceShares_h
 #define smFaceShares_h
@@ -21,19 +21,20 @@
 
 namespace sm
 {
-/// Returns the approximate cost of cutting, planning and integrating a face in arbitrary units, from the number and degree of its
-/// items.
+/// Returns the approximate cost of cutting, planning and integrating a face in arbitrary units, from the
+/// number and degree of its items.
 SMFILTERSSURFACEINTEGRALS_EXPORT double EstimateCost(const Face& face);
 
 /// Assignment of faces, on the rank that has the faces.
 class SMFILTERSSURFACEINTEGRALS_EXPORT FaceShares
 {
 public:
-  /// Returns a rank for every task, among those with `fit` true, of which there must be one at least. If these are not the ranks of the
-  /// last run, all faces are assigned anew and sent again: a rank that was not fit may have lost its faces, or has none.
+  /// Returns a rank for every task, among those with `fit` true, of which there must be one at least. If
+  /// these are not the ranks of the last run, all faces are assigned anew and sent again: a rank that was not
+  /// fit may have lost its faces, or has none.
   std::vector<int> Divide(const std::vector<FaceTask>& tasks, const std::vector<bool>& fit);
-  /// Writes the message by which another rank receives the tasks assigned to it. It must be called once after each Divide() for
-  /// every such rank.
+  /// Writes the message by which another rank receives the tasks assigned to it. It must be called once after
+  /// each Divide() for every such rank.
   void Pack(const std::vector<FaceTask>& tasks, const std::vector<std::size_t>& own, ByteWriter& to);
   /// Removes the faces that were not in the last 8 runs.
   void EndRun();
@@ -41,8 +42,8 @@ public:
   std::uint64_t GetSession() const { return this->Session; }
   /// Lets the faces of a rank that has lost some of them be sent again.
   void ForgetSent(int rank);
-  /// Starts a new session, in which all faces are sent again and ranks discard the faces that they have, since their state is
-  /// unknown.
+  /// Starts a new session, in which all faces are sent again and ranks discard the faces that they have,
+  /// since their state is unknown.
   void Forget();
 
 private:
@@ -65,10 +66,11 @@ class SMFILTERSSURFACEINTEGRALS_EXPORT ReceivedFaces
 public:
   explicit ReceivedFaces(CacheBudget& budget = CacheBudget::GetProcessBudget());
 
-  /// Reads the tasks of a message. Returns false if the message is invalid or refers to a face that was not received.
+  /// Reads the tasks of a message. Returns false if the message is invalid or refers to a face that was not
+  /// received.
   bool Unpack(int sender, ByteReader& from, std::vector<FaceTask>& tasks);
-  /// Returns the session of the sender whose faces are all here. Returns 0 if they are of another session or rank, or if the budget has
-  /// removed some of them: the sender then sends them again with its next message.
+  /// Returns the session of the sender whose faces are all here. Returns 0 if they are of another session or
+  /// rank, or if the budget has removed some of them: the sender then sends them again with its next message.
   std::uint64_t FindSession(int sender);
   std::size_t GetNumberOfFaces() const { return this->Faces.GetNumberOfFaces(); }
   void Clear();

@@ -19,11 +19,12 @@ namespace sm
  *  3. ScatterShares(): the root sends the faces;
  *  4. Agree() after every step, until some rank is stopped or no rank has any work left;
  *  5. GatherResults(): all ranks send their results to the root.
- * A rank that fails, by an exception or otherwise, leaves this order wherever it is. Finish() then makes the calls that are left, so that
- * no rank waits for it: if the root fails, it stops the run of all ranks; if another one fails, the others complete the run.
+ * A rank that fails, by an exception or otherwise, leaves this order wherever it is. Finish() then makes the
+ * calls that are left, so that no rank waits for it: if the root fails, it stops the run of all ranks; if
+ * another one fails, the others complete the run.
  *
- * The calls return false if the connection to the other ranks is lost, after which there are no further calls. A call that throws has
- * been made.
+ * The calls return false if the connection to the other ranks is lost, after which there are no further
+ * calls. A call that throws has been made.
  */
 class SMFILTERSSURFACEINTEGRALS_EXPORT SharedRun
 {
@@ -64,8 +65,8 @@ public:
   bool Agree(Step& step);
   bool GatherResults(const Bytes& mine, std::vector<Bytes>& all);
 
-  /// Makes the calls that are left, without work. `failure` is this rank's message with the reason; without bytes, it says that memory
-  /// was insufficient. Allocates no memory that it needs.
+  /// Makes the calls that are left, without work. `failure` is this rank's message with the reason; without
+  /// bytes, it says that memory was insufficient. Allocates no memory that it needs.
   void Finish(const Bytes& failure) noexcept;
 
 private:

@@ -30,8 +30,9 @@ SMREADERSFACES_EXPORT void ComputeChebyshevCoefficients(const FitSamples& sample
 /// Bernstein coefficients, `degree` + 1 of them, of the Chebyshev series cut off after `degree`.
 SMREADERSFACES_EXPORT void ConvertToBernstein(const FitSamples& chebyshev, int degree, double* bernstein);
 
-/// When an interval is halved, the residual of a smooth function decreases by far more than this ratio, even across a kink. A residual that
-/// does not is the rounding of the function itself, which bisection cannot reduce.
+/// When an interval is halved, the residual of a smooth function decreases by far more than this ratio, even
+/// across a kink. A residual that does not is the rounding of the function itself, which bisection cannot
+/// reduce.
 constexpr double NoiseRatio = 0.3;
 /// A residual above this many tolerances is not taken for rounding, even if bisection does not reduce it.
 constexpr double MaximumNoise = 1e5;

@@ -10,9 +10,9 @@
 namespace sm
 {
 /**
- * Returns the natural parameter at which a curve is closest to a point: in closed form for a line, and for a point on a
- * conic; else by Newton's method from the closest one of some points of each span. The range of a spline is its domain.
- * NaN if the domain of another curve is infinite.
+ * Returns the natural parameter at which a curve is closest to a point: in closed form for a line, and for a
+ * point on a conic; else by Newton's method from the closest one of some points of each span. The range of a
+ * spline is its domain. NaN if the domain of another curve is infinite.
  */
 template <int Dimension>
 double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::array<double, Dimension>& point);

@@ -35,9 +35,9 @@ struct FlatKnots
 };
 
 /**
- * Makes flat knots that cover [low, high] from distinct knots with their multiplicities. A direction that is not
- * periodic is converted as a whole. A periodic one is unrolled over as many spans as the range needs; its knots are
- * not clamped then. Throws std::runtime_error for a range beyond MaximumTurns periods.
+ * Makes flat knots that cover [low, high] from distinct knots with their multiplicities. A direction that is
+ * not periodic is converted as a whole. A periodic one is unrolled over as many spans as the range needs; its
+ * knots are not clamped then. Throws std::runtime_error for a range beyond MaximumTurns periods.
  */
 inline FlatKnots MakeFlatKnots(int degree, const std::vector<double>& knots,
   const std::vector<int>& multiplicities, bool periodic, double low, double high)
@@ -87,8 +87,8 @@ inline FlatKnots MakeFlatKnots(int degree, const std::vector<double>& knots,
   {
     flat.Knots.push_back(knot(i));
   }
-  // Pole 0 of a periodic spline is the first one that the first span uses: in the flat vector, the one that starts
-  // `degree` knots before the last copy of the first knot.
+  // Pole 0 of a periodic spline is the first one that the first span uses: in the flat vector, the one that
+  // starts `degree` knots before the last copy of the first knot.
   const int shift = multiplicities.front() - 1 - degree;
   for (int i = first - degree; i < end; ++i)
   {
@@ -98,8 +98,8 @@ inline FlatKnots MakeFlatKnots(int degree, const std::vector<double>& knots,
 }
 
 /**
- * Computes the Bézier coefficients on [a,b] of the polynomial on span k, by blossoming: coefficient i is the polar form at
- * (a .. a, b .. b) with i times b. `poles` holds all control points of the flat knots.
+ * Computes the Bézier coefficients on [a,b] of the polynomial on span k, by blossoming: coefficient i is the
+ * polar form at (a .. a, b .. b) with i times b. `poles` holds all control points of the flat knots.
  */
 template <std::size_t Dimension>
 void ExtractBezierPiece(const FlatKnots& flat, const std::vector<std::array<double, Dimension>>& poles,

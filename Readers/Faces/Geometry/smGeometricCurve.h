@@ -2,7 +2,8 @@
  * @file smGeometricCurve.h
  * @brief Curves in space and in the parameters of a surface as a file defines them: immutable values
  *
- * The curves of ISO 10303-42, clause 4.4, as points and derivatives. Lengths are in one unit, angles in radians.
+ * The curves of ISO 10303-42, clause 4.4, as points and derivatives. Lengths are in one unit, angles in
+ * radians.
  *
  * | value | definition in its natural parameter t | entity, and t for its parameter u |
  * |---|---|---|
@@ -11,8 +12,8 @@
  * | ConicCurve, parabola | C + t^2/(4 f) X + t Y | parabola, C + f (u^2 X + 2 u Y): t = 2 f u |
  * | ConicCurve, hyperbola | C + a cosh(t) X + b sinh(t) Y | hyperbola: t = u |
  * | SplineCurve | sum N_i(t) w_i P_i / sum N_i(t) w_i | polyline, b_spline_curve of all kinds: t = u |
- * | OffsetCurve | B(t) + d N, N the unit vector of V x B'(t), in the plane of (-y', x') | offset_curve_3d and _2d: t = u |
- * | CompositeCurve | its segments one after another | composite_curve: t = u, in each segment the length of its range |
+ * | OffsetCurve | B(t) + d N, N unit vector of V x B'(t); in 2D (-y', x') | offset_curve_3d and _2d: t = u |
+ * | CompositeCurve | its segments one after another | composite_curve: t = u, segment by segment |
  * | CurveOnSurface | S(c(t)) | pcurve as a curve in space: t = u |
  *
  * A trimmed_curve is its basis over a part of the domain, a curve_replica the transformed value.
@@ -73,8 +74,8 @@ struct ConicCurve
   };
   Type Kind = Type::Ellipse;
   std::array<double, Dimension> Center{};
-  /// Unit vectors, normal to each other, for a conic of a file. Its image under an affine map, with the same parameter,
-  /// has any two that are not parallel.
+  /// Unit vectors, normal to each other, for a conic of a file. Its image under an affine map, with the same
+  /// parameter, has any two that are not parallel.
   std::array<double, Dimension> X{};
   std::array<double, Dimension> Y{};
   /// Semi-axes along X and Y; the focal distance of a parabola is the first one.
@@ -104,7 +105,8 @@ template <int Dimension>
 struct CurveSegment
 {
   CurvePointer<Dimension> Curve;
-  /// Natural parameters at the start and at the end in the direction of the whole; the second one may be less.
+  /// Natural parameters at the start and at the end in the direction of the whole; the second one may be
+  /// less.
   double First = 0.0;
   double Last = 1.0;
   /// Length of the segment in the parameter of the whole.
@@ -146,13 +148,14 @@ public:
   }
 
   Point Evaluate(double t) const;
-  /// Evaluates the derivatives of order 0 to `order`, at most GetLargestOrder(). They are NaN where an offset has no
-  /// direction.
+  /// Evaluates the derivatives of order 0 to `order`, at most GetLargestOrder(). They are NaN where an offset
+  /// has no direction.
   void Evaluate(double t, int order, Derivatives& result) const;
   /// MaximumOrder; for an offset curve one less than for its basis, for a curve on a surface 1 or 2.
   int GetLargestOrder() const { return this->LargestOrder; }
 
-  /// Returns the natural domain: a whole turn from 0 for an ellipse, infinite for lines, parabolas and hyperbolas.
+  /// Returns the natural domain: a whole turn from 0 for an ellipse, infinite for lines, parabolas and
+  /// hyperbolas.
   const ParameterRange& GetDomain() const { return this->Domain; }
   /// Returns the period; 0 for a curve that is not periodic.
   double GetPeriod() const { return this->Period; }

@@ -256,7 +256,8 @@ std::string CheckElementary(const ElementarySurface& s)
   return isSound ? "" : "its radii or its angle are out of range, or its axes are not normal to each other";
 }
 
-/// Sets domain and period of a direction along a curve, of which `range` is used. Returns false if that is empty.
+/// Sets domain and period of a direction along a curve, of which `range` is used. Returns false if that is
+/// empty.
 bool TakeProfile(
   const GeometricCurve<3>& curve, ParameterRange& range, ParameterRange& domain, double& period)
 {

@@ -2,23 +2,23 @@
  * @file smGeometricSurface.h
  * @brief Surfaces as a file defines them: immutable values
  *
- * The surfaces of ISO 10303-42, clause 4.5, as points and derivatives. Lengths are in one unit, angles in radians;
- * O, X, Y, Z are origin and axes of a placement.
+ * The surfaces of ISO 10303-42, clause 4.5, as points and derivatives. Lengths are in one unit, angles in
+ * radians; O, X, Y, Z are origin and axes of a placement.
  *
  * | value | definition in its natural parameters (s,t) | entity, and (s,t) for its parameters (u,v) |
  * |---|---|---|
  * | ElementarySurface, plane | O + s X + t Y | plane: (u,v) |
  * | cylinder | O + R (cos s X + sin s Y) + t Z | cylindrical_surface: (u,v) |
- * | cone | O + (R + t sin a)(cos s X + sin s Y) + t cos a Z | conical_surface, with R + v tan a and v Z: (u, v / cos a) |
+ * | cone | O + (R + t sin a)(cos s X + sin s Y) + t cos a Z | conical_surface: (u, v / cos a) |
  * | sphere | O + R cos t (cos s X + sin s Y) + R sin t Z | spherical_surface: (u,v) |
- * | torus | O + (R + r cos t)(cos s X + sin s Y) + r sin t Z | toroidal_surface, degenerate_toroidal_surface: (u,v) |
- * | ExtrudedSurface | C(s) + t D, D a unit vector | surface_of_linear_extrusion: v times the length of the vector |
+ * | torus | O + (R + r cos t)(cos s X + sin s Y) + r sin t Z | (degenerate_)toroidal_surface: (u,v) |
+ * | ExtrudedSurface | C(s) + t D, D a unit vector | surface_of_linear_extrusion: v times its length |
  * | RevolvedSurface | C(t) turned by s about the axis | surface_of_revolution |
- * | SplineSurface | sum N_i(s) N_j(t) w_ij P_ij / sum N_i(s) N_j(t) w_ij | b_spline_surface of all kinds: (u,v) |
+ * | SplineSurface | sum N_i(s) N_j(t) w_ij P_ij / sum N_i(s) N_j(t) w_ij | b_spline_surface: (u,v) |
  * | OffsetSurface | B(s,t) + d n, n the unit vector of B_s x B_t | offset_surface: those of the basis |
  *
- * The parameter along a swept curve is that of the curve. A rectangular_trimmed_surface or curve_bounded_surface is its
- * basis over a part of the domain, a surface_replica the transformed value.
+ * The parameter along a swept curve is that of the curve. A rectangular_trimmed_surface or
+ * curve_bounded_surface is its basis over a part of the domain, a surface_replica the transformed value.
  */
 #ifndef smGeometricSurface_h
 #define smGeometricSurface_h
@@ -58,8 +58,8 @@ struct ElementarySurface
   };
   Type Kind = Type::Plane;
   GeometricFrame Frame;
-  /// Radius, and the minor radius of a torus. The radius of a cone may be 0, the major radius of a torus may be less
-  /// than the minor one.
+  /// Radius, and the minor radius of a torus. The radius of a cone may be 0, the major radius of a torus may
+  /// be less than the minor one.
   double Radii[2] = { 0.0, 0.0 };
   /// Half the opening of a cone.
   double Angle = 0.0;
@@ -121,14 +121,14 @@ public:
   }
 
   Vector3 Evaluate(double s, double t) const;
-  /// Evaluates the derivatives with i + j <= order, at most GetLargestOrder(). They are NaN where an offset has no
-  /// normal.
+  /// Evaluates the derivatives with i + j <= order, at most GetLargestOrder(). They are NaN where an offset
+  /// has no normal.
   void Evaluate(double s, double t, int order, Derivatives& result) const;
   /// 2; 1 for an offset surface, or along a curve that has no more.
   int GetLargestOrder() const { return this->LargestOrder; }
 
-  /// Returns the natural domain of a direction: a whole turn from 0 for angles, -90 to 90 degrees for the latitude
-  /// of a sphere, else infinite or that of the spline or curve.
+  /// Returns the natural domain of a direction: a whole turn from 0 for angles, -90 to 90 degrees for the
+  /// latitude of a sphere, else infinite or that of the spline or curve.
   const ParameterRange& GetDomain(int direction) const { return this->Domain[direction]; }
   /// Returns the period of a direction; 0: not periodic.
   double GetPeriod(int direction) const { return this->Period[direction]; }

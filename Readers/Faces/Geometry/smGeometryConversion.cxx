@@ -53,7 +53,8 @@ void Revolve(const std::vector<RevolvedPole>& poles, ConvertedSurface& result)
   }
 }
 
-/// Revolves the profile of a cylinder, cone, sphere or torus, given by homogeneous poles (radius, height, weight).
+/// Revolves the profile of a cylinder, cone, sphere or torus, given by homogeneous poles (radius, height,
+/// weight).
 void RevolveElementary(const GeometricFrame& frame, const std::vector<Vector3>& profile, const AffineMap& map,
   ConvertedSurface& result)
 {
@@ -107,12 +108,13 @@ void ConvertPlane(
   }
 }
 
-/// An end of a range this close to a pole, relative to the range, is moved to the pole: the difference is the rounding of the file's
-/// digits. The surface then has a row of coincident control points. Even if no loop bounds the face there, its area increases by less than
-/// rounding.
+/// An end of a range this close to a pole, relative to the range, is moved to the pole: the difference is the
+/// rounding of the file's digits. The surface then has a row of coincident control points. Even if no loop
+/// bounds the face there, its area increases by less than rounding.
 constexpr double PoleDistance = 1e-8;
 
-/// Returns the straight profile (radius, height) at both ends of v; a radius of the size of rounding is set to 0.
+/// Returns the straight profile (radius, height) at both ends of v; a radius of the size of rounding is set
+/// to 0.
 std::vector<Vector3> StraightProfile(
   const NativeBox& box, double radius, double radiusSlope, double heightSlope)
 {

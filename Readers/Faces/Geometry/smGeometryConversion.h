@@ -22,15 +22,16 @@ struct RationalProfile
 };
 
 /**
- * Converts a curve over [low, high]. Lines, conics and splines are exact; a conic has its map, the others keep their
- * parameter. Other curves are fitted to rounding level. Throws std::runtime_error with a short reason if that fails.
+ * Converts a curve over [low, high]. Lines, conics and splines are exact; a conic has its map, the others
+ * keep their parameter. Other curves are fitted to rounding level. Throws std::runtime_error with a short
+ * reason if that fails.
  */
 SMREADERSFACES_EXPORT RationalProfile ConvertProfile(const GeometricCurve<3>& curve, double low, double high);
 
 /**
- * Converts a surface over a box of its natural parameters, where that is exact; the profile of a swept surface may
- * have a residual. Returns false for an offset surface. Throws std::runtime_error with a short reason for a box that no
- * face has.
+ * Converts a surface over a box of its natural parameters, where that is exact; the profile of a swept
+ * surface may have a residual. Returns false for an offset surface. Throws std::runtime_error with a short
+ * reason for a box that no face has.
  */
 SMREADERSFACES_EXPORT bool ConvertExactly(
   const GeometricSurface& surface, const NativeBox& box, const AffineMap& map, ConvertedSurface& result);
@@ -39,8 +40,8 @@ SMREADERSFACES_EXPORT bool ConvertExactly(
 SMREADERSFACES_EXPORT ConvertedSurface ConvertGeometry(
   const GeometricSurface& surface, const NativeBox& box, const AffineMap& map);
 
-/// Converts a curve to polynomial pieces with the same parameter: lines and polynomial splines exactly, others by
-/// FitEdge(). Throws std::runtime_error with a short reason.
+/// Converts a curve to polynomial pieces with the same parameter: lines and polynomial splines exactly,
+/// others by FitEdge(). Throws std::runtime_error with a short reason.
 SMREADERSFACES_EXPORT EdgeCurve ConvertCurve(
   const GeometricCurve<3>& curve, double first, double last, const AffineMap& map);
 }

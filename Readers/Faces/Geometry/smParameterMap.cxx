@@ -132,7 +132,8 @@ std::vector<Vector3> ParameterMap::GetControlPoints() const
     const double angle = this->Start + k * half;
     if (this->Type == Kind::Hyperbolic)
     {
-      // The middle control point is the intersection of the tangents at the ends, times its weight, cosh of the half opening.
+      // The middle control point is the intersection of the tangents at the ends, times its weight, cosh of
+      // the half opening.
       points.push_back({ std::cosh(angle), std::sinh(angle), k % 2 ? std::cosh(half) : 1.0 });
     }
     else

@@ -19,7 +19,8 @@ struct SMREADERSFACES_EXPORT AffineMap
   double Linear[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   Vector3 Translation{};
 
-  /// model = unit * placement(native) - origin. The placement is a matrix with three rows and four columns, Value(1, 1) to Value(3, 4).
+  /// model = unit * placement(native) - origin. The placement is a matrix with three rows and four columns,
+  /// Value(1, 1) to Value(3, 4).
   template <class Placement>
   static AffineMap Make(const Placement& placement, double unit, const double origin[3])
   {
@@ -58,10 +59,10 @@ struct SMREADERSFACES_EXPORT AffineMap
 constexpr double MaximumTurns = 1e4;
 
 /**
- * Maps the native parameter to ours, in one direction. Circular: equal arcs of opening 2a <= 90 degrees, weights
- * (1, cos a, 1); arc k is the interval [k, k+1] of our parameter, and
- *   s = (1 + tan(phi/2) / tan(a/2)) / 2,  phi measured from the arc's middle.
- * Hyperbolic: one piece, the same with tanh and weights (1, cosh a, 1).
+ * Maps the native parameter to ours, in one direction. Circular: equal arcs of opening 2a <= 90 degrees,
+ * weights (1, cos a, 1); arc k is the interval [k, k+1] of our parameter, and s = (1 + tan(phi/2) / tan(a/2))
+ * / 2,  phi measured from the arc's middle. Hyperbolic: one piece, the same with tanh and weights (1, cosh a,
+ * 1).
  */
 struct SMREADERSFACES_EXPORT ParameterMap
 {
@@ -76,8 +77,8 @@ struct SMREADERSFACES_EXPORT ParameterMap
   double Width = 1.0;
   int Count = 1;
 
-  /// Makes a map with arcs that cover [low, high]; a full turn has four arcs. Throws std::runtime_error for a range that is not
-  /// finite, or spans or lies beyond MaximumTurns.
+  /// Makes a map with arcs that cover [low, high]; a full turn has four arcs. Throws std::runtime_error for a
+  /// range that is not finite, or spans or lies beyond MaximumTurns.
   static ParameterMap MakeCircular(double low, double high);
   static ParameterMap MakeHyperbolic(double low, double high);
 

@@ -36,11 +36,13 @@ struct SMREADERSFACES_EXPORT SplineBasis
   /// Number of control points.
   int GetCount() const { return this->Count; }
 
-  /// Returns a short reason if degree, knots and multiplicities do not fit together; else completes the basis.
+  /// Returns a short reason if degree, knots and multiplicities do not fit together; else completes the
+  /// basis.
   std::string Complete();
 
-  /// The derivatives of order 0 to `order` of the Degree + 1 basis functions at t that are not 0, and the index of
-  /// the control point of each. Outside the domain the polynomials of the first or last span are continued.
+  /// The derivatives of order 0 to `order` of the Degree + 1 basis functions at t that are not 0, and the
+  /// index of the control point of each. Outside the domain the polynomials of the first or last span are
+  /// continued.
   struct Values
   {
     double N[MaximumOrder + 1][MaximumDegree + 1];

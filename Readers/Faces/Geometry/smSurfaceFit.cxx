@@ -92,7 +92,8 @@ void MeasureTails(const Grid& grid, double tails[2])
   }
 }
 
-/// Writes the Bernstein coefficients of a cell into the control net, whose knots have the degree as their multiplicity.
+/// Writes the Bernstein coefficients of a cell into the control net, whose knots have the degree as their
+/// multiplicity.
 void StoreCell(const Grid& grid, int column, int row, NURBSSurface& s)
 {
   double rows[FitOrder + 1][FitDegree + 1];
@@ -140,7 +141,8 @@ std::vector<double> Refine(const std::vector<double>& breaks, const std::vector<
   return refined;
 }
 
-/// Samples the cells between the breaks. `tails` gets the truncation errors of each in u and v; `size` is raised to the largest coordinate.
+/// Samples the cells between the breaks. `tails` gets the truncation errors of each in u and v; `size` is
+/// raised to the largest coordinate.
 void SampleCells(const SurfacePosition& position, const std::vector<double> breaks[2],
   std::vector<Grid>& cells, std::vector<std::array<double, 2>>& tails, double& size)
 {
@@ -162,7 +164,8 @@ void SampleCells(const SurfacePosition& position, const std::vector<double> brea
   }
 }
 
-/// Halves the intervals of cells whose truncation error exceeds `tolerance`; returns false if none can be halved.
+/// Halves the intervals of cells whose truncation error exceeds `tolerance`; returns false if none can be
+/// halved.
 bool RefineBreaks(
   const std::vector<std::array<double, 2>>& tails, double tolerance, std::vector<double> breaks[2])
 {
@@ -242,7 +245,8 @@ NURBSSurface FitSurface(
     worst = std::max({ worst, tail[0], tail[1] });
   }
   NURBSSurface s = JoinCells(breaks, cells);
-  // Neighbouring cells were truncated separately and then made to share a border: three times the largest error is a bound.
+  // Neighbouring cells were truncated separately and then made to share a border: three times the largest
+  // error is a bound.
   s.Residual = 3.0 * worst + 8.0 * UnitRoundoff * size;
   if (!(s.Residual < 1e-6 * size))
   {

@@ -1,5 +1,5 @@
-// Polynomials in Bernstein form: binomial coefficients, values by both ways, parts and halves, and nets with their
-// derivatives, against sums in extended precision.
+// Polynomials in Bernstein form: binomial coefficients, values by both ways, parts and halves, and nets with
+// their derivatives, against sums in extended precision.
 #include "smBernstein.h"
 #include "smBernsteinNet.h"
 #include "smTesting.h"

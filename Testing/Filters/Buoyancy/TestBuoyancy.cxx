@@ -1,5 +1,5 @@
-// TestBuoyancy FOLDER MODE BACKEND: volume and centre below waterlines against closed forms, each within its bound, and the bound
-// within a tolerance of 1e-6, 1e-9 and 1e-12.
+// TestBuoyancy FOLDER MODE BACKEND: volume and centre below waterlines against closed forms, each within its
+// bound, and the bound within a tolerance of 1e-6, 1e-9 and 1e-12.
 #include "smBuoyancyTesting.h"
 #include "smTestManifest.h"
 
@@ -11,14 +11,15 @@ namespace
 using namespace smtest;
 
 constexpr double Tolerances[] = { 1e-6, 1e-9, 1e-12 };
-/// Factor of the error of the file's numbers that a bound may have: reading rounds every coordinate more than once, and the area of a ball
-/// is more than the square of its size.
+/// Factor of the error of the file's numbers that a bound may have: reading rounds every coordinate more than
+/// once, and the area of a ball is more than the square of its size.
 constexpr double ReadingRoundings = 40.0;
-/// The same for a placement, whose translation may be off by 32 u (PlacementError); the area of the patches of the torus, as the bound
-/// takes it, is less than four times the square of its size.
+/// The same for a placement, whose translation may be off by 32 u (PlacementError); the area of the patches
+/// of the torus, as the bound takes it, is less than four times the square of its size.
 constexpr double PlacementRoundings = 4.0 * 32.0;
 
-/// `size`: the diameter of the body. `given`: how far the rounded numbers of the plane or of the file are from the exact ones, a length.
+/// `size`: the diameter of the body. `given`: how far the rounded numbers of the plane or of the file are
+/// from the exact ones, a length.
 void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>& planes, const Part& whole,
   Real size, Real given = 0, double roundings = ReadingRoundings)
 {
@@ -352,8 +353,8 @@ Real Floor(Real x, Real y)
 
 void CheckPlates(const Manifest& manifest)
 {
-  // An upright plane y + k x = d: columns stay whole, and integrals over a triangle or trapezium of the floor's powers are exact by
-  // Gauss' rule of five points in both directions, up to degree 9.
+  // An upright plane y + k x = d: columns stay whole, and integrals over a triangle or trapezium of the
+  // floor's powers are exact by Gauss' rule of five points in both directions, up to degree 9.
   const Real nodes[5] = { 0, 0.538469310105683091036314420700208805L,
     -0.538469310105683091036314420700208805L, 0.906179845938663992797626878299392965L,
     -0.906179845938663992797626878299392965L };

@@ -1,4 +1,5 @@
-// TestBuoyancyRuns FOLDER MODE BACKEND: outputs of a run, bodies inside out, planes along faces, and runs that are stopped
+// TestBuoyancyRuns FOLDER MODE BACKEND: outputs of a run, bodies inside out, planes along faces, and runs
+// that are stopped
 #include "smBoxBodies.h"
 #include "smBuoyancyNames.h"
 #include "smBuoyancyTesting.h"
@@ -67,8 +68,9 @@ void CheckVoids(const Manifest& manifest)
       std::string::npos);
 }
 
-/// Planes along the top of a rotated box of 30 x 20 x `thickness`, by less than what rounding leaves of a point far away in them: whether
-/// the box is below as a whole, or with all but a sheet, is beyond what can be told, and the bound has to say so.
+/// Planes along the top of a rotated box of 30 x 20 x `thickness`, by less than what rounding leaves of a
+/// point far away in them: whether the box is below as a whole, or with all but a sheet, is beyond what can
+/// be told, and the bound has to say so.
 void CheckTop(const std::string& what, Scene& scene, double thickness)
 {
   const Real volume = 600 * static_cast<Real>(thickness);
@@ -114,7 +116,8 @@ void CheckTouching(const Manifest& manifest)
   CheckTop("box", scene, 10.0);
 }
 
-/// The same of a plate whose top has a surface of a thousandth of its size: ribbons to its edges cover the rest.
+/// The same of a plate whose top has a surface of a thousandth of its size: ribbons to its edges cover the
+/// rest.
 void CheckWideRibbons(const Manifest& manifest)
 {
   constexpr double thickness = 1.0 / 128.0;
@@ -236,7 +239,8 @@ void CheckTables(const Manifest& manifest)
     point[0] == 0.0 && point[1] == 0.0 && point[2] == 2.5 && normal[0] == 0.0 && normal[1] == 0.0 &&
       normal[2] == 1.0);
 }
-/// Stops a run at its progress event number `allowed`, counted from 0; returns false if the run was over before.
+/// Stops a run at its progress event number `allowed`, counted from 0; returns false if the run was over
+/// before.
 bool UpdateAndStop(vtkBuoyancy* filter, int allowed)
 {
   struct Stop
@@ -265,7 +269,8 @@ bool UpdateAndStop(vtkBuoyancy* filter, int allowed)
   return stop.Stopped;
 }
 
-/// A run is stopped at each of its reports of progress in turn: faces cut into panels, faces cut at the waterline, integration.
+/// A run is stopped at each of its reports of progress in turn: faces cut into panels, faces cut at the
+/// waterline, integration.
 void CheckAborts(const Manifest& manifest)
 {
   const std::string path = manifest.GetSolid("torus", "plain")[0].Path;
@@ -312,13 +317,14 @@ void CheckAborts(const Manifest& manifest)
   CheckEqual("no time, status", sm::names::StatusNotComputed, slow.Filter->GetStatus());
   CheckTrue("no time, said", Says(slow.Filter, "the maximum seconds were over"), GetMessages(slow.Filter));
   CheckTrue("no time, nothing evaluated", slow.Filter->GetEvaluations() == 0);
-  // The executive's own report before the run, those of both kinds of cutting, and then those of the integration.
+  // The executive's own report before the run, those of both kinds of cutting, and then those of the
+  // integration.
   CheckEqual("stops while faces are cut", 3, inCut);
   CheckTrue("stops later", stops > inCut);
 }
 
-/// A box in a placement that was read, partly and wholly below: the volumes of all placements that rounding may have made the same are
-/// within the bound.
+/// A box in a placement that was read, partly and wholly below: the volumes of all placements that rounding
+/// may have made the same are within the bound.
 void CheckPlaced(const Manifest&)
 {
   for (const double distance : { 0.0, 1e6 })

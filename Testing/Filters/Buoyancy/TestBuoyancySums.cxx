@@ -1,4 +1,5 @@
-// TestBuoyancySums FOLDER BACKEND: what is below a plane and what is above it are the whole, for solids and face by face.
+// TestBuoyancySums FOLDER BACKEND: what is below a plane and what is above it are the whole, for solids and
+// face by face.
 #include "smBuoyancySums.h"
 #include "smTestManifest.h"
 

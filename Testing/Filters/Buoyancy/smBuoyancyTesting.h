@@ -109,8 +109,9 @@ inline void SetBackend(const char* name)
 /// A check by the name of its mode.
 using ModeCheck = std::pair<const char*, void (*)(const Manifest&)>;
 
-/// The main function of the test `name` with the arguments FOLDER MODE BACKEND: sets the backend, runs the check of this mode on the
-/// solids of the folder, and returns the exit status. A mode that there is not is a failure.
+/// The main function of the test `name` with the arguments FOLDER MODE BACKEND: sets the backend, runs the
+/// check of this mode on the solids of the folder, and returns the exit status. A mode that there is not is a
+/// failure.
 inline int RunMode(int argc, char* argv[], const char* name, std::initializer_list<ModeCheck> checks)
 {
   if (argc != 4)

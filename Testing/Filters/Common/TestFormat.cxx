@@ -1,4 +1,5 @@
-// A value and its bound, rounded for display, still hold: the interval that is shown contains the interval that was computed.
+// A value and its bound, rounded for display, still hold: the interval that is shown contains the interval
+// that was computed.
 #include "smFormat.h"
 #include "smTesting.h"
 

@@ -1,4 +1,5 @@
-// TestSafeFile FOLDER: bytes are on the disk before they replace a file, and what a process left that was killed is removed.
+// TestSafeFile FOLDER: bytes are on the disk before they replace a file, and what a process left that was
+// killed is removed.
 #include "smSafeFile.h"
 #include "smTesting.h"
 

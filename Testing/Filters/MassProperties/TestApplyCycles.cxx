@@ -1,6 +1,7 @@
-// TestApplyCycles edit|open|window own|shared FOLDER CYCLES: what the process and its OpenGL contexts hold does not grow with the number of
-// times that a pipeline runs. edit: one pipeline, of which every cycle changes the tolerance and the faces. open: a pipeline
-// a cycle, in one window. window: a window a cycle too. The filters compute in contexts of their own or in the window's.
+// TestApplyCycles edit|open|window own|shared FOLDER CYCLES: what the process and its OpenGL contexts hold
+// does not grow with the number of times that a pipeline runs. edit: one pipeline, of which every cycle
+// changes the tolerance and the faces. open: a pipeline a cycle, in one window. window: a window a cycle too.
+// The filters compute in contexts of their own or in the window's.
 #include "smCycleScene.h"
 #include "smGLObjects.h"
 #include "smProcessResources.h"
@@ -69,13 +70,15 @@ Growth GetGrowth(
   return { getLess(&ProcessResources::Heap), getLess(&ProcessResources::Resident) };
 }
 
-/// Cycles before anything is counted. Caches fill first: compiled shaders, fonts, what a driver keeps of freed objects.
+/// Cycles before anything is counted. Caches fill first: compiled shaders, fonts, what a driver keeps of
+/// freed objects.
 int GetWarmCycles(int count)
 {
   return std::max(20, count / 5);
 }
 
-/// Makes, draws and deletes a window with a translucent and an opaque sphere, without any class of this library.
+/// Makes, draws and deletes a window with a translucent and an opaque sphere, without any class of this
+/// library.
 void DrawSpheres(const Expected& part)
 {
   const vtkSmartPointer<vtkRenderWindow> window = NewCycleWindow(part);
@@ -94,8 +97,8 @@ void DrawSpheres(const Expected& part)
   window->Render();
 }
 
-/// The growth of a process that only opens, draws and closes such windows, which is that of X, Mesa and VTK: 117 kB of the heap and 205 kB
-/// in all with Mesa 25.
+/// The growth of a process that only opens, draws and closes such windows, which is that of X, Mesa and VTK:
+/// 117 kB of the heap and 205 kB in all with Mesa 25.
 Growth MeasureWindows(const Expected& part, int count)
 {
   const int warm = GetWarmCycles(count);
@@ -110,8 +113,9 @@ Growth MeasureWindows(const Expected& part, int count)
   return GetGrowth(before, middle, GetProcessResources(), count);
 }
 
-/// Growth that is no leak of ours. A pipeline that stays takes none (measured 5 and 8 bytes). Over 100 new ones 10 to 110 were left,
-/// over 1000 none; an X event and a colour map for each were 290. A new window may take 5 kB and 60 kB more than one with spheres.
+/// Growth that is no leak of ours. A pipeline that stays takes none (measured 5 and 8 bytes). Over 100 new
+/// ones 10 to 110 were left, over 1000 none; an X event and a colour map for each were 290. A new window may
+/// take 5 kB and 60 kB more than one with spheres.
 Growth GetLimits(const std::string& mode, const Expected& part, int count)
 {
   if (mode != "window")

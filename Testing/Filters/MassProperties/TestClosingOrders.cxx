@@ -1,5 +1,6 @@
-// TestClosingOrders own|shared|windows|contexts|exit|exit-in-render FOLDER: windows, filters and what feeds them end in every order. What
-// is left goes on with the right values, nothing of ours stays on a GPU, and the program ends by itself: no crash at its end either.
+// TestClosingOrders own|shared|windows|contexts|exit|exit-in-render FOLDER: windows, filters and what feeds
+// them end in every order. What is left goes on with the right values, nothing of ours stays on a GPU, and
+// the program ends by itself: no crash at its end either.
 #include "smCycleScene.h"
 
 #include "smComputeBuffer.h"

@@ -1,5 +1,6 @@
-// TestComputeMassProperties FOLDER: the library call has the bits of vtkMassPropertiesGPU on the CPU backend, for solids, an assembly with
-// densities, an open shell and inputs without a solid; and its failures are statuses.
+// TestComputeMassProperties FOLDER: the library call has the bits of vtkMassPropertiesGPU on the CPU backend,
+// for solids, an assembly with densities, an open shell and inputs without a solid; and its failures are
+// statuses.
 #include "smBoxBodies.h"
 #include "smComputeMassProperties.h"
 #include "smTestManifest.h"

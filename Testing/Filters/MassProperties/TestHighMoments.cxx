@@ -1,5 +1,5 @@
-// TestHighMoments FOLDER BACKEND: all volume moments up to degree 8 of box, sphere, ellipsoid and torus against closed forms,
-// each within its bound.
+// TestHighMoments FOLDER BACKEND: all volume moments up to degree 8 of box, sphere, ellipsoid and torus
+// against closed forms, each within its bound.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 

@@ -1,7 +1,8 @@
 // TestMassPropertiesBackends FOLDER solids|device|options: the CPU and OpenGL compute the same.
 //   solids    all exact solids: within the sum of both bounds, and to 1e-13
-//   device    the same by what is for a GPU: a line for each node of a ribbon, programs for its degrees, mapped memory
-//   options   the same bits for any number of threads; expressions, budget, abort and a change of backend
+//   device    the same by what is for a GPU: a line for each node of a ribbon, programs for its degrees,
+//   mapped memory options   the same bits for any number of threads; expressions, budget, abort and a change
+//   of backend
 #include "smBackendComparison.h"
 #include "smTestManifest.h"
 
@@ -43,7 +44,8 @@ void CheckSolids(const std::string& folder, bool asDevice)
   {
     for (const Expected& expected : manifest.GetSolid(solid))
     {
-      // Two sums of a million roundings: 1e-13. Far from the origin of the file nothing is worse, for moments are local.
+      // Two sums of a million roundings: 1e-13. Far from the origin of the file nothing is worse, for moments
+      // are local.
       reader->SetFileName(expected.Path.c_str());
       CompareBackends(reader, 1e-13, asDevice);
     }

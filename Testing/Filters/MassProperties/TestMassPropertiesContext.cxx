@@ -1,6 +1,7 @@
 // TestMassPropertiesContext MODE FOLDER: the numbers come from the shaders, in whatever context there is.
-//   x, egl   that context is taken; a perturbed shader changes the result by its factor; two runs give the same bits
-//   none     no usable context (the caller limits OpenGL): the CPU computes and a message says why; with OpenGL asked for,
+//   x, egl   that context is taken; a perturbed shader changes the result by its factor; two runs give the
+//   same bits none     no usable context (the caller limits OpenGL): the CPU computes and a message says why;
+//   with OpenGL asked for,
 //            NaN, backend "none" and the reason
 #include "smResidentFaces.h"
 #include "smTestManifest.h"
@@ -88,7 +89,8 @@ void CheckPerturbation(const Expected& part)
   Check("volume without it", part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
 }
 
-/// Two filters of one window on one part: its faces are on the GPU once, and all memory is free when both are gone.
+/// Two filters of one window on one part: its faces are on the GPU once, and all memory is free when both are
+/// gone.
 void CheckSharedFaces(const Expected& part)
 {
   vtkNew<vtkSTEPReader> reader;
@@ -127,7 +129,8 @@ void CheckSharedFaces(const Expected& part)
 }
 
 /// Without OpenGL, where AUTOMATIC is set, the CPU computes.
-/// A small part is the CPU's by the estimate; where OpenGL of a certain source was wanted a message tells why it is not used.
+/// A small part is the CPU's by the estimate; where OpenGL of a certain source was wanted a message tells why
+/// it is not used.
 void CheckFallback(const Expected& part, int source)
 {
   Pipeline pipeline(part.Path);

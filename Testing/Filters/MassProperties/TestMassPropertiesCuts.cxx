@@ -1,5 +1,6 @@
-// TestMassPropertiesCuts FOLDER: spheres, cylinders, cones and tori that planes cut beside poles, apexes and seams, in STEP without parameter
-// curves. Trim curves are the reader's, so that what they miss has to be in the bounds: volume and area against formulas.
+// TestMassPropertiesCuts FOLDER: spheres, cylinders, cones and tori that planes cut beside poles, apexes and
+// seams, in STEP without parameter curves. Trim curves are the reader's, so that what they miss has to be in
+// the bounds: volume and area against formulas.
 #include "smStepText.h"
 #include "smTestPipeline.h"
 #include "smUnitRoundoff.h"
@@ -90,7 +91,8 @@ void CheckSphere(double h, double off, double turn)
     2.0 * pi * radius * (radius - h) + pi * r * r);
 }
 
-/// A cylinder (apex height 0) or a cone from z = 0 up to a plane through (0, 0, h) that is tilted in direction `turn`.
+/// A cylinder (apex height 0) or a cone from z = 0 up to a plane through (0, 0, h) that is tilted in
+/// direction `turn`.
 void CheckTilted(double apex, double h, double tilt, double turn)
 {
   StepText text;

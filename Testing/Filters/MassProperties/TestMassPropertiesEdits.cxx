@@ -1,4 +1,5 @@
-// TestMassPropertiesEdits opengl|cpu: closed forms of edited solids, undo, bits and cost of an edit, moves and deformations.
+// TestMassPropertiesEdits opengl|cpu: closed forms of edited solids, undo, bits and cost of an edit, moves
+// and deformations.
 #include "smLatticeBody.h"
 #include "smModelEdit.h"
 #include "smTestPipeline.h"

@@ -1,5 +1,5 @@
-// TestMassPropertiesErrors FOLDER: files that hold no solid, or not a whole one, end in a named status and one clear
-// message, never in a number.
+// TestMassPropertiesErrors FOLDER: files that hold no solid, or not a whole one, end in a named status and
+// one clear message, never in a number.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -90,8 +90,8 @@ void CheckWrongInput()
   CheckNoNumbers(mass);
 }
 
-/// A pipeline that met a bad file works again with a good one. (Between the two the filter does not run: the executive stops
-/// at the reader's error, and getters are those of the last run.)
+/// A pipeline that met a bad file works again with a good one. (Between the two the filter does not run: the
+/// executive stops at the reader's error, and getters are those of the last run.)
 void CheckRecovers(const std::string& good, const std::string& bad)
 {
   std::printf("--- a good file, then a bad one, then a good one\n");

@@ -1,5 +1,5 @@
-// TestMassPropertiesImage FILE.step -T FOLDER -V BASELINE.png: the translucent part with its centre of mass and principal
-// axes.
+// TestMassPropertiesImage FILE.step -T FOLDER -V BASELINE.png: the translucent part with its centre of mass
+// and principal axes.
 #include "smTestPipeline.h"
 #include "smVTKCompatibility.h"
 
@@ -54,8 +54,8 @@ int TestMassPropertiesImage(int argc, char* argv[])
   window->Render();
   smtest::CheckEqual("status", sm::names::StatusOk, pipeline.Mass->GetStatus());
 
-  // vtkImageDifference forgives shifts by a pixel and 16 of 255 in colour, and sums the rest: the same driver gives 0,
-  // a picture without the sphere 29, one without the axes 910.
+  // vtkImageDifference forgives shifts by a pixel and 16 of 255 in colour, and sums the rest: the same driver
+  // gives 0, a picture without the sphere 29, one without the axes 910.
   vtkNew<vtkTesting> testing;
   testing->AddArguments(argc, const_cast<const char**>(argv));
   testing->SetRenderWindow(window);

@@ -1,5 +1,6 @@
-// TestMassPropertiesInRender own|shared FOLDER: the filter, and one that evaluates display points, run for the first time inside
-// a window's Render(), in contexts of their own or in the window's, and the picture does not change.
+// TestMassPropertiesInRender own|shared FOLDER: the filter, and one that evaluates display points, run for
+// the first time inside a window's Render(), in contexts of their own or in the window's, and the picture
+// does not change.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 #include "smVTKCompatibility.h"

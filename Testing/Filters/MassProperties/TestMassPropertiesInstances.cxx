@@ -1,5 +1,5 @@
-// TestMassPropertiesInstances FOLDER: 500 instances of one part, two solids in one file, a mirrored and a reversed
-// placement: integrated once, carried exactly.
+// TestMassPropertiesInstances FOLDER: 500 instances of one part, two solids in one file, a mirrored and a
+// reversed placement: integrated once, carried exactly.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -26,10 +26,12 @@ void CheckTotal(const Expected& expected, vtkMassPropertiesGPU* mass)
   Check("volume within its bound", expected.Volume, mass->GetVolume(),
     mass->GetVolumeBound() + expected.VolumeAccuracy);
   Check("area", expected.Area, mass->GetSurfaceArea(), 1e-8 * expected.Area);
-  const char* const bounded[] = { names::Volume, names::SurfaceArea, names::CenterOfMass, names::VolumeInertia };
+  const char* const bounded[] = { names::Volume, names::SurfaceArea, names::CenterOfMass,
+    names::VolumeInertia };
   for (int i = 0; i < 4; ++i)
   {
-    // Faces are curved, or placements are read: no bound is without an estimated part, and quadrature is proved.
+    // Faces are curved, or placements are read: no bound is without an estimated part, and quadrature is
+    // proved.
     CheckRange(std::string("estimated part of the bound of ") + bounded[i], 1e-6,
       GetField(fields, names::BoundsMeasured, i) / GetFieldBound(fields, bounded[i]), 1.0);
   }

@@ -1,5 +1,5 @@
-// TestMassPropertiesLoops FOLDER: solids from hand-written STEP whose faces have loops that touch, several outer loops, loops
-// that are one vertex, and edges shorter than any tolerance: volumes from formulas.
+// TestMassPropertiesLoops FOLDER: solids from hand-written STEP whose faces have loops that touch, several
+// outer loops, loops that are one vertex, and edges shorter than any tolerance: volumes from formulas.
 #include "smStepText.h"
 #include "smTestPipeline.h"
 

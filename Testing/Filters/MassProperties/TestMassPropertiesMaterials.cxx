@@ -1,5 +1,6 @@
-// Masses, centres and inertia of boxes of several materials, one of them mirrored and rotated, against sums of formulas in extended
-// precision; the order of rules, density and file; a frame of reference; and what cannot be set.
+// Masses, centres and inertia of boxes of several materials, one of them mirrored and rotated, against sums
+// of formulas in extended precision; the order of rules, density and file; a frame of reference; and what
+// cannot be set.
 #include "smBoxBodies.h"
 #include "smMaterials.h"
 #include "smTestPipeline.h"

@@ -1,6 +1,6 @@
-// TestMassPropertiesPictures MODE SOLIDS PARTS MODELS OUTPUT BASELINES: what vtkMassPropertiesGPU puts out, drawn, against
-// BASELINES/TestMassPropertiesPictures_MODE.png. SOLIDS: what smMakeSolids wrote, PARTS: what make_paper_parts wrote, MODELS:
-// Examples/Models.
+// TestMassPropertiesPictures MODE SOLIDS PARTS MODELS OUTPUT BASELINES: what vtkMassPropertiesGPU puts out,
+// drawn, against BASELINES/TestMassPropertiesPictures_MODE.png. SOLIDS: what smMakeSolids wrote, PARTS: what
+// make_paper_parts wrote, MODELS: Examples/Models.
 //   parts     translucent bodies with marker and axes
 //   assembly  the same of assemblies, with a marker in every solid
 //   axes      with axes, without, and of bodies whose moments coincide: none

@@ -1,4 +1,5 @@
-// Results that no body has are suspect, each with its own sentence; what is not a number is never printed as one.
+// Results that no body has are suspect, each with its own sentence; what is not a number is never printed as
+// one.
 #include "smBoxBodies.h"
 #include "smTestPipeline.h"
 
@@ -18,7 +19,8 @@ std::string GetText(vtkSurfaceIntegralBase* filter)
   return GetFieldText(vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetRowData(), names::Text);
 }
 
-/// Checks that no number that is NaN or infinite is printed in the messages or in the text of the ParaView view.
+/// Checks that no number that is NaN or infinite is printed in the messages or in the text of the ParaView
+/// view.
 void CheckWords(vtkSurfaceIntegralBase* filter)
 {
   const std::string all = GetMessages(filter) + GetText(filter);
@@ -126,7 +128,8 @@ void CheckNoNumber()
   CheckWords(integral);
 }
 
-/// A cube of side 10 about whose top the file's surface ends before its edges, by a share of the side; the plane is continued.
+/// A cube of side 10 about whose top the file's surface ends before its edges, by a share of the side; the
+/// plane is continued.
 vtkSmartPointer<vtkNURBSDataSet> MakeShrunken(double share)
 {
   BoxBody body;

@@ -1,5 +1,5 @@
-// Under mpirun: faces shared among ranks give the bits of one process, put out once; edits, budgets, aborts and ranks that
-// cannot take part. Every rank runs this program; the first has the bodies.
+// Under mpirun: faces shared among ranks give the bits of one process, put out once; edits, budgets, aborts
+// and ranks that cannot take part. Every rank runs this program; the first has the bodies.
 #include "smRankComparison.h"
 #include "smRatedFilter.h"
 
@@ -190,7 +190,8 @@ void TestNoOpenGL(const std::string& file, int backend)
     alone.Mass->GetVolumeBound() + shared.Mass->GetVolumeBound(), "the sum of the bounds");
 }
 
-/// All ranks take the backend that the one with the bodies prefers by its estimate: they seek a GPU, or make no context.
+/// All ranks take the backend that the one with the bodies prefers by its estimate: they seek a GPU, or make
+/// no context.
 void TestChoice(const std::string& file, bool prefersGPU)
 {
   Pipeline pipeline(file);
@@ -274,7 +275,8 @@ void CompareIntegrals(const std::string& what, const std::string& file, bool isO
 }
 
 #ifdef HAS_BUOYANCY
-/// The rank that has the bodies integrates what is below a plane; the others do not wait for it, and share the next filter's faces.
+/// The rank that has the bodies integrates what is below a plane; the others do not wait for it, and share
+/// the next filter's faces.
 void CompareBuoyancy(const std::string& what, const std::string& file, bool isFollowed)
 {
   vtkNew<vtkSTEPReader> reader;
@@ -373,7 +375,8 @@ void TestInputs(const std::string& file, const std::string& nothing)
     CheckEqual("nothing: said", rank == 0 ? 1 : 0, empty.Mass->GetNumberOfMessages());
   }
   {
-    // A mesh without exact geometry on one rank: it is rejected there, and a second update does not wait for the others.
+    // A mesh without exact geometry on one rank: it is rejected there, and a second update does not wait for
+    // the others.
     vtkNew<vtkPoints> points;
     points->InsertNextPoint(0.0, 0.0, 0.0);
     vtkNew<vtkPolyData> mesh;

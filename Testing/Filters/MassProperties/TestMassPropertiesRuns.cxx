@@ -1,5 +1,5 @@
-// TestMassPropertiesRuns FOLDER: what a filter says after runs that end early, go wrong, or follow an edit: never the
-// numbers of the run before, never `ok` for what is not.
+// TestMassPropertiesRuns FOLDER: what a filter says after runs that end early, go wrong, or follow an edit:
+// never the numbers of the run before, never `ok` for what is not.
 #include "smTestPipeline.h"
 
 #include <smRunReport.h>

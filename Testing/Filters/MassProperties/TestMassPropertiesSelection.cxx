@@ -1,5 +1,5 @@
-// TestMassPropertiesSelection FOLDER: solids chosen by nodes of an assembly and by blocks; the meshes that come with their results,
-// and the glyph's colour.
+// TestMassPropertiesSelection FOLDER: solids chosen by nodes of an assembly and by blocks; the meshes that
+// come with their results, and the glyph's colour.
 #include "smPartsList.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"

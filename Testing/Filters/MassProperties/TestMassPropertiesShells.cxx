@@ -1,5 +1,5 @@
-// TestMassPropertiesShells FOLDER: shells that are inside out are reversed, counted and said; voids take away at any depth;
-// what cannot be told keeps the file's orientation and is suspect.
+// TestMassPropertiesShells FOLDER: shells that are inside out are reversed, counted and said; voids take away
+// at any depth; what cannot be told keeps the file's orientation and is suspect.
 #include "smBoxBodies.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"

@@ -1,5 +1,5 @@
-// TestMassPropertiesTolerance FOLDER: tolerances of single quantities, budgets, and the same bits from run to run and after
-// an edit.
+// TestMassPropertiesTolerance FOLDER: tolerances of single quantities, budgets, and the same bits from run to
+// run and after an edit.
 #include "smBoxBodies.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
@@ -80,7 +80,8 @@ void CheckSingleTolerances(const Expected& solid)
     mass->GetVolumeTolerance()[0] == 0.0 && mass->GetVolumeTolerance()[1] == 1e-6 * scales[0]);
 }
 
-/// The centre of a bar, 1000 by 10 by 10, is judged by half its diagonal, 500, and not by the cube root of its volume, 46.
+/// The centre of a bar, 1000 by 10 by 10, is judged by half its diagonal, 500, and not by the cube root of
+/// its volume, 46.
 void CheckSlender()
 {
   std::printf("--- a slender part\n");

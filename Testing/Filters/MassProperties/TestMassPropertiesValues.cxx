@@ -1,5 +1,5 @@
-// TestMassPropertiesValues FOLDER SOLID: every variant of an exact solid, from its STEP file through reader and filter,
-// against the closed form, at four tolerances. A file is read once.
+// TestMassPropertiesValues FOLDER SOLID: every variant of an exact solid, from its STEP file through reader
+// and filter, against the closed form, at four tolerances. A file is read once.
 #include "smTestExactValues.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
@@ -28,8 +28,9 @@ double GetFloor(const std::string& solid, const std::string& quantity)
   return solid == "rational_graph" || solid == "graph_20_2" ? 1e-11 : 5e-12;
 }
 
-/// Runs that may end as tolerance-not-met, of four tolerances in 15 variants: at 1e-12 half of them, and distant and far at 1e-9, at most;
-/// for those whose floor, or whose area with what reading costs, is above 1e-12 the whole column of 1e-12.
+/// Runs that may end as tolerance-not-met, of four tolerances in 15 variants: at 1e-12 half of them, and
+/// distant and far at 1e-9, at most; for those whose floor, or whose area with what reading costs, is above
+/// 1e-12 the whole column of 1e-12.
 int GetMostUnmet(const std::string& solid)
 {
   bool floored = GetFloor(solid, names::SurfaceArea) > 5e-12;
@@ -40,16 +41,17 @@ int GetMostUnmet(const std::string& solid)
   return floored ? 18 : 9;
 }
 
-/// Amplification of the rounding at reading in the bound of the area: the length of edges and of the lines between Bézier patches over the
-/// size of the solid, times degrees and ratios of weights.
+/// Amplification of the rounding at reading in the bound of the area: the length of edges and of the lines
+/// between Bézier patches over the size of the solid, times degrees and ratios of weights.
 double GetAreaAmplification(const std::string& solid)
 {
   const bool weighted = solid == "rational_graph" || solid == "rational_block" || solid == "spline_ring";
   return weighted ? 1e4 : 5e3;
 }
 
-/// Largest share of rounding at reading in the bounds, relative to the scale: every coordinate a few roundings, which move every face. The
-/// inertia has them from all its moments; the area also along knot lines, of which there may be many.
+/// Largest share of rounding at reading in the bounds, relative to the scale: every coordinate a few
+/// roundings, which move every face. The inertia has them from all its moments; the area also along knot
+/// lines, of which there may be many.
 double GetReadingLimit(const Expected& expected, const std::string& quantity)
 {
   const double distance = Epsilon * (expected.GetDistance() + 16 * expected.Size);
@@ -73,8 +75,9 @@ double GetLargestError(vtkFieldData* fields, const char* name, const ExactQuanti
   return error;
 }
 
-/// |value - exact| <= bound, for every quantity that the filter gives a bound for. Allowed besides: what the file's
-/// digits can move, and what the model itself leaves open (gaps between trim and edge), which is no part of the bound.
+/// |value - exact| <= bound, for every quantity that the filter gives a bound for. Allowed besides: what the
+/// file's digits can move, and what the model itself leaves open (gaps between trim and edge), which is no
+/// part of the bound.
 void CheckBounds(const ExactValues& exact, vtkFieldData* fields)
 {
   for (const ExactQuantity& quantity : exact.Quantities)
@@ -103,8 +106,8 @@ std::vector<Scaled> GetScales(const Expected& expected)
     { names::VolumeInertia, expected.GetInertiaTrace() } };
 }
 
-/// Status ok: every bound is below tolerance x scale. Status tolerance-not-met: allowed where rounding is above the
-/// tolerance, if the bound says it, and no further than that. True when the tolerance was met.
+/// Status ok: every bound is below tolerance x scale. Status tolerance-not-met: allowed where rounding is
+/// above the tolerance, if the bound says it, and no further than that. True when the tolerance was met.
 bool CheckTolerance(const Expected& expected, double tolerance, vtkFieldData* fields)
 {
   const std::string status = GetFieldText(fields, names::Status);
@@ -116,8 +119,8 @@ bool CheckTolerance(const Expected& expected, double tolerance, vtkFieldData* fi
     const double bound = GetFieldBound(fields, scaled.Name) / scaled.Scale;
     // The filter compares with its own values, a hair from the exact ones.
     all = all && bound <= tolerance * (1.0 + 1e-6);
-    // A centre at distance d is rounded by u d several times. Trims that the file's own digits, so far away, keep from
-    // being lines of constant parameter are refitted with a residual, which the area is charged.
+    // A centre at distance d is rounded by u d several times. Trims that the file's own digits, so far away,
+    // keep from being lines of constant parameter are refitted with a residual, which the area is charged.
     const double distance = Epsilon * expected.GetDistance();
     const double rounding = scaled.Name == names::CenterOfMass ? 16 * distance / scaled.Scale
       : scaled.Name == names::SurfaceArea                      ? 100 * distance / expected.Size
@@ -252,7 +255,8 @@ void CheckThatItCanFail(const Expected& expected, Pipeline& pipeline)
   pipeline.Mass->SetShaderPerturbation(1.0);
 }
 
-/// Number of tolerances that were not met. The pipeline of the other variants is used again, with its context and shaders.
+/// Number of tolerances that were not met. The pipeline of the other variants is used again, with its context
+/// and shaders.
 int CheckVariant(const Expected& expected, Pipeline& pipeline)
 {
   std::printf("--- %s %s\n", expected.Solid.c_str(), expected.Variant.c_str());

@@ -1,4 +1,5 @@
-// Solids whose parameters, knots or vertices differ by no more than the doubles that hold them: the bounds count what that is in space.
+// Solids whose parameters, knots or vertices differ by no more than the doubles that hold them: the bounds
+// count what that is in space.
 #include "smTesting.h"
 
 #include <vtkDoubleArray.h>
@@ -43,16 +44,19 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const std::vector<std::array<double, N
   return MakeArray(static_cast<int>(N), values.front().data(), N * values.size());
 }
 
-/// A prism of width 1 in x over a polygon in y and z, whose faces but those of x = 0 and x = 1 are one surface of degree 1 around it.
+/// A prism of width 1 in x over a polygon in y and z, whose faces but those of x = 0 and x = 1 are one
+/// surface of degree 1 around it.
 struct Prism
 {
-  /// Corners, counter-clockwise as seen from x > 0, and the knot of each; the knot after the last is that of the first again.
+  /// Corners, counter-clockwise as seen from x > 0, and the knot of each; the knot after the last is that of
+  /// the first again.
   std::vector<Parameters> Corners;
   std::vector<double> Knots;
   /// Parameters of x = 0 and x = 1.
   double Start = 0.0;
   double End = 1.0;
-  /// By how many units in the last place the trim curve of x = 1 begins later, in both parameters of the surface around.
+  /// By how many units in the last place the trim curve of x = 1 begins later, in both parameters of the
+  /// surface around.
   int Late = 0;
   Point Shift{};
   /// Distance by which the ends of edges miss each other.
@@ -185,7 +189,8 @@ void CheckLateCorners()
   }
 }
 
-/// Knots that are neighbouring doubles, with a wall between them. A groove's walls leave the surface closed if both are lost.
+/// Knots that are neighbouring doubles, with a wall between them. A groove's walls leave the surface closed
+/// if both are lost.
 void CheckNeighbouringKnots()
 {
   for (const double knot : { 0.25, 0.3, 0.30000000000000004, 0.7 })
@@ -208,7 +213,8 @@ void CheckNeighbouringKnots()
   }
 }
 
-/// Edges that do not meet leave a hole in the boundary: the volume depends on the origin, by no more than the bounds.
+/// Edges that do not meet leave a hole in the boundary: the volume depends on the origin, by no more than the
+/// bounds.
 void CheckOpenCorners()
 {
   for (const double miss : { 1e-6, 1e-5, 1e-4 })

@@ -1,4 +1,5 @@
-// Shapes of boxes by hand: moments of the faces against formulas, placements, and the rotations that carry one shape to another.
+// Shapes of boxes by hand: moments of the faces against formulas, placements, and the rotations that carry
+// one shape to another.
 #include "smBoxBodies.h"
 #include "smPartMatch.h"
 #include "smTesting.h"

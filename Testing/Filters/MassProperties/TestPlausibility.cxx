@@ -1,5 +1,5 @@
-// Facts that hold for every body: each is violated once, by the moments of boxes added and taken away, and keeps quiet where
-// the bound allows it.
+// Facts that hold for every body: each is violated once, by the moments of boxes added and taken away, and
+// keeps quiet where the bound allows it.
 #include "smPlausibility.h"
 #include "smTesting.h"
 

@@ -1,6 +1,6 @@
-// TestRankFailures FILE, under mpirun: all ranks run together, and an allocation fails on one of them, in every run another one. The
-// run ends on all ranks, with a status. If the rank that fails is not the one that has the bodies, the others compute its share. The
-// next run has the bits of an undisturbed one.
+// TestRankFailures FILE, under mpirun: all ranks run together, and an allocation fails on one of them, in
+// every run another one. The run ends on all ranks, with a status. If the rank that fails is not the one that
+// has the bodies, the others compute its share. The next run has the bits of an undisturbed one.
 #include "smShortFilter.h"
 #include "smTestRanks.h"
 
@@ -62,7 +62,8 @@ struct Subject
       (numbers.empty() ||
         std::memcmp(numbers.data(), this->Undisturbed.data(), numbers.size() * sizeof(double)) == 0);
   }
-  /// A run of all in which the rank `who` is short of memory, and one in which none is. Returns true if some rank reported it.
+  /// A run of all in which the rank `who` is short of memory, and one in which none is. Returns true if some
+  /// rank reported it.
   bool CheckShortage(const std::string& what, int who, long allocation)
   {
     this->Probe->ReleaseMemory();

@@ -1,5 +1,5 @@
-// Boundaries that cross themselves are told from those that touch, are thin, have voids, or are coarsely meshed; with any number of
-// threads; and an edit is not checked again.
+// Boundaries that cross themselves are told from those that touch, are thin, have voids, or are coarsely
+// meshed; with any number of threads; and an edit is not checked again.
 #include "smBoxBodies.h"
 #include "smMassIntegrands.h"
 #include "smMeshTriangles.h"
@@ -18,7 +18,8 @@ namespace
 {
 using namespace smtest;
 
-/// The body of a leaf whose faces' exact integrals are those of its mesh, in which all normals point outwards.
+/// The body of a leaf whose faces' exact integrals are those of its mesh, in which all normals point
+/// outwards.
 sm::BodyIntegrals MakeBody(vtkNURBSDataSet* leaf)
 {
   sm::BodyIntegrals body;
@@ -60,7 +61,8 @@ sm::BodyIntegrals MakeBoxes(const std::vector<BoxShell>& boxes)
   return MakeBody(maker.Make());
 }
 
-/// A torus about the z axis for each height, with the exact normals, as one face. With tube > ring it is a spindle.
+/// A torus about the z axis for each height, with the exact normals, as one face. With tube > ring it is a
+/// spindle.
 sm::BodyIntegrals MakeTori(double ring, double tube, int n, const std::vector<double>& heights)
 {
   vtkNew<vtkPoints> points;
@@ -145,7 +147,8 @@ void CheckBoxes()
     "three boxes", MakeBoxes({ box, { { 1, 1, 1 }, { 9, 11, 13 } }, { { 2, 2, 2 }, { 8, 10, 12 } } }), 2);
 }
 
-/// Gaps excuse an overlap, the uncertainty that the file states does not; what the run reversed is reversed here.
+/// Gaps excuse an overlap, the uncertainty that the file states does not; what the run reversed is reversed
+/// here.
 void CheckStates()
 {
   sm::BodyIntegrals body = MakeBoxes({ { { 0, 0, 0 }, { 10, 12, 14 } }, { { 9.9, 0, 0 }, { 19, 11, 13 } } });

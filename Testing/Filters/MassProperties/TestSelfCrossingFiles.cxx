@@ -1,5 +1,5 @@
-// TestSelfCrossingFiles FOLDER: polyhedra from hand-written STEP that cross themselves are suspect, with the face and what it means for the
-// volume; the same ones that only touch themselves are ok.
+// TestSelfCrossingFiles FOLDER: polyhedra from hand-written STEP that cross themselves are suspect, with the
+// face and what it means for the volume; the same ones that only touch themselves are ok.
 #include "smStepText.h"
 #include "smTestPipeline.h"
 
@@ -49,7 +49,8 @@ void WritePrism(const std::string& name, const std::vector<std::array<double, 2>
   StepPrism().Write(Folder + "/crossing_" + name + ".step", { polygon }, 3.0);
 }
 
-/// Planar faces whose straight edges are shared; a face is a list of loops of points, the first one outer, counter-clockwise from outside.
+/// Planar faces whose straight edges are shared; a face is a list of loops of points, the first one outer,
+/// counter-clockwise from outside.
 class Polyhedron
 {
 public:
@@ -126,7 +127,8 @@ std::vector<Point> Reversed(const std::vector<Point>& points)
   return { points.rbegin(), points.rend() };
 }
 
-/// A prism, 3 high, between two cubic curves in the plane that lead from (0,0) to (10,0), and back with the inner control points p and q.
+/// A prism, 3 high, between two cubic curves in the plane that lead from (0,0) to (10,0), and back with the
+/// inner control points p and q.
 void WriteLens(const std::string& name, const Point& p, const Point& q)
 {
   StepText text;
@@ -210,7 +212,8 @@ void WriteSides(
   solid.Write(name);
 }
 
-/// The file says which shell is a void: it is one whatever its normals are, and if they are wrong that is said.
+/// The file says which shell is a void: it is one whatever its normals are, and if they are wrong that is
+/// said.
 void CheckDeclaredVoids(const std::array<Point, 2>& outer, const std::array<Point, 2>& inner)
 {
   for (const bool isInsideOut : { false, true })
@@ -309,7 +312,8 @@ int TestSelfCrossingFiles(int argc, char* argv[])
   }
   Folder = argv[1];
   const std::string loops = "a loop covers part of the surface more than once or from outside";
-  // In the second one a curve leaves (10,0) below the other one, and crosses it. Areas: the integral of x dy over the cubics.
+  // In the second one a curve leaves (10,0) below the other one, and crosses it. Areas: the integral of x dy
+  // over the cubics.
   WriteLens("lens", { 7, 4, 0 }, { 3, 4, 0 });
   CheckFile("lens", 122.4, "");
   WriteLens("figure_of_eight", { 9, -4, 0 }, { 3, 12, 0 });
@@ -346,7 +350,8 @@ int TestSelfCrossingFiles(int argc, char* argv[])
     { { Point{ 0, 0, 0 }, Point{ 1, 1, 1 } }, { Point{ 1, 0.2, 0.1 }, Point{ 2, 2, 2 } } });
   CheckFile("boxes_side_by_side", 1.0 + 1.0 * 1.8 * 1.9, "");
 
-  // Loops that cross none, in plates too thin for the samples of the mesh, and where the file states a large uncertainty.
+  // Loops that cross none, in plates too thin for the samples of the mesh, and where the file states a large
+  // uncertainty.
   const std::array<Point, 2> hole{ Point{ 1, 1, 0 }, Point{ 6, 6, 0 } };
   const std::array<Point, 2> inHole{ Point{ 2, 2, 0 }, Point{ 3, 3, 0 } };
   const std::array<Point, 2> outside{ Point{ 20, 1, 0 }, Point{ 22, 3, 0 } };

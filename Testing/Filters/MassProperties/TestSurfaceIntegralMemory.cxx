@@ -1,5 +1,6 @@
-// TestSurfaceIntegralMemory FOLDER failures|limits|release opengl|cpu: memory that is short while a filter runs, and memory that it gives
-// back. An allocation that fails ends in a status, not in the end of the process, and the next run has the bits of an undisturbed one.
+// TestSurfaceIntegralMemory FOLDER failures|limits|release opengl|cpu: memory that is short while a filter
+// runs, and memory that it gives back. An allocation that fails ends in a status, not in the end of the
+// process, and the next run has the bits of an undisturbed one.
 #include "smCacheBudget.h"
 #include "smShortFilter.h"
 #include "smTestManifest.h"
@@ -85,7 +86,8 @@ struct Subject
     this->Probe->Modified();
     this->Probe->Update();
   }
-  /// A run with all that it has to do, short of memory, and one with enough. True when the first was not disturbed.
+  /// A run with all that it has to do, short of memory, and one with enough. True when the first was not
+  /// disturbed.
   bool CheckShortage(const std::string& what, const Shortage& memory)
   {
     if (Backend == vtkSurfaceIntegralBase::CPU)
@@ -140,8 +142,8 @@ void CheckFailures(const std::string& name, const std::string& path)
   CheckRange("runs that were not computed", Runs / 2, failed, Runs);
 }
 
-/// Leaves less and less address space, down to none. Returns the number of runs that failed: a run on few faces may find
-/// the memory that it needs in the heap.
+/// Leaves less and less address space, down to none. Returns the number of runs that failed: a run on few
+/// faces may find the memory that it needs in the heap.
 template <class Filter>
 int CheckLimits(const std::string& name, const std::string& path)
 {

@@ -1,6 +1,7 @@
 /**
  * @file smCycleScene.h
- * @brief Reader, deformation, mass filter and their actors, as a user of the library joins them; to be made and ended in any order
+ * @brief Reader, deformation, mass filter and their actors, as a user of the library joins them; to be made
+ * and ended in any order
  */
 #ifndef smCycleScene_h
 #define smCycleScene_h

@@ -19,7 +19,8 @@
 
 namespace smtest
 {
-/// True if the shared run has results of faces from earlier runs that the single run has to evaluate, so that counts of evaluations differ.
+/// True if the shared run has results of faces from earlier runs that the single run has to evaluate, so that
+/// counts of evaluations differ.
 inline bool countsDiffer = false;
 
 inline void UpdateTogether(vtkSurfaceIntegralBase* filter)

@@ -1,5 +1,6 @@
-// TestMassPropertiesSchemes FOLDER opengl|none: the paper's schemes through the filter: values, what is NaN, what the status says,
-// options, instances, edits, budgets; with `none` (the caller limits OpenGL) the CPU computes, or nothing.
+// TestMassPropertiesSchemes FOLDER opengl|none: the paper's schemes through the filter: values, what is NaN,
+// what the status says, options, instances, edits, budgets; with `none` (the caller limits OpenGL) the CPU
+// computes, or nothing.
 #include "smBoxBodies.h"
 #include "smDecimalCommas.h"
 #include "smSchemeNames.h"
@@ -114,7 +115,8 @@ void CheckForm(vtkSchemeMassPropertiesGPU* mass, const std::string& scheme)
   CheckTrue("its shares are", cells->HasArray(names::FaceShare) && std::isfinite(getFirst(names::FaceShare)));
 }
 
-/// Values near the exact ones, by far more than what texels leave; the GPU's and the CPU's are the same to rounding.
+/// Values near the exact ones, by far more than what texels leave; the GPU's and the CPU's are the same to
+/// rounding.
 void CheckSolid(const Expected& expected, double near)
 {
   const char* const schemes[] = { "", "MIDPOINT", "GAUSS2", "GAUSS3" };
@@ -180,7 +182,8 @@ void CheckOptions(const Manifest& manifest)
   CheckTrue("nothing before the first run",
     std::isnan(mass->GetPaperErrorEstimate()) && std::isnan(mass->GetPaperErrorEstimateWithBoundary()) &&
       mass->GetSubPatches() == 0);
-  // The filter with bounds, beside this one on the same bodies. Its evaluations count what is evaluated again.
+  // The filter with bounds, beside this one on the same bodies. Its evaluations count what is evaluated
+  // again.
   vtkNew<vtkMassPropertiesGPU> adaptive;
   adaptive->SetInputConnection(pipeline.Reader->GetOutputPort());
   adaptive->CacheFaceResultsOff();
@@ -232,8 +235,8 @@ void CheckOptions(const Manifest& manifest)
   const auto outside = std::count(pixels, pixels + image->GetNumberOfPoints(), 0);
   CheckTrue("black and white", inside > 0 && outside > 0 && inside + outside == image->GetNumberOfPoints());
 
-  // Finer: nearer, and at least of first order, for every texel is right but those on the border. The chords of the two ellipses
-  // in the planes are the rest.
+  // Finer: nearer, and at least of first order, for every texel is right but those on the border. The chords
+  // of the two ellipses in the planes are the rest.
   mass->SetChordTolerance(1e-8);
   mass->SetSubPatchFactor(1);
   mass->Update();
@@ -446,7 +449,8 @@ int TestMassPropertiesSchemes(int argc, char* argv[])
   for (const char* solid :
     { "sphere", "torus", "ellipsoid", "spline_ring", "hollow_sphere", "cylinder", "airfoil" })
   {
-    // Not trimmed, or trimmed along lines of the parameters: the quadrature and the chords are all that is left.
+    // Not trimmed, or trimmed along lines of the parameters: the quadrature and the chords are all that is
+    // left.
     CheckSolid(manifest.GetSolid(solid, "plain")[0], 1e-4);
   }
   for (const char* variant : { "moved", "mirrored", "reversed", "far" })

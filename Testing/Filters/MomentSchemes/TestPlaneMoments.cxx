@@ -1,4 +1,5 @@
-// Planes by triangles of their trim polygons: polyhedra to rounding, both orientations, curved trims to the chord tolerance.
+// Planes by triangles of their trim polygons: polyhedra to rounding, both orientations, curved trims to the
+// chord tolerance.
 #include "smPaperReference.h"
 #include "smPlaneMoments.h"
 #include "smSchemeFaces.h"
@@ -129,8 +130,8 @@ void CheckBox()
       }
     }
   }
-  // V = 30, centre (2, 3.5, 1.5); V times the means of x^2 = 4 + 4/12, y^2 = 12.25 + 9/12, z^2 = 2.25 + 25/12;
-  // area 2 (6 + 15 + 10).
+  // V = 30, centre (2, 3.5, 1.5); V times the means of x^2 = 4 + 4/12, y^2 = 12.25 + 9/12, z^2 = 2.25 +
+  // 25/12; area 2 (6 + 15 + 10).
   const Moments expected = { 30.0, 60.0, 105.0, 45.0, 130.0, 390.0, 130.0, 210.0, 157.5, 90.0, 0.0, 0.0, 0.0,
     62.0 };
   for (int i = 0; i < 14; ++i)
@@ -156,7 +157,8 @@ void CheckCurvedTrims()
       const sm::FacePointer face = MakeFace(plane, loops, reversed);
       const sm::SubPatchFace prepared = Prepare(face, chord);
       const Moments m = sm::ComputePlaneMoments(prepared);
-      // Chords are within `chord` of borders that are 8 and 4 sides long, each at most 1.1 times its chord 10 sqrt 2 r / 2.
+      // Chords are within `chord` of borders that are 8 and 4 sides long, each at most 1.1 times its chord 10
+      // sqrt 2 r / 2.
       const double border = 4.0 * 1.1 * 10.1 * (2.5 + 1.0);
       Check("area", area, m[13], chord * border, "border times chord tolerance");
       Check("NY", reversed ? -area : area, m[11], chord * border, "the same");
@@ -168,7 +170,8 @@ void CheckCurvedTrims()
           "rounding of plain sums over some chords");
       }
     }
-    // The tolerance is a length: with |Su| = 10 and 10 r u'' of 2.5 * 0.8 it takes that many chords, not a power of ten more.
+    // The tolerance is a length: with |Su| = 10 and 10 r u'' of 2.5 * 0.8 it takes that many chords, not a
+    // power of ten more.
     const sm::SubPatchFace prepared = Prepare(MakeFace(plane, loops, reversed), 1e-5);
     const double chords = 4.0 * std::sqrt(2.0 * 2.0 * 10.0 / (8.0 * 1e-5));
     CheckRange(

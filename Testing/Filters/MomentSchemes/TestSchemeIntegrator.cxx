@@ -1,5 +1,5 @@
-// TestSchemeIntegrator: the paper's schemes, on the GPU and on the CPU, against the plain reference written from its equations;
-// exactness by degree; a trim texture counted by hand.
+// TestSchemeIntegrator: the paper's schemes, on the GPU and on the CPU, against the plain reference written
+// from its equations; exactness by degree; a trim texture counted by hand.
 #include "smPaperReference.h"
 #include "smSchemeTesting.h"
 #include "smUnitRoundoff.h"
@@ -10,7 +10,8 @@ namespace
 {
 using namespace smtest;
 
-// Chords of a trim piece in the reference, so many that no texel's centre here is between a curve and its chord (1e-7 or so).
+// Chords of a trim piece in the reference, so many that no texel's centre here is between a curve and its
+// chord (1e-7 or so).
 constexpr int ReferenceChords = 1024;
 
 bool IsStraight(const sm::Face& face)
@@ -28,7 +29,8 @@ bool IsStraight(const sm::Face& face)
   return true;
 }
 
-/// The reference with polygons sampled from the trim curves; of a plane those that it was flattened to, which are another test's.
+/// The reference with polygons sampled from the trim curves; of a plane those that it was flattened to, which
+/// are another test's.
 PaperResult GetReference(
   const sm::FacePointer& face, const sm::SchemeIntegrator::Setup& setup, PaperPolygons& polygons)
 {
@@ -104,7 +106,8 @@ void CheckFace(const NamedFace& named, const sm::SchemeIntegrator::Setup& setup)
       const double off = std::fabs(result.Integrals.Face[i] - expected.Integrals[i]) / scales[i];
       worst = off <= worst ? worst : off;
     }
-    // The reference adds plainly, up to some thousand terms; weights of e^(+-0.4) and degree 25 cost digits, too.
+    // The reference adds plainly, up to some thousand terms; weights of e^(+-0.4) and degree 25 cost digits,
+    // too.
     Check("14 integrals, relative", 0.0, worst, 2e-13);
     const double most = 1e-12 * expected.EstimateWithBoundary;
     Check("estimate", expected.Estimate, result.Estimate, most);
@@ -149,8 +152,8 @@ void CheckAgainstReference()
   }
 }
 
-/// z = P(u,v) over the unit square, nz = 1: the flux of g(x,y) z has the degree of its integrand in u and in v. Coefficients
-/// of both signs, and not a plane.
+/// z = P(u,v) over the unit square, nz = 1: the flux of g(x,y) z has the degree of its integrand in u and in
+/// v. Coefficients of both signs, and not a plane.
 sm::FacePointer MakeGraph(int degree)
 {
   return MakeFace(MakeSurface(degree, degree, { 0.0, 1.0 }, { 0.0, 1.0 },
@@ -163,7 +166,8 @@ sm::FacePointer MakeGraph(int degree)
     {});
 }
 
-/// The integral of z x^power over the unit square: Bernstein polynomials' own moments, B(i + 1 + power, degree - i + 1) each.
+/// The integral of z x^power over the unit square: Bernstein polynomials' own moments, B(i + 1 + power,
+/// degree - i + 1) each.
 double IntegrateGraph(const sm::Face& face, int power)
 {
   const int degree = face.Surface.Degree[0];
@@ -226,9 +230,10 @@ void CheckExactness()
 
 void CheckTextureByHand()
 {
-  // z = 1 + u v over the unit square; a disc of radius 0.3 at its centre is cut out. k = 2 and 4 texels: 8 x 8 centres at odd
-  // sixteenths. From the disc's centre they lie at odd sixteenths, too: within 4.8/16 are (1,1), (1,3), (3,1) and (3,3), at
-  // sqrt(18) = 4.24; (1,5) is at 5.1. Four in each quadrant, 12 of 16 texels are left of every sub-patch.
+  // z = 1 + u v over the unit square; a disc of radius 0.3 at its centre is cut out. k = 2 and 4 texels: 8 x
+  // 8 centres at odd sixteenths. From the disc's centre they lie at odd sixteenths, too: within 4.8/16 are
+  // (1,1), (1,3), (3,1) and (3,3), at sqrt(18) = 4.24; (1,5) is at 5.1. Four in each quadrant, 12 of 16
+  // texels are left of every sub-patch.
   const sm::FacePointer face =
     MakeFace(MakeSurface(1, 1, { 0.0, 1.0 }, { 0.0, 1.0 },
                [](int i, int j) {
@@ -257,23 +262,26 @@ void CheckTextureByHand()
     Check("first centre", 1.0 / 16.0, texture.Origin[0], sm::UnitRoundoff);
     Check("spacing", 1.0 / 8.0, texture.Spacing[1], sm::UnitRoundoff);
     // The integral of 1 + u v is 5/4; a bilinear integrand is exact on every sub-patch.
-    Check("volume of three quarters", 0.75 * 1.25, result.Integrals.Face[sm::MassVolume], 16 * sm::UnitRoundoff);
-    // K = (K1 + 2 K2 + K3) / 8 with K2 = 1/4 on a half by half: 1/16. 2 K |nz| over four quarters: 1/8, all on the boundary.
+    Check(
+      "volume of three quarters", 0.75 * 1.25, result.Integrals.Face[sm::MassVolume], 16 * sm::UnitRoundoff);
+    // K = (K1 + 2 K2 + K3) / 8 with K2 = 1/4 on a half by half: 1/16. 2 K |nz| over four quarters: 1/8, all
+    // on the boundary.
     Check("no sub-patch is whole", 0.0, result.Estimate, 0.0);
     Check(
       "estimate with the boundary", 0.125, result.EstimateWithBoundary, 1e-12, "K is bounded up to rounding");
     setup.Options.Factor = 4;
     const sm::SchemeResult finer = Integrate(gpu, { face }, setup)[0];
-    // K2 = 1/16: K = 1/64. In 32nds from the centre texels are odd numbers again, the disc reaches 9.6, and sub-patches are 8 wide: the
-    // one beside the axis loses (9,1), the one in the corner begins with (9,9) and is whole, the innermost keeps (7,7), at 9.9.
+    // K2 = 1/16: K = 1/64. In 32nds from the centre texels are odd numbers again, the disc reaches 9.6, and
+    // sub-patches are 8 wide: the one beside the axis loses (9,1), the one in the corner begins with (9,9)
+    // and is whole, the innermost keeps (7,7), at 9.9.
     Check("the corners are whole", 4.0 / 16.0 * 2.0 / 64.0, finer.Estimate, 1e-12);
     Check("all count with the boundary", 2.0 / 64.0, finer.EstimateWithBoundary, 1e-12);
   }
 }
 
-/// Every texel at a fine k against the formula of its border. A leaf's arc from (1,0) to (0,1) with the middle coefficient at
-/// (m,m), m = 1/2 + bulge, has x - y = 1 - 2t and x + y = 1 + (4m - 2) t (1 - t): its inside is
-/// |x| + |y| < 1 + bulge (1 - (|x| - |y|)^2).
+/// Every texel at a fine k against the formula of its border. A leaf's arc from (1,0) to (0,1) with the
+/// middle coefficient at (m,m), m = 1/2 + bulge, has x - y = 1 - 2t and x + y = 1 + (4m - 2) t (1 - t): its
+/// inside is |x| + |y| < 1 + bulge (1 - (|x| - |y|)^2).
 void CheckTextureOfDisc(int factor)
 {
   const double x = 0.503;

@@ -1,5 +1,5 @@
-// TestSchemeRuns: the paper's schemes give the same bits in any company, tiles may cut a face anywhere, and what cannot be computed
-// is said.
+// TestSchemeRuns: the paper's schemes give the same bits in any company, tiles may cut a face anywhere, and
+// what cannot be computed is said.
 #include "smSchemeTesting.h"
 
 #include <cstdio>
@@ -66,7 +66,8 @@ void CheckTiles()
     "the same texture", gpu.Texture.Texels == cpu.Texture.Texels && gpu.Texture.Texels.size() == 1440000);
   const auto inside = std::count(gpu.Texture.Texels.begin(), gpu.Texture.Texels.end(), 1);
   const double area = GetLeafArea(1.31, 0.37) - GetLeafArea(0.61, 0.2);
-  // 12 of length cross 4800 texels of 0.0025; each is wrong by at most half of itself, with a spread of 1/sqrt(12): 4 sigma of their sum.
+  // 12 of length cross 4800 texels of 0.0025; each is wrong by at most half of itself, with a spread of
+  // 1/sqrt(12): 4 sigma of their sum.
   Check(
     "area of the texels", area, 9.0 * inside / 1440000.0, 4.0 * std::sqrt(4800.0 / 12.0) * 0.0025 * 0.0025);
   Check("GPU and CPU", gpu.Integrals.Face[sm::MassArea], cpu.Integrals.Face[sm::MassArea],
@@ -156,7 +157,8 @@ void CheckRefusals()
   }
 }
 
-/// A single face whose deviations alone would take long: the clock and the caller are heard while it is prepared.
+/// A single face whose deviations alone would take long: the clock and the caller are heard while it is
+/// prepared.
 void CheckPreparing()
 {
   std::mt19937 random(5);
@@ -182,7 +184,8 @@ void CheckPreparing()
     CheckTrue(name, !integrator.Integrate({ { face, 1.0 } }, setup, none, stop) && integrator.WasAborted());
     CheckEqual(name + ", calls", last, calls);
     CheckEqual(name + ", nothing is prepared after it", seen, integrator.GetPrepared().GetDeviations());
-    // At the start, after the face's shape, and after portions of 256 sub-patches, at most twice as many, and so on.
+    // At the start, after the face's shape, and after portions of 256 sub-patches, at most twice as many, and
+    // so on.
     const double most = last < 3 ? 0.0 : 256.0 * (std::pow(2.0, last - 2) - 1.0);
     CheckRange(name + ", sub-patches", last < 3 ? 0.0 : 256.0, static_cast<double>(seen), most, "portions");
   }

@@ -1,4 +1,5 @@
-// Sub-patches of the paper's schemes: their grid, K bounded above and below, and what a face gives the schemes.
+// Sub-patches of the paper's schemes: their grid, K bounded above and below, and what a face gives the
+// schemes.
 #include "smPaperReference.h"
 #include "smSchemeFaces.h"
 #include "smSubPatches.h"
@@ -185,7 +186,8 @@ void CheckPrepared()
 /// A trim that leaves its surface is measured by the surface's size.
 void CheckPatchOutside()
 {
-  // x = u and y = v from 0 to 1 in patches of 1/2 by 1; z is below 1/4, so that a patch's radius is between 0.55 and 0.6.
+  // x = u and y = v from 0 to 1 in patches of 1/2 by 1; z is below 1/4, so that a patch's radius is between
+  // 0.55 and 0.6.
   const sm::NURBSSurface surface = MakeParaboloid(0.1, 0.0, 0.1, { 0.0, 0.5, 1.0 }, { 0.0, 1.0 });
   const auto measure = [&surface](double x, double y)
   { return sm::PrepareSubPatchFace(MakeFace(surface, { MakeLeaf(x, y, 0.25, 0.2, false) }), {}).Outside; };

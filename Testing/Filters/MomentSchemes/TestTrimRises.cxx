@@ -1,4 +1,5 @@
-// Loops cut where they turn in v: every part monotone, nothing lost, and few parts whatever rounding makes of a level curve.
+// Loops cut where they turn in v: every part monotone, nothing lost, and few parts whatever rounding makes of
+// a level curve.
 #include "smPaperReference.h"
 #include "smSchemeFaces.h"
 #include "smTesting.h"

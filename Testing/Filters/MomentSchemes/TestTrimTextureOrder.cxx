@@ -1,6 +1,7 @@
-// TestTrimTextureOrder: what texels do to the volume of the paper's block with a slanted hole, whose only curved face is trimmed by two
-// waves. Finer texels at the same sub-patches change it by less and less, at first order or better. What is left is that a trimmed
-// sub-patch's integral is weighed as a whole, wherever in it the face is: that falls with the sub-patches alone, at second order.
+// TestTrimTextureOrder: what texels do to the volume of the paper's block with a slanted hole, whose only
+// curved face is trimmed by two waves. Finer texels at the same sub-patches change it by less and less, at
+// first order or better. What is left is that a trimmed sub-patch's integral is weighed as a whole, wherever
+// in it the face is: that falls with the sub-patches alone, at second order.
 #include "smPaperSolid.h"
 #include "smTesting.h"
 
@@ -83,10 +84,11 @@ void CheckScheme(vtkSchemeMassPropertiesGPU* mass, double volume, int scheme, co
     std::printf("%s, %2d texels: error %.2e, difference from %d texels %.2e\n", name.c_str(), texels,
       GetMean(errors, {}, FirstFactor, LastFactor), FinestTexels, differences.back().second);
   }
-  // A texel on a curve errs by itself at most: order 1; by chance, along a curve: 3/2. Above 2 it would be no texels' error.
+  // A texel on a curve errs by itself at most: order 1; by chance, along a curve: 3/2. Above 2 it would be no
+  // texels' error.
   smtest::CheckRange(name + ", order in the texels' width", -2.0, FitOrder(differences), -0.9);
-  // With sub-patches of width h, each of h^2 on the curve is wrong by h of the integrand, and there are 1 / h of them: order 2 to one
-  // side, 5/2 by chance.
+  // With sub-patches of width h, each of h^2 on the curve is wrong by h of the integrand, and there are 1 / h
+  // of them: order 2 to one side, 5/2 by chance.
   const double coarse = GetMean(finest, {}, FirstFactor, 8);
   const double fine = GetMean(finest, {}, 16, FarFactor);
   std::printf(

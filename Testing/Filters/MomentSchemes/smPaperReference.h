@@ -1,10 +1,12 @@
 /**
  * @file smPaperReference.h
- * @brief A whole scheme of the paper on the CPU, straight from its equations: the truth for smSubPatches and the GPU
+ * @brief A whole scheme of the paper on the CPU, straight from its equations: the truth for smSubPatches and
+ * the GPU
  *
- * "Accurate Moment Computation Using the GPU" (SPM 2010). Of the library only NURBSSurface::Evaluate is called; second
- * derivatives come from the Cox-de Boor recursion, planes are integrated along the borders of their polygons, points are
- * classified one by one. Plain sums: good for values to about 1e-13 of the largest term.
+ * "Accurate Moment Computation Using the GPU" (SPM 2010). Of the library only NURBSSurface::Evaluate is
+ * called; second derivatives come from the Cox-de Boor recursion, planes are integrated along the borders of
+ * their polygons, points are classified one by one. Plain sums: good for values to about 1e-13 of the largest
+ * term.
  */
 #ifndef smPaperReference_h
 #define smPaperReference_h
@@ -145,8 +147,9 @@ inline double GetPaperFraction(
 /// Value, first and second derivative.
 using PaperJet = std::array<double, 3>;
 
-/// The basis functions N_(k-p) .. N_k on knot interval k at u, as polynomials: u may be the interval's end. Cox-de Boor:
-/// N_i,d = (u - t_i) / (t_i+d - t_i) N_i,d-1 + (t_i+d+1 - u) / (t_i+d+1 - t_i+1) N_i+1,d-1, differentiated twice.
+/// The basis functions N_(k-p) .. N_k on knot interval k at u, as polynomials: u may be the interval's end.
+/// Cox-de Boor: N_i,d = (u - t_i) / (t_i+d - t_i) N_i,d-1 + (t_i+d+1 - u) / (t_i+d+1 - t_i+1) N_i+1,d-1,
+/// differentiated twice.
 inline std::vector<PaperJet> EvaluatePaperBasis(const std::vector<double>& t, int p, int k, double u)
 {
   // basis[i] is N_(k-p+i).
@@ -192,7 +195,8 @@ inline int FindPaperSpan(const sm::NURBSSurface& surface, int direction, double 
   return k;
 }
 
-/// Largest |coordinate| of S_uu, S_uv, S_vv at (u,v) on the knot intervals ku, kv; Eq. 8 and the quotient rule.
+/// Largest |coordinate| of S_uu, S_uv, S_vv at (u,v) on the knot intervals ku, kv; Eq. 8 and the quotient
+/// rule.
 inline std::array<double, 3> EvaluatePaperSecondDerivatives(
   const sm::NURBSSurface& surface, int ku, int kv, double u, double v)
 {
@@ -237,7 +241,8 @@ inline std::array<double, 3> EvaluatePaperSecondDerivatives(
   return largest;
 }
 
-/// Eq. 1-4 with the largest of samples x samples points of the sub-patch, corners included; 0: max(3, degree) in each direction.
+/// Eq. 1-4 with the largest of samples x samples points of the sub-patch, corners included; 0: max(3, degree)
+/// in each direction.
 inline double SampleDeviation(
   const sm::NURBSSurface& surface, double u0, double u1, double v0, double v1, int samples = 0)
 {
@@ -258,7 +263,8 @@ inline double SampleDeviation(
       }
     }
   }
-  // Derivatives by (u - u0) / (u1 - u0): the unit domain with n = m = 1, or that of the knot interval with n = m = k.
+  // Derivatives by (u - u0) / (u1 - u0): the unit domain with n = m = 1, or that of the knot interval with n
+  // = m = k.
   const double width = u1 - u0;
   const double height = v1 - v0;
   return (k[0] * width * width + 2.0 * k[1] * width * height + k[2] * height * height) / 8.0;
@@ -313,8 +319,9 @@ inline PaperResult IntegrateCurved(
   return result;
 }
 
-/// A planar face bounded by polygons, by Green's theorem: the integral of f du dv is that of F dv along the border, with F the
-/// integral of f du from the domain's start. f is a cubic, so 2 and 3 Gauss points are exact.
+/// A planar face bounded by polygons, by Green's theorem: the integral of f du dv is that of F dv along the
+/// border, with F the integral of f du from the domain's start. f is a cubic, so 2 and 3 Gauss points are
+/// exact.
 inline PaperIntegrals IntegratePlane(const sm::Face& face, const PaperPolygons& polygons)
 {
   PaperIntegrals integrals{};

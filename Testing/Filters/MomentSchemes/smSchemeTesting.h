@@ -73,7 +73,8 @@ inline std::vector<double> GetAll(const sm::SchemeResult& result)
   return all;
 }
 
-/// The size that rounding of each integral is relative to: area times the matching power of the farthest control point.
+/// The size that rounding of each integral is relative to: area times the matching power of the farthest
+/// control point.
 inline std::vector<double> GetScales(const sm::Face& face, double area)
 {
   double reach = 0.0;

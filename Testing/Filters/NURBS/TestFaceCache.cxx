@@ -1,4 +1,5 @@
-// Caches of one budget: the entry used longest ago is removed first, whichever cache has it; what a run uses stays until its end.
+// Caches of one budget: the entry used longest ago is removed first, whichever cache has it; what a run uses
+// stays until its end.
 #include "smFaceCache.h"
 #include "smTesting.h"
 

@@ -79,7 +79,8 @@ sm::Loop MakePolygon(const std::vector<Point2>& corners)
   return loop;
 }
 
-/// Where the vertices of two edges that follow each other differ, the way between them leads by the end of the second curve.
+/// Where the vertices of two edges that follow each other differ, the way between them leads by the end of
+/// the second curve.
 void CheckOpenCorner(const sm::NURBSSurface& plane)
 {
   constexpr double apart = 1e-6;
@@ -113,7 +114,8 @@ double GetPolygonArea(const std::vector<Point2>& p)
   return static_cast<double>(sum);
 }
 
-/// Sum of the panels' areas in (u,v): each is the integral of s dr, exact with 2 Simpson-like points for lines.
+/// Sum of the panels' areas in (u,v): each is the integral of s dr, exact with 2 Simpson-like points for
+/// lines.
 double SumPanels(const sm::FacePanels& panels)
 {
   double area = 0.0;

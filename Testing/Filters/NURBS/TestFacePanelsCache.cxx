@@ -1,4 +1,5 @@
-// Cut faces are kept by id: found again, forgotten with their models and by age within a budget, never taken from who holds them.
+// Cut faces are kept by id: found again, forgotten with their models and by age within a budget, never taken
+// from who holds them.
 #include "smFacePanelsCache.h"
 #include "smTestFaces.h"
 #include "smTesting.h"

@@ -1,5 +1,5 @@
-// Leaves as bytes: every property of a model and its dataset comes back, what is shared is shared again, and a message that ends early
-// is refused.
+// Leaves as bytes: every property of a model and its dataset comes back, what is shared is shared again, and
+// a message that ends early is refused.
 #include "smLeafBytes.h"
 #include "smTesting.h"
 #include "vtkNURBSDataSet.h"

@@ -1,4 +1,5 @@
-// Loops that cross themselves or each other are told from loops that touch, and from overlaps below the tolerances.
+// Loops that cross themselves or each other are told from loops that touch, and from overlaps below the
+// tolerances.
 #include "smLoopCrossings.h"
 #include "smTesting.h"
 
@@ -58,8 +59,8 @@ void CheckLoops(const char* name, bool crosses, const std::vector<Polygon>& poly
     sm::HasWrongLoops(MakePolygonFace(polygons, tolerance)) ? "crosses" : "does not cross");
 }
 
-/// A loop whose last edge leads to a point beside the first one: behind their crossing it winds the wrong way. It may where an edge that is
-/// none fills the gap, of at most a tenth of the face.
+/// A loop whose last edge leads to a point beside the first one: behind their crossing it winds the wrong
+/// way. It may where an edge that is none fills the gap, of at most a tenth of the face.
 void CheckCorner()
 {
   for (const double gap : { 0.02, 0.2 })
@@ -78,7 +79,8 @@ void CheckCorner()
   }
 }
 
-/// A loop without the edge along its upper side, as beside a pole: the gap hides no hole that leaves the face.
+/// A loop without the edge along its upper side, as beside a pole: the gap hides no hole that leaves the
+/// face.
 void CheckWideGap()
 {
   for (const double x : { 0.5, 1.0 })

@@ -1,5 +1,5 @@
-// Patches of random rational B-spline surfaces: how far rounding moved them, and what bounds their derivatives, against the
-// surface evaluated in extended precision by Cox and de Boor's recurrence.
+// Patches of random rational B-spline surfaces: how far rounding moved them, and what bounds their
+// derivatives, against the surface evaluated in extended precision by Cox and de Boor's recurrence.
 #include "smFacePanels.h"
 #include "smTesting.h"
 
@@ -129,7 +129,8 @@ sm::Face MakeRandomFace(int p, int q, int spans, double weights, std::mt19937& r
   return face;
 }
 
-/// From [0,1] to the span that starts at `start`. Not by the patch's Width, which is rounded: that moves points along the surface only.
+/// From [0,1] to the span that starts at `start`. Not by the patch's Width, which is rounded: that moves
+/// points along the surface only.
 Real MapToSpan(const std::vector<double>& breaks, double start, Real x)
 {
   const auto found = std::find(breaks.begin(), breaks.end(), start);

@@ -1,4 +1,5 @@
-// Loops as polygons: every chord within the tolerance of its curve, few of them, and nothing lost where coedges do not meet.
+// Loops as polygons: every chord within the tolerance of its curve, few of them, and nothing lost where
+// coedges do not meet.
 #include "smSchemeFaces.h"
 #include "smTesting.h"
 #include "smTrimPolygons.h"
@@ -23,7 +24,8 @@ double Shoelace(const std::vector<Point2>& p)
   return sum;
 }
 
-/// Least over the chord from a to b of the larger of |du| and |dv| in tolerances: convex, so thirds close in on it.
+/// Least over the chord from a to b of the larger of |du| and |dv| in tolerances: convex, so thirds close in
+/// on it.
 double Distance(const Point2& p, const Point2& a, const Point2& b, const Point2& tolerance)
 {
   const auto at = [&](double x)
@@ -117,7 +119,8 @@ void CheckRandomCurves()
   CheckRange(
     "largest distance of a chord, in tolerances", 0.0, farthest, 1.0 + 1e-9, "rounding of 1000 / 1e-4");
   CheckRange("its bound", farthest - 1e-9, bound, 1.0);
-  // Second differences are within a factor of d(d-1) of |c''|, far nearer after some cuts: measured 0.14 and 1.1.
+  // Second differences are within a factor of d(d-1) of |c''|, far nearer after some cuts: measured 0.14
+  // and 1.1.
   CheckRange("smallest distance where there are many chords", 0.05, leastUsed, 1.0);
   CheckRange("chords / those of equal ones where |c''| is largest", 0.0, mostChords, 1.6);
 }
@@ -135,13 +138,14 @@ void CheckLeafPolygons()
     for (int i = 0; i < 2; ++i)
     {
       const double found = Shoelace(polygons.Loops[i]);
-      // Both enclose convex regions with corners on the curve: no area is won; and all is within sqrt 2 tolerance of the border,
-      // whose length is below 2 pi 2.2 (2 pi 0.6).
+      // Both enclose convex regions with corners on the curve: no area is won; and all is within sqrt 2
+      // tolerance of the border, whose length is below 2 pi 2.2 (2 pi 0.6).
       const double limit = 1.415 * tolerance * 6.3 * (i == 0 ? 2.2 : 0.6);
       CheckRange(i == 0 ? "area within the leaf" : "area within the hole",
         area[i] - (i == 0 ? limit : 0.0) - 1e-13, found, area[i] + (i == 0 ? 0.0 : limit) + 1e-13,
         "a border as wide as the tolerance");
-      // |c''| = 2 |b0 - 2 b1 + b2| = 4 bulge r in each coordinate (5 % for chord counts are powers of 2 times at most 4).
+      // |c''| = 2 |b0 - 2 b1 + b2| = 4 bulge r in each coordinate (5 % for chord counts are powers of 2 times
+      // at most 4).
       const double chords = 4.0 * std::sqrt(4.0 * (i == 0 ? 0.4 : 0.05) / (8.0 * tolerance));
       CheckRange("its chords", chords, static_cast<double>(polygons.Loops[i].size()), 2.1 * chords + 4.0,
         "least number for this |c''|, at most doubled by rounding up");
@@ -186,7 +190,8 @@ void CheckLimits()
     });
   const std::vector<Point2>& p = local.Loops[0];
   const long long fine = std::count_if(p.begin(), p.end(), [](const Point2& x) { return x[0] < 0.5; });
-  // A quarter of the parameter range at N = 1/sqrt(1e-6), the rest at 10 or, beside the limit, halved until clear of it.
+  // A quarter of the parameter range at N = 1/sqrt(1e-6), the rest at 10 or, beside the limit, halved until
+  // clear of it.
   CheckRange("fine chords on their side", 250.0, static_cast<double>(fine), 260.0);
   CheckRange("coarse ones on theirs", 7.0, static_cast<double>(p.size() - fine), 40.0);
 }

@@ -1,4 +1,5 @@
-// A model built from arrays by AddEdge(), AddFace() and AddCoedge(): what is stored, and every mistake, which changes nothing.
+// A model built from arrays by AddEdge(), AddFace() and AddCoedge(): what is stored, and every mistake, which
+// changes nothing.
 #include "smTestArrays.h"
 #include "smTesting.h"
 
@@ -84,8 +85,9 @@ void CheckStored()
   CheckTrue("and shares no change", model->GetFaces()[1]->Loops.empty());
 }
 
-/// `attempt` must say why it fails, in words that contain `words`, and change neither the faces nor the time of the model.
-/// A face that others share is not changed; one that they do not share is not copied, which would take quadratic time.
+/// `attempt` must say why it fails, in words that contain `words`, and change neither the faces nor the time
+/// of the model. A face that others share is not changed; one that they do not share is not copied, which
+/// would take quadratic time.
 void CheckSharing()
 {
   Square square;

@@ -1,5 +1,5 @@
-// Winding numbers about closed meshes: the hierarchy against the sum over all triangles, both against whole numbers, and the
-// distance from the mesh against every triangle's.
+// Winding numbers about closed meshes: the hierarchy against the sum over all triangles, both against whole
+// numbers, and the distance from the mesh against every triangle's.
 #include "smTesting.h"
 #include "smWindingTree.h"
 
@@ -12,8 +12,8 @@ namespace
 using namespace smtest;
 using Triangles = std::vector<sm::MeshTriangle>;
 
-/// A torus about the z axis. With tube > ring it is a spindle: the surface is its own continuation through the axis, turned inwards, and
-/// does not wind about the points near its centre.
+/// A torus about the z axis. With tube > ring it is a spindle: the surface is its own continuation through
+/// the axis, turned inwards, and does not wind about the points near its centre.
 void AddTorus(double ring, double tube, int n, Triangles& triangles)
 {
   const auto point = [=](int i, int j)

@@ -1,4 +1,5 @@
-// Edits of control points, weights and faces: what moves along, what opens, what comes back, and what is refused.
+// Edits of control points, weights and faces: what moves along, what opens, what comes back, and what is
+// refused.
 #include "smDecimalCommas.h"
 #include "smLatticeBody.h"
 #include "smModelEdit.h"
@@ -237,7 +238,8 @@ void CheckSnap()
   CheckTrue("the same bits", HaveSameBits(model, back.Model));
 }
 
-/// The body with its vertices off its corners, as files have them, and a lid whose rows are not its neighbours'.
+/// The body with its vertices off its corners, as files have them, and a lid whose rows are not its
+/// neighbours'.
 vtkSmartPointer<vtkNURBSDataSet> MakeLoose(double off)
 {
   LatticeBody body;
@@ -336,7 +338,8 @@ void CheckErrorsGrow()
   Check("y", 0.0, residual[1], 0.0);
 }
 
-/// Vertices that moved without the row whose edge ends there stay where they are when the row moves elsewhere.
+/// Vertices that moved without the row whose edge ends there stay where they are when the row moves
+/// elsewhere.
 void CheckVertices()
 {
   std::printf("--- vertices that others moved\n");

@@ -1,4 +1,5 @@
-// Deformations: which control points move and how far, display points, instances, gaps where mapping control points opens.
+// Deformations: which control points move and how far, display points, instances, gaps where mapping control
+// points opens.
 #include "smFilterTesting.h"
 #include "smMessageTrap.h"
 
@@ -161,7 +162,8 @@ void CheckLattice()
   CheckEqual("rows meet still", 0, filter->GetNumberOfOpenedEdges());
 }
 
-/// Two faces at an edge with rows of different degree: nothing to carry, so that the edge is mapped for itself.
+/// Two faces at an edge with rows of different degree: nothing to carry, so that the edge is mapped for
+/// itself.
 void CheckGap()
 {
   std::printf("--- rows that do not coincide\n");
@@ -187,8 +189,8 @@ void CheckGap()
     CheckEqual("uses at the lid's edges across, of both faces", 4, filter->GetNumberOfOpenedEdges());
     return filter->GetLargestGap();
   };
-  // The edge's line has control points at its ends, which stay: the gap is the whole of the lid's own bend, about half the
-  // height; and the faces' bends differ by the squared distance of their control points.
+  // The edge's line has control points at its ends, which stay: the gap is the whole of the lid's own bend,
+  // about half the height; and the faces' bends differ by the squared distance of their control points.
   const double gap = run(0.4, 1);
   CheckRange("gap", 0.15, gap, 0.2);
   Check("it is linear in the displacement", 0.5 * gap, run(0.2, 1), 1e-3);

@@ -1,5 +1,5 @@
-// The portions of a face's plan, planned by several threads at once: they share the series of its patches, and have the bits of a plan by
-// one thread.
+// The portions of a face's plan, planned by several threads at once: they share the series of its patches,
+// and have the bits of a plan by one thread.
 #include "smQuadraturePlan.h"
 #include "smTesting.h"
 
@@ -118,7 +118,8 @@ void CheckBeyond(double extent)
     100.0 * bend * std::pow(extent, 5.0));
 }
 
-/// The end of a covered edge is where trim pieces cross it, whose coefficients may be large beside the surface's parameters.
+/// The end of a covered edge is where trim pieces cross it, whose coefficients may be large beside the
+/// surface's parameters.
 void CheckCoveredEnd(double largest)
 {
   sm::FacePanels face = MakePanels(2, 1);

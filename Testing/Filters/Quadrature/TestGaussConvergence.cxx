@@ -1,6 +1,6 @@
-// Gauss quadrature of the integrands of a panel, evaluated by the shaders' own chunk: the error falls geometrically in
-// the order, stays below the theorem's bound at every order (Mathematics.md: f analytic and at most M in the ellipse
-// E_rho gives (32/15) M rho^(-2N) / (1 - rho^-2)), and comes near it.
+// Gauss quadrature of the integrands of a panel, evaluated by the shaders' own chunk: the error falls
+// geometrically in the order, stays below the theorem's bound at every order (Mathematics.md: f analytic and
+// at most M in the ellipse E_rho gives (32/15) M rho^(-2N) / (1 - rho^-2)), and comes near it.
 #include "smGaussLegendre.h"
 #include "smPortableCxx.h"
 #include "smTesting.h"
@@ -54,7 +54,8 @@ struct Patch
   int Degree[2];
   /// Homogeneous, s fastest.
   std::vector<dvec4> Points;
-  /// Where the integrand stops being analytic, in s and r: the radius of the ellipse through the nearest zero of w.
+  /// Where the integrand stops being analytic, in s and r: the radius of the ellipse through the nearest zero
+  /// of w.
   long double Radius[2];
 };
 
@@ -145,8 +146,8 @@ long double EvaluateModulus(const Patch& patch, Integrand integrand, Complex s, 
                                         : std::sqrt(std::abs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
 }
 
-/// Largest modulus for one parameter on the ellipse E_rho around [0,1] and the other in [0,1], from samples: 2 percent
-/// are added for what lies between them.
+/// Largest modulus for one parameter on the ellipse E_rho around [0,1] and the other in [0,1], from samples:
+/// 2 percent are added for what lies between them.
 long double FindMajorant(const Patch& patch, Integrand integrand, int direction, long double rho)
 {
   long double largest = 0;
@@ -213,7 +214,8 @@ void CheckConvergence(const Patch& patch, Integrand integrand, long double exact
   }
   smtest::CheckRange(name + ": error / bound", 0.0, excess, 1.0, "(the theorem)");
   smtest::CheckRange(name + ": bound / error", 1.0, slack, 2e4, "(not vacuous: two points of weights 1000)");
-  // A pole of order k costs a factor n^(k-1), so the rate is reached from above: three quarters of the radius.
+  // A pole of order k costs a factor n^(k-1), so the rate is reached from above: three quarters of the
+  // radius.
   const double rate = std::pow(errors[last] / errors[2], 1.0 / (last - 2));
   const double expected = static_cast<double>(std::pow(0.75L * radius, -2));
   smtest::CheckRange(name + ": orders above rounding", 4, last, sm::MaximumRuleSize);
@@ -229,7 +231,8 @@ long double GetRadius(Complex x)
   return a + std::sqrt(a * a - 1);
 }
 
-/// A quarter of the equator by a quarter of the meridian, about the middle (1, 0, 0), of the unit sphere at `center`.
+/// A quarter of the equator by a quarter of the meridian, about the middle (1, 0, 0), of the unit sphere at
+/// `center`.
 Patch MakeSphere(const dvec3& center)
 {
   Patch patch;

@@ -1,5 +1,5 @@
-// Every rule over every monomial it claims, and over products of Legendre polynomials: these tell degree 2n - 1 from 2n at
-// every n, where monomials look alike to rounding.
+// Every rule over every monomial it claims, and over products of Legendre polynomials: these tell degree 2n -
+// 1 from 2n at every n, where monomials look alike to rounding.
 #include "smGaussLegendre.h"
 #include "smTesting.h"
 
@@ -23,8 +23,8 @@ std::vector<std::vector<double>> EvaluateLegendre(int n, const std::vector<doubl
   return values;
 }
 
-/// Integrals of P_j P_k are 1 / (2j + 1) for j = k, else 0. The rule has them to j + k = 2n - 1; of P_n P_n it sees
-/// nothing, for its nodes are the zeros of P_n.
+/// Integrals of P_j P_k are 1 / (2j + 1) for j = k, else 0. The rule has them to j + k = 2n - 1; of P_n P_n
+/// it sees nothing, for its nodes are the zeros of P_n.
 void CheckLegendre(int n, const std::vector<double>& nodes, const std::vector<double>& weights)
 {
   const std::vector<std::vector<double>> values = EvaluateLegendre(n, nodes);

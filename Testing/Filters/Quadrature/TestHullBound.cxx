@@ -1,5 +1,6 @@
-// Largest magnitudes of integrals over patches with weights of 1 to 1e12: they are finite, no less than the area and the flux of a fine
-// triangulation, and no more than the degrees times those of the box of the control points.
+// Largest magnitudes of integrals over patches with weights of 1 to 1e12: they are finite, no less than the
+// area and the flux of a fine triangulation, and no more than the degrees times those of the box of the
+// control points.
 #include "smQuadraturePlan.h"
 #include "smTesting.h"
 #include "smVector.h"
@@ -134,7 +135,8 @@ void CheckResidual(double exponent, std::mt19937_64& random)
   const double fitted = sm::PlanFace(face, sm::BuildFacePanels(face), request).ResidualBound[0];
   const std::string label = "weights of 1 to 1e" + std::to_string(static_cast<int>(exponent));
   smtest::CheckEqual(label + ", exact curves", 0.0, exact);
-  // The residual is far below the surface's size, 1, but where no ellipse exists it counts as much as the surface.
+  // The residual is far below the surface's size, 1, but where no ellipse exists it counts as much as the
+  // surface.
   smtest::CheckRange(
     label + ", fitted curves", exponent < 1.0 ? 1e-31 : 1.0, fitted, exponent < 1.0 ? 1e-27 : 1e4);
 }

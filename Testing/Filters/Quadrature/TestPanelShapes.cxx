@@ -1,5 +1,5 @@
-// Faces that are prismatic or flat to 1e-14 only, which the samples of their normals let pass: the rules that are exact for such faces err
-// by no more than the plan's bound.
+// Faces that are prismatic or flat to 1e-14 only, which the samples of their normals let pass: the rules that
+// are exact for such faces err by no more than the plan's bound.
 #include "smReferencePanels.h"
 #include "smTesting.h"
 

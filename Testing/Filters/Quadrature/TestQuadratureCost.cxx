@@ -1,7 +1,7 @@
-// TestQuadratureCost FOLDER [FILE...]: how many points the plans of exact solids take at a tolerance of 1e-9, against the
-// fewest that would do: for each panel the cheapest pair of orders whose true error, known in extended precision, is within
-// the panel's share. With volume and moments alone, and with the area. Bent patches that have normals everywhere get bounds, not
-// comparisons, however many halvings they take.
+// TestQuadratureCost FOLDER [FILE...]: how many points the plans of exact solids take at a tolerance of 1e-9,
+// against the fewest that would do: for each panel the cheapest pair of orders whose true error, known in
+// extended precision, is within the panel's share. With volume and moments alone, and with the area. Bent
+// patches that have normals everywhere get bounds, not comparisons, however many halvings they take.
 #include "smReferencePanels.h"
 #include "smTestManifest.h"
 #include "smTesting.h"
@@ -22,7 +22,8 @@ namespace
 using namespace smtest;
 
 constexpr double RelativeTolerance = 1e-9;
-// Panels of a solid that are looked at, evenly spread: the search for the least costs thousands of evaluations each.
+// Panels of a solid that are looked at, evenly spread: the search for the least costs thousands of
+// evaluations each.
 constexpr std::size_t PanelsOfASolid = 10;
 
 struct Cost
@@ -102,7 +103,8 @@ Cost Measure(vtkTrimmedNURBSModel* model, const Expected& solid, bool withArea)
   return cost;
 }
 
-/// Bicubic patches near the unit square: halved some five times in both directions until their normals are told from zero.
+/// Bicubic patches near the unit square: halved some five times in both directions until their normals are
+/// told from zero.
 void CheckBentPatches()
 {
   std::mt19937_64 random(1);

@@ -1,5 +1,5 @@
-// The plan of a face's orders: the rules it chooses, run in extended precision, err by no more than the bounds it
-// states, on random patches, trims and ribbons; and the bounds are within the tolerance.
+// The plan of a face's orders: the rules it chooses, run in extended precision, err by no more than the
+// bounds it states, on random patches, trims and ribbons; and the bounds are within the tolerance.
 #include "smReferencePanels.h"
 #include "smTesting.h"
 
@@ -30,8 +30,8 @@ double Uniform(Random& random, double low, double high)
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// A patch over about [0,1]^2 of a size 1, a trim piece from bottom to top, an edge curve at a distance `gap` from it. `plane`: an
-/// oblique parallelogram. The control points of a pole are `spread` apart.
+/// A patch over about [0,1]^2 of a size 1, a trim piece from bottom to top, an edge curve at a distance `gap`
+/// from it. `plane`: an oblique parallelogram. The control points of a pole are `spread` apart.
 Case MakeCase(Random& random, double bend, double weights, bool pole, double gap, double slant,
   bool plane = false, double spread = 0.0)
 {
@@ -232,8 +232,9 @@ void CheckNarrowRibbons(int count)
   CheckEqual("ribbons on planes that are kept though they are rounding", 0, kept);
 }
 
-/// A patch of one cell, and a straight trim piece over `cells` of them that runs through it for a short way. Its control points are
-/// those of an affine map, bent by `bend`, times weights of 1 to `weights` in all four combinations of the directions' ends.
+/// A patch of one cell, and a straight trim piece over `cells` of them that runs through it for a short way.
+/// Its control points are those of an affine map, bent by `bend`, times weights of 1 to `weights` in all four
+/// combinations of the directions' ends.
 Case MakeLongPiece(Random& random, double cells, double bend, double weights)
 {
   Case made;
@@ -299,8 +300,8 @@ Case MakeLongPiece(Random& random, double cells, double bend, double weights)
   return made;
 }
 
-/// An edge that is the image of the trim curve, as far as extended precision and then doubles tell: ribbons whose gap is nothing but
-/// rounding are left out, and the bound is to hold what they were.
+/// An edge that is the image of the trim curve, as far as extended precision and then doubles tell: ribbons
+/// whose gap is nothing but rounding are left out, and the bound is to hold what they were.
 void CheckDroppedRibbons(double cells, double bend, double weights, int count)
 {
   char label[100];
@@ -314,7 +315,8 @@ void CheckDroppedRibbons(double cells, double bend, double weights, int count)
     Case made = MakeLongPiece(random, cells, bend, weights);
     const sm::Ribbon& ribbon = made.Panels.Ribbons[0];
     const sm::Patch& patch = made.Panels.Patches[0];
-    // The cubic that is the image at four Chebyshev nodes: its values there, at thirds, and its Bernstein coefficients.
+    // The cubic that is the image at four Chebyshev nodes: its values there, at thirds, and its Bernstein
+    // coefficients.
     const ReferencePanels reference(made.Panels);
     const sm::ChebyshevRule& nodes = sm::ChebyshevRule::Get(4);
     Vector thirds[4] = {};
@@ -377,8 +379,8 @@ void CheckDroppedRibbons(double cells, double bend, double weights, int count)
   CheckTrue(std::string(label) + ": ribbons are dropped", 4 * dropped >= count);
 }
 
-/// A pole whose control points differ by rounding, of doubles or of the digits of a file, is planned as one that is a point, and the bounds
-/// hold what that changes.
+/// A pole whose control points differ by rounding, of doubles or of the digits of a file, is planned as one
+/// that is a point, and the bounds hold what that changes.
 void CheckRoundedPoles(double tolerance, int count)
 {
   std::int64_t least = 0;

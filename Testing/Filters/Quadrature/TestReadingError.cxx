@@ -1,5 +1,5 @@
-// Rounding at reading of a closed solid: control points moved at random, and all outwards, change its integrals by no more
-// than ReadingError says, and by not much less.
+// Rounding at reading of a closed solid: control points moved at random, and all outwards, change its
+// integrals by no more than ReadingError says, and by not much less.
 #include "smReferencePanels.h"
 #include "smTesting.h"
 
@@ -18,7 +18,8 @@ constexpr int Points = Degree + 1;
 std::array<double, 3> Rounding{ 1e-6, 2e-6, 5e-7 };
 using Random = std::mt19937_64;
 
-/// Homogeneous control points of a block of degree 2 in all three directions; its faces are those of the lattice.
+/// Homogeneous control points of a block of degree 2 in all three directions; its faces are those of the
+/// lattice.
 struct Block
 {
   std::array<double, 4> Lattice[Points][Points][Points];

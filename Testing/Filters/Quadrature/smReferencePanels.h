@@ -1,6 +1,7 @@
 /**
  * @file smReferencePanels.h
- * @brief Panels and ribbons integrated in a wider precision, by formulas of their own: the truth for plans of orders
+ * @brief Panels and ribbons integrated in a wider precision, by formulas of their own: the truth for plans of
+ * orders
  */
 #ifndef smReferencePanels_h
 #define smReferencePanels_h
@@ -23,8 +24,8 @@ constexpr int Count = 5;
 using Values = std::array<Real, Count>;
 
 #ifdef __SIZEOF_FLOAT128__
-/// Used for errors as small as the rounding of 80-bit long double. On other platforms long double is not wider than double, or is quadruple
-/// itself.
+/// Used for errors as small as the rounding of 80-bit long double. On other platforms long double is not
+/// wider than double, or is quadruple itself.
 __extension__ using Quad = __float128;
 #else
 using Quad = long double;

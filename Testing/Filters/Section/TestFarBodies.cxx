@@ -1,5 +1,6 @@
-// Bodies that are far from the origin of their model beside their size, and a plane, or a placement, that brings them back: heights above
-// the plane and placed coordinates are small differences of large numbers, whose rounding is no part of a small result's.
+// Bodies that are far from the origin of their model beside their size, and a plane, or a placement, that
+// brings them back: heights above the plane and placed coordinates are small differences of large numbers,
+// whose rounding is no part of a small result's.
 #include "smTestArrays.h"
 #include "smTesting.h"
 

@@ -1,5 +1,5 @@
-// TestSolidSection FOLDER MODE BACKEND: sections against closed forms, each value within its bound, and the bound within a tolerance of
-// 1e-1 to 1e-12.
+// TestSolidSection FOLDER MODE BACKEND: sections against closed forms, each value within its bound, and the
+// bound within a tolerance of 1e-1 to 1e-12.
 #include "smSectionTesting.h"
 
 #include <cstdio>
@@ -39,8 +39,8 @@ void CheckSection(
     std::printf("     %s: error / bound %.2g, bound / area %.2g\n", name.c_str(),
       std::abs(filter->GetSectionArea() - number(exact.Area)) / bound, bound / number(exact.Area));
   }
-  // Twice: the scale of the area is rounded to a power of two. 3e-12: heights are rounded to some 1e-14, and slopes and lengths at the
-  // plane are known within some factors.
+  // Twice: the scale of the area is rounded to a power of two. 3e-12: heights are rounded to some 1e-14, and
+  // slopes and lengths at the plane are known within some factors.
   const double widest = 2.0 * tolerance * number(body.Area) +
     100.0 * number(body.Given * (cut.Slope + 4 * body.Size)) + 3e-12 * size * (size + number(cut.Slope));
   CheckRange(name + ", bound", 0.0, bound, widest);
@@ -238,8 +238,8 @@ void CheckCones(const Manifest& manifest)
     Symmetric({ 0, 0, height / 3 }, bottom * height, height * std::pow(2 * bottom, Real(3)) / 48, { 1, 0, 0 },
       2 * bottom * height * height * height / 36, { 0, 0, 1 }),
     100 });
-  // Parallel to a generator: a parabola of base 2 b and length l, with the area 4 b l / 3, the centroid at 2 l / 5 from the base, and the
-  // second moments 4 l b^3 / 15 across and 16 b l^3 / 175 along the axis.
+  // Parallel to a generator: a parabola of base 2 b and length l, with the area 4 b l / 3, the centroid at 2
+  // l / 5 from the base, and the second moments 4 l b^3 / 15 across and 16 b l^3 / 175 along the axis.
   const Real k = 4;
   const Real b = std::sqrt(bottom * bottom - k * k);
   const Real generator = std::hypot(bottom, height);
@@ -256,7 +256,8 @@ void CheckCones(const Manifest& manifest)
     const auto half = [&](Real z)
     { return std::sqrt(std::max<Real>(std::pow(bottom * (1 - z / height), Real(2)) - a * a, 0)); };
     const Real top = height * (1 - a / bottom);
-    // With z = top (1 - s^2) the root at the top is smooth, and Gauss' rule of two points on 4000 parts is exact to 1e-14.
+    // With z = top (1 - s^2) the root at the top is smooth, and Gauss' rule of two points on 4000 parts is
+    // exact to 1e-14.
     Real area = 0;
     Real first = 0;
     Real second = 0;

@@ -1,5 +1,5 @@
-// TestSolidSectionImage FOLDER -T FOLDER -V BASELINE.png: a hollow ball, a block with a slanted hole and a torus below planes, closed by
-// their sections.
+// TestSolidSectionImage FOLDER -T FOLDER -V BASELINE.png: a hollow ball, a block with a slanted hole and a
+// torus below planes, closed by their sections.
 #include "smSceneTesting.h"
 #include "smSectionTesting.h"
 

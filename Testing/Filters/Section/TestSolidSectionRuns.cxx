@@ -1,4 +1,5 @@
-// TestSolidSectionRuns FOLDER MODE BACKEND: outputs of a run, planes that touch, shells inside out, open bodies, spline solids
+// TestSolidSectionRuns FOLDER MODE BACKEND: outputs of a run, planes that touch, shells inside out, open
+// bodies, spline solids
 #include "smSectionNames.h"
 #include "smSectionRow.h"
 #include "smSectionTesting.h"
@@ -22,7 +23,8 @@ namespace
 {
 using namespace smtest;
 
-/// A plane that touches a face or runs along it: areas up to `most` are within what the numbers are accurate to.
+/// A plane that touches a face or runs along it: areas up to `most` are within what the numbers are accurate
+/// to.
 void CheckTouch(const std::string& what, SectionScene& scene, const Vector& point, const Vector& normal,
   double most, double widest, bool isDetermined)
 {
@@ -59,8 +61,8 @@ void CheckTouching(const Manifest& manifest)
     CheckTouch("ball, at its equator", ball, { 10, 2, 1 }, { 1, 0, 0 }, 0.0, 5e-7, true);
   }
   {
-    // A plane that rounding has moved into the cylinder by 1e-15 cuts a strip, 2 sqrt(2 r 1e-15) wide and 25 long; of the torus, a ring of
-    // such a width around the axis.
+    // A plane that rounding has moved into the cylinder by 1e-15 cuts a strip, 2 sqrt(2 r 1e-15) wide and 25
+    // long; of the torus, a ring of such a width around the axis.
     SectionScene cylinder(manifest.GetSolid("cylinder", "plain")[0].Path);
     CheckTouch(
       "cylinder, along a line", cylinder, { 8, 2, 1 }, { 1, 0, 0 }, 25 * 2 * std::sqrt(16e-15), 1e-3, false);
@@ -304,7 +306,8 @@ void CheckOnPlane(
   }
 }
 
-/// Several bodies: the centroid stays on a plane that passes bodies by, and is that of the bodies which the plane cuts.
+/// Several bodies: the centroid stays on a plane that passes bodies by, and is that of the bodies which the
+/// plane cuts.
 void CheckBodies(const Manifest& manifest)
 {
   SectionScene two(manifest.GetSpecial("two_solids").Path);
@@ -406,7 +409,8 @@ void CheckOpen(const Manifest& manifest)
   CheckTrue("no solid, no area", std::isnan(none.Filter->GetSectionArea()));
 }
 
-/// Extruded splines: a section across the walls alone has the area of the profile over the cosine. Others: both sides agree.
+/// Extruded splines: a section across the walls alone has the area of the profile over the cosine. Others:
+/// both sides agree.
 void CheckSplines(const Manifest& manifest)
 {
   for (const auto& [name, height] : { std::make_pair("airfoil", 40.0), std::make_pair("gear", 12.0) })

@@ -1,5 +1,6 @@
-// Bodies that no reader makes, but a program may: several length units in one input, placements that are not finite or project, and bodies
-// without faces. No filter may give them a total that has no meaning, or the status ok.
+// Bodies that no reader makes, but a program may: several length units in one input, placements that are not
+// finite or project, and bodies without faces. No filter may give them a total that has no meaning, or the
+// status ok.
 #include "smBoxBodies.h"
 #include "smMessageTrap.h"
 #include "smTesting.h"
@@ -106,7 +107,8 @@ void CheckUnits()
   Check("one unit, section", 4.0, equal.Section->GetSectionArea(), equal.Section->GetSectionAreaBound());
 }
 
-/// `status`: of mass properties, which are integrated in the part's own coordinates; `elsewhere`: of the other filters.
+/// `status`: of mass properties, which are integrated in the part's own coordinates; `elsewhere`: of the
+/// other filters.
 void CheckPlacement(const std::string& what, int row, int column, double value, const std::string& status,
   const std::string& elsewhere)
 {
@@ -121,8 +123,8 @@ void CheckPlacement(const std::string& what, int row, int column, double value, 
 
 using Profile = std::vector<std::array<double, 3>>;
 
-/// A surface of revolution without loops, of a profile of (radius, height) with weights. Its seam is turned by quarters of a turn, and its axis
-/// shifted in x.
+/// A surface of revolution without loops, of a profile of (radius, height) with weights. Its seam is turned
+/// by quarters of a turn, and its axis shifted in x.
 sm::FacePointer MakeRevolvedFace(
   const Profile& profile, int degree, const std::vector<double>& knots, int quarters = 0, double shift = 0.0)
 {
@@ -166,7 +168,8 @@ vtkSmartPointer<vtkNURBSDataSet> MakeRevolved(
   return MakeLeaf({ MakeRevolvedFace(profile, degree, knots) });
 }
 
-/// A tube of radius 1 between the heights 0 and 2, with discs whose seams lie elsewhere, or which touch the tube at one point of its seam only.
+/// A tube of radius 1 between the heights 0 and 2, with discs whose seams lie elsewhere, or which touch the
+/// tube at one point of its seam only.
 void CheckTubeWithDiscs()
 {
   const std::vector<double> line = { 0, 0, 1, 1 };
@@ -199,7 +202,8 @@ void CheckSize(double size, const std::string& status)
   CheckEqual(what + ", integral", status, filters.Integral->GetStatus());
 }
 
-/// A ball of two halves without loops, a ring, and a tube with discs, whose borders differ: no edge and no ribbon closes what is between.
+/// A ball of two halves without loops, a ring, and a tube with discs, whose borders differ: no edge and no
+/// ribbon closes what is between.
 void CheckApart(double gap)
 {
   const double h = std::sqrt(0.5);
@@ -226,7 +230,8 @@ void CheckApart(double gap)
   }
 }
 
-/// Faces without loops: a ball and a ring are closed by themselves, a tube and a cone are not, although the vector area of the tube is 0.
+/// Faces without loops: a ball and a ring are closed by themselves, a tube and a cone are not, although the
+/// vector area of the tube is 0.
 void CheckWithoutLoops()
 {
   const double h = std::sqrt(0.5);
@@ -293,7 +298,8 @@ void CheckGaps()
   }
 }
 
-/// An integral called like a column that the table of faces has, or like the bound of one, would stand in its place.
+/// An integral called like a column that the table of faces has, or like the bound of one, would stand in its
+/// place.
 void CheckNames()
 {
   vtkNew<vtkSurfaceIntegralGPU> integral;

@@ -69,7 +69,8 @@ inline Region Ellipse(const Vector& center, Real a, const Vector& u, Real b, con
   return { area, center, SumOf(Outer(area * a * a / 4, u, u), Outer(area * b * b / 4, v, v)) };
 }
 
-/// A region that is symmetric about the axes u and v through its centre, with these second moments along them.
+/// A region that is symmetric about the axes u and v through its centre, with these second moments along
+/// them.
 inline Region Symmetric(
   const Vector& center, Real area, Real alongU, const Vector& u, Real alongV, const Vector& v)
 {
@@ -90,7 +91,8 @@ inline Region Triangle(const Vector& a, const Vector& b, const Vector& c, const 
   return region;
 }
 
-/// The section of a convex polyhedron with edges (pairs of corners) by the plane through `point` with the unit normal `normal`.
+/// The section of a convex polyhedron with edges (pairs of corners) by the plane through `point` with the
+/// unit normal `normal`.
 inline Region ConvexSection(
   const std::vector<std::pair<Vector, Vector>>& edges, const Vector& point, const Vector& normal)
 {

@@ -13,7 +13,8 @@
 
 namespace
 {
-/// A face of 2 x 2 spans of degree 2 and 3 with random points and weights; trimmed by a blob of four arcs, or not at all.
+/// A face of 2 x 2 spans of degree 2 and 3 with random points and weights; trimmed by a blob of four arcs, or
+/// not at all.
 sm::FacePointer MakeFace(std::mt19937& random, bool trimmed)
 {
   std::uniform_real_distribution<double> spread(-0.3, 0.3);
@@ -188,7 +189,8 @@ void TestPolygons()
   smtest::CheckEqual("a point", 1,
     static_cast<long long>(sm::SupportPolygon::FromPoints({ { 1, 1 }, { 1, 1 } }, 1e-13).Corners.size()));
   smtest::CheckTrue("nothing", sm::SupportPolygon::FromPoints({}, 1e-13).GetMargin({ 0, 0 }) < -1e300);
-  // Corners that are dense beside the merging tolerance are left out one by one, yet the hull stays within four times that.
+  // Corners that are dense beside the merging tolerance are left out one by one, yet the hull stays within
+  // four times that.
   std::vector<sm::Point2D> circle;
   const int count = 100000;
   for (int i = 0; i < count; ++i)

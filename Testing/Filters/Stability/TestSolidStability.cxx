@@ -99,7 +99,8 @@ void TestShapes(const std::string& folder)
   }
 }
 
-/// Where one side of the contact is round and the other is not, it rolls back from one and tips over the other.
+/// Where one side of the contact is round and the other is not, it rolls back from one and tips over the
+/// other.
 void TestOneSided(const std::string& folder)
 {
   Case rocker(WriteStanding(folder, "rocker", MakeHalfRocker()));
@@ -109,7 +110,8 @@ void TestOneSided(const std::string& folder)
   CheckBounded(rocker.Filter, names::RollingMargin, -Get(rocker.Filter, names::CenterHeight), 1e-6);
 }
 
-/// The pole of half a ball is on the border of its sphere: to one side it rolls back, to the other it falls over.
+/// The pole of half a ball is on the border of its sphere: to one side it rolls back, to the other it falls
+/// over.
 void TestHalfBall(const std::string& folder)
 {
   Case half(WriteStanding(folder, "half_ball", MakeHalfBall()));
@@ -119,8 +121,8 @@ void TestHalfBall(const std::string& folder)
   CheckBounded(half.Filter, names::RollingMargin, -Get(half.Filter, names::CenterHeight), 1e-6);
 }
 
-/// On a slope the contact moves on by cos^2 of the angle only, seen from above: a dome with its centre of mass above the contact,
-/// which is `angle` from its pole, rolls back while cos(angle) > 3/8.
+/// On a slope the contact moves on by cos^2 of the angle only, seen from above: a dome with its centre of
+/// mass above the contact, which is `angle` from its pole, rolls back while cos(angle) > 3/8.
 void TestDomeOnSlopes(const std::string& folder)
 {
   const double r = 10.0;

@@ -1,4 +1,5 @@
-// TestSolidStabilityBodies FOLDER SOLIDS MODE: several bodies together and each alone, stopped runs, open bodies, and errors.
+// TestSolidStabilityBodies FOLDER SOLIDS MODE: several bodies together and each alone, stopped runs, open
+// bodies, and errors.
 #include "smDecimalCommas.h"
 #include "smStabilityTesting.h"
 #include "smStandingSolids.h"

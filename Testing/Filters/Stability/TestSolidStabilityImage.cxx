@@ -1,5 +1,6 @@
-// TestSolidStabilityImage FOLDER -T FOLDER -V BASELINE.png: three leaning prisms, stable, too close and unstable, with what the filter
-// draws: the support polygon, the projected centre of mass and the line to it, green, amber and red.
+// TestSolidStabilityImage FOLDER -T FOLDER -V BASELINE.png: three leaning prisms, stable, too close and
+// unstable, with what the filter draws: the support polygon, the projected centre of mass and the line to it,
+// green, amber and red.
 #include "smStandingSolids.h"
 
 #include "smSceneTesting.h"

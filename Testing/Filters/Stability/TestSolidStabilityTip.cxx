@@ -1,4 +1,5 @@
-// TestSolidStabilityTip FOLDER: least angle and rise over round contacts and over corners, where the centre of mass is beyond them.
+// TestSolidStabilityTip FOLDER: least angle and rise over round contacts and over corners, where the centre
+// of mass is beyond them.
 #include "smBoxBodies.h"
 #include "smStabilityTesting.h"
 #include "smStandingSolids.h"
@@ -21,7 +22,8 @@ const Real Pi = 3.141592653589793238462643383279503L;
 const double Radius = 5.0;
 const double Height = 20.0;
 
-/// An oblique cylinder on z = 0, or the half of it in x > 0, with the centre of mass at c and gravity against `up`.
+/// An oblique cylinder on z = 0, or the half of it in x > 0, with the centre of mass at c and gravity against
+/// `up`.
 struct Standing
 {
   bool Half;
@@ -73,7 +75,8 @@ Real FindLeast(const std::function<Real(Real)>& f)
   return f(low);
 }
 
-/// The top is displaced by `lean` in the direction `turn`; the ground is level, or gravity leans by a slope against x.
+/// The top is displaced by `lean` in the direction `turn`; the ground is level, or gravity leans by a slope
+/// against x.
 void CheckOblique(const std::string& folder, bool half, double lean, double turn, double slope, double most)
 {
   const double leanX = lean * std::cos(turn);
@@ -95,7 +98,8 @@ void CheckOblique(const std::string& folder, bool half, double lean, double turn
     static_cast<double>(FindLeast([&](Real d) { return exact.GetRise(d); })), most * Height);
 }
 
-/// A plate lies on the ground, which may slope against its short side: it tips by nearly a right angle, over the middle of a side.
+/// A plate lies on the ground, which may slope against its short side: it tips by nearly a right angle, over
+/// the middle of a side.
 void CheckPlate(double thickness, double slope)
 {
   BoxBody body;

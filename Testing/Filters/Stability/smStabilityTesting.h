@@ -1,6 +1,7 @@
 /**
  * @file smStabilityTesting.h
- * @brief A filter on a file, and checks of its verdict and of values within their bounds, for the tests of vtkSolidStability
+ * @brief A filter on a file, and checks of its verdict and of values within their bounds, for the tests of
+ * vtkSolidStability
  */
 #ifndef smStabilityTesting_h
 #define smStabilityTesting_h

@@ -100,7 +100,8 @@ TopoDS_Shape MakeHalfRocker()
 
 TopoDS_Shape MakeHalfBall()
 {
-  // The half in y > 0 has the moment 2/3 pi r^3 * 3/8 r in y, the block -w d t^2 / 2 with width w, height d, thickness t.
+  // The half in y > 0 has the moment 2/3 pi r^3 * 3/8 r in y, the block -w d t^2 / 2 with width w, height d,
+  // thickness t.
   const double r = 10.0;
   const double width = 10.0;
   const double height = 10.0;

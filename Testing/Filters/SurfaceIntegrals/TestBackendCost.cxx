@@ -151,7 +151,8 @@ void CheckFilter(const std::string& path)
   CheckEqual("an expression: why", "expressions need OpenGL", integral->GetBackendReason());
 }
 
-/// The same choice for a full run, an edit of one face, and its undo, though the run of one face alone would be the other backend's.
+/// The same choice for a full run, an edit of one face, and its undo, though the run of one face alone would
+/// be the other backend's.
 void CheckEdits()
 {
   std::printf("--- edits\n");

@@ -1,5 +1,5 @@
-// The CPU runner by itself: rows depend on nothing but their items, sums of any segments are right to rounding, and
-// neither order, portions nor threads change a bit.
+// The CPU runner by itself: rows depend on nothing but their items, sums of any segments are right to
+// rounding, and neither order, portions nor threads change a bit.
 #include "Items/smCPUItemRunner.h"
 #include "Items/smItemKernels.h"
 #include "smIntegrand.h"

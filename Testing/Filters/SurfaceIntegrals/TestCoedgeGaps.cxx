@@ -10,7 +10,8 @@
 
 namespace
 {
-/// A plate with round holes: a loop of four coedges around it, two coedges for each hole, and some loops without coedges.
+/// A plate with round holes: a loop of four coedges around it, two coedges for each hole, and some loops
+/// without coedges.
 sm::Face MakePlate(int holes)
 {
   sm::Face face;

@@ -1,4 +1,5 @@
-// The gaps of coedges add up by edge; the widest comes first, what is not known last, and is named when it matters.
+// The gaps of coedges add up by edge; the widest comes first, what is not known last, and is named when it
+// matters.
 #include "smBoxBodies.h"
 #include "smEdgeGaps.h"
 #include "smTesting.h"
@@ -12,7 +13,8 @@ using smtest::Check;
 using smtest::CheckEqual;
 using smtest::CheckTrue;
 
-/// Coedge (loop 0, i) of face f has the gap 1e-4 (10 f + i + 1), squared gap and area that are known multiples.
+/// Coedge (loop 0, i) of face f has the gap 1e-4 (10 f + i + 1), squared gap and area that are known
+/// multiples.
 std::vector<sm::FaceIntegrals> MakeResults(std::size_t faces)
 {
   std::vector<sm::FaceIntegrals> results(faces);
@@ -94,8 +96,8 @@ int TestEdgeGaps(int, char*[])
   CheckEqual("rounding is no gap", "", sm::DescribeWorstEdge(edges, 3.7, "mm"));
   CheckEqual("no edges", "", sm::DescribeWorstEdge({}, 3.7, "mm"));
 
-  // A coedge without a row has a gap of rounding; a face that was not integrated leaves its edges unknown, and last; poles are no
-  // edges.
+  // A coedge without a row has a gap of rounding; a face that was not integrated leaves its edges unknown,
+  // and last; poles are no edges.
   results[0].Gaps.clear();
   edges = sm::CollectEdgeGaps(*model, &results);
   for (const sm::EdgeGap& edge : edges)

@@ -1,4 +1,5 @@
-// The elementary functions of smElementary.glsl, compiled as C++: against the C library's in extended precision.
+// The elementary functions of smElementary.glsl, compiled as C++: against the C library's in extended
+// precision.
 #include "smPortableCxx.h"
 #include "smTesting.h"
 

@@ -1,5 +1,5 @@
-// TestExpressionTypes COUNT FOLDER...: what is said of random expressions before a compiler sees them, against the driver's compiler. FOLDERs
-// hold the chunks of GLSL that an expression needs.
+// TestExpressionTypes COUNT FOLDER...: what is said of random expressions before a compiler sees them,
+// against the driver's compiler. FOLDERs hold the chunks of GLSL that an expression needs.
 #include "smComputeProgram.h"
 #include "smContextScope.h"
 #include "smShaderSource.h"
@@ -17,7 +17,8 @@ namespace
 using namespace smtest;
 using Random = std::mt19937_64;
 
-/// Draws an expression of about the type "dI": I components, of doubles (d), whole numbers (i) or truths (b). Now and then of another.
+/// Draws an expression of about the type "dI": I components, of doubles (d), whole numbers (i) or truths (b).
+/// Now and then of another.
 class Writer
 {
 public:

@@ -1,4 +1,5 @@
-// The results of a face are the same bits whatever faces it is integrated with, where rows are short of room too.
+// The results of a face are the same bits whatever faces it is integrated with, where rows are short of room
+// too.
 #include "Items/smCPUItemRunner.h"
 #include "smSurfaceIntegrator.h"
 #include "smTesting.h"
@@ -24,7 +25,8 @@ private:
   std::size_t Rows;
 };
 
-/// A sheet that turns back at the line u = `fold`, where its normal vanishes: panels there are bisected without end.
+/// A sheet that turns back at the line u = `fold`, where its normal vanishes: panels there are bisected
+/// without end.
 sm::FacePointer MakeFolded(double fold, double height)
 {
   auto face = std::make_shared<sm::Face>();

@@ -1,5 +1,5 @@
-// Faces shared among ranks, here threads of one process: the bits of a run alone, whoever fails; what travels, bit for bit;
-// and who gets what.
+// Faces shared among ranks, here threads of one process: the bits of a run alone, whoever fails; what
+// travels, bit for bit; and who gets what.
 #include "Items/smCPUItemRunner.h"
 #include "Sharing/smFaceExchange.h"
 #include "Sharing/smFaceShares.h"
@@ -37,7 +37,8 @@ std::shared_ptr<sm::Edge> MakeEdge(const std::array<double, 3>& from, const std:
   return edge;
 }
 
-/// A strip of squares with bumps, cells x cells spans the first one and fewer the others, that share their edges.
+/// A strip of squares with bumps, cells x cells spans the first one and fewer the others, that share their
+/// edges.
 std::vector<sm::FacePointer> MakeStrip(int count, int cells)
 {
   std::vector<sm::FacePointer> faces;

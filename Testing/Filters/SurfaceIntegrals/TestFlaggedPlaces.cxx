@@ -1,4 +1,5 @@
-// Open edges, wide gaps and faces that count wrongly are drawn where they are, with the figures that they put in doubt.
+// Open edges, wide gaps and faces that count wrongly are drawn where they are, with the figures that they put
+// in doubt.
 #include "smBoxBodies.h"
 #include "smFlaggedPlaces.h"
 #include "smIntegralNames.h"
@@ -147,8 +148,8 @@ void CheckOthers()
   CheckTrue("sound: summary", !sound.Says("in doubt"), sound.Summary);
 }
 
-/// A parabola from (0,0) over (1,1) to (2,0) and its chord, as the open edges of a box. The polygon of n chords has 1 - 1/n^2 of the area
-/// 4/3.
+/// A parabola from (0,0) over (1,1) to (2,0) and its chord, as the open edges of a box. The polygon of n
+/// chords has 1 - 1/n^2 of the area 4/3.
 void CheckCurvedEdges()
 {
   BoxBody box;
@@ -181,7 +182,8 @@ void CheckCurvedEdges()
   CheckTrue("not closed: area is not known", std::isnan(sm::FindFlaggedPlaces({ body })[0].AreaInDoubt));
 }
 
-/// The lid lies 0.3 above its edges. A gap of constant width w along an edge of length l: area w l, square w^2 l.
+/// The lid lies 0.3 above its edges. A gap of constant width w along an edge of length l: area w l, square
+/// w^2 l.
 void CheckGap()
 {
   BoxBody box;

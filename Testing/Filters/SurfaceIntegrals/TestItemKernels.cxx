@@ -1,5 +1,5 @@
-// The shaders' kernels compiled as C++: single panels, ribbons and caps against formulas, and against the same
-// Gauss sums in extended precision, within the rounding that their rows state.
+// The shaders' kernels compiled as C++: single panels, ribbons and caps against formulas, and against the
+// same Gauss sums in extended precision, within the rounding that their rows state.
 #include "smItemReference.h"
 #include "smTesting.h"
 #include "smUnitRoundoff.h"
@@ -37,7 +37,8 @@ void CheckSum(const std::string& what, const Sum& expected, const Evaluation& ac
                                : 0.0);
   }
   CheckRange(what + ": error over stated rounding", 0.0, GetErrorOverRounding(expected, actual), 1.0);
-  // Positions of size up to 2, degrees up to 25 and the factors of Bounds.md: 8 (stretch / |Ss| + stretch / |Sr|).
+  // Positions of size up to 2, degrees up to 25 and the factors of Bounds.md: 8 (stretch / |Ss| + stretch /
+  // |Sr|).
   CheckRange(what + ": stated rounding over u", 1.0, largest, 4e3);
 }
 
@@ -61,7 +62,8 @@ void CheckRandomItems()
   }
 }
 
-/// Lanes of every width that this processor has, full and with one item less, against each item by itself: same bits.
+/// Lanes of every width that this processor has, full and with one item less, against each item by itself:
+/// same bits.
 void CheckLanes()
 {
   std::mt19937 random(29);
@@ -113,7 +115,8 @@ void CheckLanes()
   }
 }
 
-/// Rounding with heavy weights: at an end, in one column, falling off. Single items, for sums over many hide what one lacks.
+/// Rounding with heavy weights: at an end, in one column, falling off. Single items, for sums over many hide
+/// what one lacks.
 void CheckHeavyWeights()
 {
   std::mt19937 random(17);

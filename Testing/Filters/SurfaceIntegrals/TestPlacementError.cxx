@@ -1,5 +1,5 @@
-// The integrals of a box in a placement that was read: those of all placements that rounding may have made the same are within the bounds,
-// and the bounds are not much larger than they differ.
+// The integrals of a box in a placement that was read: those of all placements that rounding may have made
+// the same are within the bounds, and the bounds are not much larger than they differ.
 #include "smPlacedBox.h"
 #include "smTesting.h"
 
@@ -70,7 +70,8 @@ void CheckExact()
   CheckRange("bound of the rotated", 2.0 * still, filter->GetIntegralBound("area"), 100.0 * still);
 }
 
-/// A matrix that is a rotation but for its decimals, or stretches by as little: the box as it places it is within the bounds.
+/// A matrix that is a rotation but for its decimals, or stretches by as little: the box as it places it is
+/// within the bounds.
 void CheckNearlyRigid(double stretch)
 {
   vtkNew<vtkMatrix4x4> placement;

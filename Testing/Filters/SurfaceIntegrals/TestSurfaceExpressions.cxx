@@ -1,6 +1,7 @@
-// TestSurfaceExpressions FOLDER MODE: integrands of one's own against closed forms: functions, constants and names of a sample
-// (functions), curvatures (curvatures), fluxes (flux), divisions by 0 and their like (undefined), chosen faces (faces), mistakes
-// (mistakes), numbers where the user's locale writes them with a comma (commas; of LOCPATH, de_DE.UTF-8).
+// TestSurfaceExpressions FOLDER MODE: integrands of one's own against closed forms: functions, constants and
+// names of a sample (functions), curvatures (curvatures), fluxes (flux), divisions by 0 and their like
+// (undefined), chosen faces (faces), mistakes (mistakes), numbers where the user's locale writes them with a
+// comma (commas; of LOCPATH, de_DE.UTF-8).
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -261,8 +262,8 @@ void CheckMistakes(const char* folder)
   Check("and moments are computed", box.Part.Volume, filter->GetIntegral("volume"), 1e-9 * box.Part.Volume);
 }
 
-/// An expression that is undefined or infinite at some point, whatever its rest makes of it, or whose value depends on the parameters
-/// because the area element is no factor, is no number and not ok.
+/// An expression that is undefined or infinite at some point, whatever its rest makes of it, or whose value
+/// depends on the parameters because the area element is no factor, is no number and not ok.
 void CheckUndefined(const char* folder)
 {
   const char* undefined[] = { "dA / (u - u)", "dA / 0", "dA / (0 * u)", "dA / (1 / (u - u))",
@@ -288,7 +289,8 @@ void CheckUndefined(const char* folder)
     CheckTrue(
       "it is said", Says(filter, std::string(text) + " is undefined or infinite somewhere on the faces"));
   }
-  // Poles between the points: an order that agrees with the next by symmetry is told apart by one with a point in the middle.
+  // Poles between the points: an order that agrees with the next by symmetry is told apart by one with a
+  // point in the middle.
   for (const char* text : { "dA / (position.x - 14.3)", "dA / (position.x - 15.0000001)",
          "dA / (position.x - 7.5)", "dA / pow(position.y - 10.1, 2)", "dA * tan(0.1 * position.x)" })
   {

@@ -1,4 +1,5 @@
-// TestSurfaceIntegral FOLDER: integrands of one's own over the faces and over the closed chain, and how wrong ones fail.
+// TestSurfaceIntegral FOLDER: integrands of one's own over the faces and over the closed chain, and how wrong
+// ones fail.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 

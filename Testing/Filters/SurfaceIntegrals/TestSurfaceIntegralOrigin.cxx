@@ -1,6 +1,7 @@
-// TestSurfaceIntegralOrigin FOLDER PART: the volume of a closed model does not depend on the origin. Every exact solid,
-// those whose trims are projections with real gaps, and a real part, moved by ten sizes in seven directions; the volume
-// is integrated about the world's origin, where a hole in the chain of 1e-13 of the area would show.
+// TestSurfaceIntegralOrigin FOLDER PART: the volume of a closed model does not depend on the origin. Every
+// exact solid, those whose trims are projections with real gaps, and a real part, moved by ten sizes in seven
+// directions; the volume is integrated about the world's origin, where a hole in the chain of 1e-13 of the
+// area would show.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 

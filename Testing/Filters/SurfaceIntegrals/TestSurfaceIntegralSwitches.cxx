@@ -2,8 +2,8 @@
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
-#include <vtkMath.h>
 #include <vtkCellData.h>
+#include <vtkMath.h>
 #include <vtkNURBSDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkSurfaceIntegralGPU.h>

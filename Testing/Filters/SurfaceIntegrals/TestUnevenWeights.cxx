@@ -1,5 +1,6 @@
-// Areas of a flat square whose bilinear surface has weights of very different size: a peak of |n| that no point of a rule may hit. The square
-// stays the square whatever the weights are. Without integrals over the volume nothing else asks for more points.
+// Areas of a flat square whose bilinear surface has weights of very different size: a peak of |n| that no
+// point of a rule may hit. The square stays the square whatever the weights are. Without integrals over the
+// volume nothing else asks for more points.
 #include "smMessageTrap.h"
 #include "smTesting.h"
 

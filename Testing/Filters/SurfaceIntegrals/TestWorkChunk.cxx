@@ -1,5 +1,5 @@
-// The chunks that all items of integration share (smWork, smFinish), compiled as C++: rules, the error made of differences of orders, and
-// how an item ends: compared, stored, discarded.
+// The chunks that all items of integration share (smWork, smFinish), compiled as C++: rules, the error made
+// of differences of orders, and how an item ends: compared, stored, discarded.
 #include "smGaussLegendre.h"
 #include "smTesting.h"
 #include "smUnitRoundoff.h"

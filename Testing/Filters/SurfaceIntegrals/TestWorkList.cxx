@@ -1,5 +1,5 @@
-// The order and the portions in which a GPU evaluates items: every item once, those of a shape one after another,
-// lines within the limits of a portion, one dispatch for each program of a portion.
+// The order and the portions in which a GPU evaluates items: every item once, those of a shape one after
+// another, lines within the limits of a portion, one dispatch for each program of a portion.
 #include "Items/smWorkList.h"
 #include "smTesting.h"
 

@@ -1,5 +1,5 @@
-// TestBodyMesh FOLDER: meshes of the exact solids are closed, keep their promise on dense samples, have no triangle turned over,
-// converge to the exact volume, and have the same bits for any number of threads.
+// TestBodyMesh FOLDER: meshes of the exact solids are closed, keep their promise on dense samples, have no
+// triangle turned over, converge to the exact volume, and have the same bits for any number of threads.
 #include "smMeshMeasures.h"
 #include "smTestFaces.h"
 #include "smTestManifest.h"
@@ -71,7 +71,8 @@ void CheckSolid(const Expected& solid)
       CheckRange(solid.Solid + ": stated turn", 0.0, turn, 1e-9);
     }
     CheckRange(solid.Solid + ": stated / deflection", 0.0, stated / limits.Deflection, 1.0);
-    // The closed mesh lies within the stated distance of the surface; rounding of 1e5 triangles, where the solid is a polyhedron.
+    // The closed mesh lies within the stated distance of the surface; rounding of 1e5 triangles, where the
+    // solid is a polyhedron.
     CheckRange(solid.Solid + ": error of the volume", 0.0, std::abs(m.Volume - solid.Volume),
       1.1 * m.Area * stated + 1e-12 * solid.Volume, "linear in the deflection");
   }
@@ -96,14 +97,15 @@ void CheckConvergence(const Expected& solid)
       1e-13 * solid.Volume, "rounding of a few triangles");
     return;
   }
-  // Numbers of triangles are whole, so that meshes do not use the deflection alike; and errors of both signs may cancel in the coarse mesh.
+  // Numbers of triangles are whole, so that meshes do not use the deflection alike; and errors of both signs
+  // may cancel in the coarse mesh.
   const double coarse = std::max(errors[0], 0.01 * area * deflections[0]);
   CheckRange(solid.Solid + ": error of the volume with a 16th of the deflection", 0.0, errors[1],
     2.5 / 16.0 * coarse, "linear, and a factor 2.5");
 }
 
-/// Points that equal steps put beside the end of a piece of an edge, by rounding, are at the end: else chords were halved there until points
-/// of a face fell together.
+/// Points that equal steps put beside the end of a piece of an edge, by rounding, are at the end: else chords
+/// were halved there until points of a face fell together.
 void CheckManyDeflections(const Expected& solid)
 {
   const std::vector<sm::FacePointer> faces = ReadFaces(solid.Path);
@@ -246,8 +248,8 @@ void CheckLoops()
   }
 }
 
-/// (u, u^2 + width v, 0) on the unit square, with edges along its borders; the one at v = 1 has a vertex at u = 0.3. `lift`: how far
-/// the edge at v = 0 lies off the surface, towards v = 1.
+/// (u, u^2 + width v, 0) on the unit square, with edges along its borders; the one at v = 1 has a vertex at u
+/// = 0.3. `lift`: how far the edge at v = 0 lies off the surface, towards v = 1.
 sm::FacePointer MakeBentStrip(double width, double lift)
 {
   auto face = std::make_shared<sm::Face>(*MakeSquare(1.0, 1));
@@ -299,7 +301,8 @@ void CheckNarrowFaces()
   CheckTrue("a lens that is thinner than the deflection has triangles", !meshes[0].Triangles.empty());
 }
 
-/// (500 + t, 500 + height (1 - t^2), 0) for t from -1 to 1, of two pieces, in the plane of MakeSquare(1000.0, 1).
+/// (500 + t, 500 + height (1 - t^2), 0) for t from -1 to 1, of two pieces, in the plane of MakeSquare(1000.0,
+/// 1).
 sm::Coedge MakeParabola(double height)
 {
   const double c = 500.0;

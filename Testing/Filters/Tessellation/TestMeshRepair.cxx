@@ -11,7 +11,8 @@ constexpr int Count = 12;
 constexpr double First = 2.0;
 constexpr double Growth = 1.4;
 
-/// Triangles at vertex 0 are turned over and err the more the farther their other corners are from each other.
+/// Triangles at vertex 0 are turned over and err the more the farther their other corners are from each
+/// other.
 bool IsAtCenter(const Corners& t)
 {
   return std::min({ t[0], t[1], t[2] }) == 0;

@@ -34,8 +34,8 @@ sm::NURBSSurface MakeTorus()
   return s;
 }
 
-/// A net of the given degrees and spans with points near a paraboloid; weights up to 1 + `spread`. `crease`: a knot of full
-/// multiplicity.
+/// A net of the given degrees and spans with points near a paraboloid; weights up to 1 + `spread`. `crease`:
+/// a knot of full multiplicity.
 sm::NURBSSurface MakeRandom(std::mt19937& random, int degree, double spread, bool crease)
 {
   std::uniform_real_distribution<double> jitter(-0.3, 0.3);
@@ -63,8 +63,8 @@ sm::NURBSSurface MakeRandom(std::mt19937& random, int degree, double spread, boo
   return s;
 }
 
-/// The polynomial surface of MakeRandom() in one span, with u = 2 t / (1 + t) and so for v: weights from 1 to 2^degree in both
-/// directions.
+/// The polynomial surface of MakeRandom() in one span, with u = 2 t / (1 + t) and so for v: weights from 1 to
+/// 2^degree in both directions.
 sm::NURBSSurface MakeUneven(std::mt19937& random, int degree)
 {
   sm::NURBSSurface s = MakeRandom(random, degree, 0.0, false);

@@ -1,4 +1,5 @@
-// The constrained triangulation against exact areas: polygons with holes, lines through vertices, and lines that cross.
+// The constrained triangulation against exact areas: polygons with holes, lines through vertices, and lines
+// that cross.
 #include "smTesting.h"
 #include "smTriangulation.h"
 
@@ -11,7 +12,8 @@ using namespace smtest;
 
 constexpr std::int64_t Middle = sm::Triangulation::Extent / 2;
 
-/// Twice the area inside; -1 where a triangle is not counter-clockwise or the neighbours contradict each other.
+/// Twice the area inside; -1 where a triangle is not counter-clockwise or the neighbours contradict each
+/// other.
 std::int64_t GetInnerArea(const sm::Triangulation& mesh)
 {
   std::int64_t area = 0;
@@ -120,7 +122,8 @@ void CheckCrossing()
   CheckEqual("a side through a vertex", area, GetInnerArea(through));
 }
 
-/// Sides without the rest of their loop give no winding numbers that hold; whatever these are, nothing outside all points is inside.
+/// Sides without the rest of their loop give no winding numbers that hold; whatever these are, nothing
+/// outside all points is inside.
 void CheckOpenChains()
 {
   std::mt19937 random(3);

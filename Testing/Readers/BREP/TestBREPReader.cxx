@@ -1,5 +1,5 @@
-// TestBREPReader SOLIDS OUTPUT: BREP files, text and binary, have the exact volumes of what they hold, from a file, from memory, and
-// from a process of their own.
+// TestBREPReader SOLIDS OUTPUT: BREP files, text and binary, have the exact volumes of what they hold, from a
+// file, from memory, and from a process of their own.
 #include "smRoundTrip.h"
 #include "smTestManifest.h"
 #include "smTesting.h"

@@ -1,4 +1,5 @@
-// TestBREPReaderErrors OUTPUT: what is no BREP file, or a part of one, is an error that says so; damage ends no process that isolates it.
+// TestBREPReaderErrors OUTPUT: what is no BREP file, or a part of one, is an error that says so; damage ends
+// no process that isolates it.
 #include "smMessageTrap.h"
 #include "smTesting.h"
 
@@ -68,7 +69,8 @@ void CheckBinary()
   CheckEqual("a binary file", "ok", reader->GetStatusAsString());
 }
 
-/// What FreeCAD's exportBinary() writes: the shapes as OpenCASCADE does, and then three numbers of four bytes.
+/// What FreeCAD's exportBinary() writes: the shapes as OpenCASCADE does, and then three numbers of four
+/// bytes.
 std::string WriteAsFreeCAD(const TopoDS_Shape& shape)
 {
   std::ostringstream stream;
@@ -115,22 +117,23 @@ TopoDS_Shape Nest(TopoDS_Shape shape, int levels, int copies)
   return shape;
 }
 
-/// Small files of very many instances.
+/// Files of more instances or levels than the reader accepts; 2^17 is the first power above its limit.
 void CheckExcess(vtkBREPReader* reader)
 {
   const TopoDS_Shape solid = BRepPrimAPI_MakeCylinder(5.0, 12.0).Shape();
   const TopoDS_Shape face = TopExp_Explorer(solid, TopAbs_FACE).Current();
   const std::string path = OutputFolder + "/brep_nested.brep";
   reader->SetFileName(path.c_str());
-  BRepTools::Write(Nest(solid, 40, 2), path.c_str());
-  CheckProblem(reader, "2^40 solids", "more than 100000 instances");
-  BRepTools::Write(Nest(face, 40, 2), path.c_str());
-  CheckProblem(reader, "2^40 faces", "more than 100000 instances");
-  BRepTools::Write(Nest(solid, 5000, 1), path.c_str());
-  CheckProblem(reader, "5000 levels", "nested more than 100 times");
+  BRepTools::Write(Nest(solid, 17, 2), path.c_str());
+  CheckProblem(reader, "2^17 solids", "more than 100000 instances");
+  BRepTools::Write(Nest(face, 17, 2), path.c_str());
+  CheckProblem(reader, "2^17 faces", "more than 100000 instances");
+  BRepTools::Write(Nest(solid, 200, 1), path.c_str());
+  CheckProblem(reader, "200 levels", "nested more than 100 times");
 }
 
-/// Files with a number, a word or a byte that is another one: each ends with a status, and the next sound file is read.
+/// Files with a number, a word or a byte that is another one: each ends with a status, and the next sound
+/// file is read.
 void CheckDamage(const std::string& sound)
 {
   vtkNew<vtkBREPReader> reader;

@@ -1,5 +1,5 @@
-// Native curves and surfaces: definitions of ISO 10303-42 by formulas, derivatives by differences, images under maps.
-// TestSTEPSurfaces compares them with OpenCASCADE.
+// Native curves and surfaces: definitions of ISO 10303-42 by formulas, derivatives by differences, images
+// under maps. TestSTEPSurfaces compares them with OpenCASCADE.
 #include "Geometry/smCurveFoot.h"
 #include "Geometry/smGeometryConversion.h"
 #include "Geometry/smGeometryTransform.h"
@@ -15,7 +15,8 @@ using sm::Vector3;
 constexpr double AngleOfHalfTurn = 3.14159265358979323846;
 /// Rounding of coordinates of about 10.
 constexpr double Limit = 1e-13;
-/// Error of central differences with a step of 1e-5: its square times third derivatives, and rounding over the step.
+/// Error of central differences with a step of 1e-5: its square times third derivatives, and rounding over
+/// the step.
 constexpr double DifferenceLimit = 2e-8;
 
 std::mt19937& GetRandom()

@@ -1,6 +1,7 @@
 /**
  * @file TestPart21File.cxx
- * @brief The text of STEP files: every kind of token, every kind of damage, and that time does not grow with nesting
+ * @brief The text of STEP files: every kind of token, every kind of damage, and that time does not grow with
+ * nesting
  */
 #include "smPart21File.h"
 #include "smPart21Remains.h"
@@ -305,7 +306,8 @@ void CheckProblemPlaces()
   CheckEqual("places: line", 9, static_cast<long long>(file.GetLine(second.Offset)));
 }
 
-/// Every prefix of a file, and the file with each byte replaced: no crash, and instances never overlap or leave the text.
+/// Every prefix of a file, and the file with each byte replaced: no crash, and instances never overlap or
+/// leave the text.
 void CheckEveryByte()
 {
   const std::string whole = Wrap("#1=(A(#2)B((1.E-3,'x''y'),$));\n#2=C(.T.,*,\"1\",LENGTH_MEASURE(1.),/* c "
@@ -357,8 +359,8 @@ void CheckEveryByte()
   CheckEqual("every byte: contradictions", 0, static_cast<long long>(wrong));
 }
 
-/// A million brackets, strings and half-begun instances. A parser that recurses crashes; one that goes back runs for hours, and the
-/// test's time limit ends it.
+/// A million brackets, strings and half-begun instances. A parser that recurses crashes; one that goes back
+/// runs for hours, and the test's time limit ends it.
 void CheckDepth()
 {
   const int n = 1000000;
@@ -404,7 +406,8 @@ void CheckSparse()
   CheckEqual("sparse: wrong", 0, static_cast<long long>(wrong));
 }
 
-/// Only the parameters go, also where they hold brackets and semicolons in strings; what is damaged or of another type stays.
+/// Only the parameters go, also where they hold brackets and semicolons in strings; what is damaged or of
+/// another type stays.
 void CheckTessellations()
 {
   const std::string kept = "#2=TESSELLATED_GEOMETRIC_SET('a;)',(#3));\n#4=DIRECTION('',(1.,0.));\n"

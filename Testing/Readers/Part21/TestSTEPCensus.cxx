@@ -2,9 +2,11 @@
  * @file TestSTEPCensus.cxx
  * @brief The census of small texts, of the tests' own solids, of real files and of hostile ones
  *
- * Usage: TestSTEPCensus texts | solids FOLDER PART... | models FOLDER REFERENCE.jsonl | hostile FOLDER | print FILE...
+ * Usage: TestSTEPCensus texts | solids FOLDER PART... | models FOLDER REFERENCE.jsonl | hostile FOLDER |
+ * print FILE...
  *
- * `print` writes the census of files for people. `models` compares with counts of what OpenCASCADE makes of the same files.
+ * `print` writes the census of files for people. `models` compares with counts of what OpenCASCADE makes of
+ * the same files.
  */
 #include "smCensusCases.h"
 #include "smCensusSamples.h"
@@ -153,7 +155,8 @@ void CheckPerils()
     "perils: curves of themselves", static_cast<long long>(many), static_cast<long long>(cycles.size()));
 }
 
-/// Files with many entities of a kind, and with chains of references, both as long as readers can bear that are quadratic or recursive.
+/// Files with many entities of a kind, and with chains of references, both as long as readers can bear that
+/// are quadratic or recursive.
 void CheckScale()
 {
   const int n = 5000;

@@ -1,6 +1,7 @@
 /**
  * @file TestSTEPProducts.cxx
- * @brief Validation properties of products as systems state them, statements that contradict themselves, and new ones in a file's text
+ * @brief Validation properties of products as systems state them, statements that contradict themselves, and
+ * new ones in a file's text
  */
 #include "smCensusSamples.h"
 #include "smSTEPProducts.h"

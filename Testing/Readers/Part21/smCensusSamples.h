@@ -9,11 +9,12 @@
 
 namespace smtest
 {
-/// Returns the entities of a ball of one face in one product; some of its numbers: #6 context, #24 sphere, #28 bound, #29 face, #30 shell,
-/// #31 solid, #32 representation, #44 product definition, #46 shape definition.
+/// Returns the entities of a ball of one face in one product; some of its numbers: #6 context, #24 sphere,
+/// #28 bound, #29 face, #30 shell, #31 solid, #32 representation, #44 product definition, #46 shape
+/// definition.
 std::string GetBallText();
-/// Returns an assembly "box" in which the ball occurs once, to be appended to the ball; #52 is its product definition, #60 the occurrence,
-/// #64 its placement.
+/// Returns an assembly "box" in which the ball occurs once, to be appended to the ball; #52 is its product
+/// definition, #60 the occurrence, #64 its placement.
 std::string GetAssemblyText();
 /// Returns a whole file with this data section.
 std::string MakeStepText(const std::string& data);

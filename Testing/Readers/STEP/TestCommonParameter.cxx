@@ -1,5 +1,6 @@
-// Trim curves out of step with their edge: the parameter in common comes back, the points of the face stay what they were, and
-// where there is no such parameter the curve is left alone. Residuals cover what is between trim curves and edges.
+// Trim curves out of step with their edge: the parameter in common comes back, the points of the face stay
+// what they were, and where there is no such parameter the curve is left alone. Residuals cover what is
+// between trim curves and edges.
 #include "Geometry/smChebyshevFit.h"
 #include "smCommonParameter.h"
 #include "smTesting.h"
@@ -57,7 +58,8 @@ sm::PolynomialCurve<Dimension> Fit(
   return curve;
 }
 
-/// Integral of u dv by Simpson's rule, whose error of 400 steps a piece is far below the limit for these curves.
+/// Integral of u dv by Simpson's rule, whose error of 400 steps a piece is far below the limit for these
+/// curves.
 double EnclosedArea(const sm::TrimCurve& curve)
 {
   double sum = 0.0;
@@ -127,8 +129,8 @@ void CheckCase(const Case& c)
   CheckTrue("pieces join to the bit", joined);
 }
 
-/// The residual of a slanted line in u alone covers what is between it and an edge that is displaced in u: the distance across the edge is
-/// a twentieth of that, and counts for u and v together only.
+/// The residual of a slanted line in u alone covers what is between it and an edge that is displaced in u:
+/// the distance across the edge is a twentieth of that, and counts for u and v together only.
 void CheckResidual(const char* name, double moved, bool isPerPiece)
 {
   std::printf("--- %s\n", name);

@@ -1,5 +1,5 @@
-// TestDisplayMeshDemand SOLIDS: a reader makes points and triangles when something downstream needs them, later without reading the file
-// again, and exact results have the same bits whenever that is.
+// TestDisplayMeshDemand SOLIDS: a reader makes points and triangles when something downstream needs them,
+// later without reading the file again, and exact results have the same bits whenever that is.
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
 
@@ -236,8 +236,8 @@ void CheckPorts(const std::string& path)
   CheckEqual("points of a filter of VTK between", points, CountPoints(mixed.View->GetOutputDataObject(0)));
 }
 
-/// An update of the reader itself makes points; other settings of the mesh make it again without reading the file again, and settings of
-/// the reading read it again.
+/// An update of the reader itself makes points; other settings of the mesh make it again without reading the
+/// file again, and settings of the reading read it again.
 void CheckReadings(const std::string& path, const std::string& other)
 {
   std::printf("--- readings\n");

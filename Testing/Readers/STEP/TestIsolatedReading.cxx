@@ -1,5 +1,5 @@
-// TestIsolatedReading SOLIDS OUTPUT: a reader that reads in a process of its own puts out the same bits, and outlives that process
-// whatever becomes of it.
+// TestIsolatedReading SOLIDS OUTPUT: a reader that reads in a process of its own puts out the same bits, and
+// outlives that process whatever becomes of it.
 #include "smMessageTrap.h"
 #include "smReaderTesting.h"
 #include "smTestManifest.h"

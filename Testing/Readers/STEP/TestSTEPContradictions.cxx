@@ -1,5 +1,5 @@
-// TestSTEPContradictions FOLDER: faces outside their loops on closed surfaces, and statements of a file that OpenCASCADE overrules: said, or
-// refused. FOLDER takes the files.
+// TestSTEPContradictions FOLDER: faces outside their loops on closed surfaces, and statements of a file that
+// OpenCASCADE overrules: said, or refused. FOLDER takes the files.
 #include "smReaderTesting.h"
 
 #include "vtkExecutive.h"
@@ -187,7 +187,8 @@ void CheckExact(const std::string& name, const std::string& content, double volu
     Mentions(JudgeText(content, vtkSTEPReader::ALWAYS), "the part outside its loops is meant"));
 }
 
-/// A ball of radius 1 without the part beyond the plane x = -0.95 or 0.7, whose circle has no pole of the sphere inside.
+/// A ball of radius 1 without the part beyond the plane x = -0.95 or 0.7, whose circle has no pole of the
+/// sphere inside.
 std::string MakeFlattenedBall(double x, bool isRevolved)
 {
   EntityText step;
@@ -219,7 +220,8 @@ std::string MakeFlattenedBall(double x, bool isRevolved)
   return step.Finish({ face, step.Face(plane, { -edge }) });
 }
 
-/// A torus of radii 3 and 1 with a pocket, of which the bottom is the cylinder of radius 3.5 between the angles -0.5 and 0.5.
+/// A torus of radii 3 and 1 with a pocket, of which the bottom is the cylinder of radius 3.5 between the
+/// angles -0.5 and 0.5.
 std::string MakePocketedTorus(double& volume)
 {
   EntityText step;
@@ -359,7 +361,8 @@ std::string MakeCone(double apex)
   return step.Finish({ side, step.Face(step.On("PLANE", down), { -circle }) });
 }
 
-/// The vertex of a cone that is not its apex, and a context that has no unit of angles: radians, for which OpenCASCADE takes degrees.
+/// The vertex of a cone that is not its apex, and a context that has no unit of angles: radians, for which
+/// OpenCASCADE takes degrees.
 void CheckCones()
 {
   const double volume = 12.0 * HalfTurn;
@@ -378,7 +381,8 @@ void CheckCones()
   Check("  volume", volume, unstated.Volume, unstated.Bound + 1e-14 * volume);
 }
 
-/// A sector of a ring whose upper rim is rounded by a torus. If the sense of the torus is the wrong one, its loop bounds the rest of it.
+/// A sector of a ring whose upper rim is rounded by a torus. If the sense of the torus is the wrong one, its
+/// loop bounds the rest of it.
 void CheckFoldedFace()
 {
   const gp_Pnt corners[] = { gp_Pnt(5, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, 0, 4), gp_Pnt(9, 0, 5),
@@ -439,7 +443,8 @@ void CheckSpindleTorus()
   CheckRange("  volume", -reading.Bound, reading.Volume - 6.0 * HalfTurn * HalfTurn, reading.Bound);
 }
 
-/// A cylinder of radius 2 and height 1. Its vertices are `gap` apart, and its side is on a trimmed surface up to the angle `width`.
+/// A cylinder of radius 2 and height 1. Its vertices are `gap` apart, and its side is on a trimmed surface up
+/// to the angle `width`.
 std::string MakeCylinder(double gap, double width)
 {
   EntityText step;

@@ -1,5 +1,5 @@
-// TestSTEPEdges: edges of a file on their curves, by the definition of edge_curve. TestSTEPEdges models FILE... compares the edges of real
-// files with those of the reader, which are OpenCASCADE's.
+// TestSTEPEdges: edges of a file on their curves, by the definition of edge_curve. TestSTEPEdges models
+// FILE... compares the edges of real files with those of the reader, which are OpenCASCADE's.
 #include "Geometry/smCurveFoot.h"
 #include "smReaderTesting.h"
 #include "smSTEPCensus.h"
@@ -123,8 +123,8 @@ struct EdgeTally
   std::map<std::string, long long> Reasons;
 };
 
-/// Returns how far an edge of the reader lies from ours: the ends in either direction, and points between from the curve. Repaired edges have
-/// other parameters.
+/// Returns how far an edge of the reader lies from ours: the ends in either direction, and points between
+/// from the curve. Repaired edges have other parameters.
 double GetDifference(const sm::STEPEdge& own, const sm::Edge& edge, const double origin[3])
 {
   const auto getPoint = [&](double x)

@@ -1,5 +1,6 @@
-// TestSTEPGeometry: curves and surfaces of a file as values, by the definitions of ISO 10303-42: parameters, units, trims, replicas,
-// and the ledger. TestSTEPGeometry models FOLDER compares every curve and surface of real files with OpenCASCADE's.
+// TestSTEPGeometry: curves and surfaces of a file as values, by the definitions of ISO 10303-42: parameters,
+// units, trims, replicas, and the ledger. TestSTEPGeometry models FOLDER compares every curve and surface of
+// real files with OpenCASCADE's.
 #include "smSTEPGeometry.h"
 #include "smTesting.h"
 
@@ -18,8 +19,9 @@ constexpr double Quarter = 1.5707963267948966;
 /// Rounding of coordinates of about 100.
 constexpr double Limit = 1e-12;
 
-/// A file with the entities of a test behind common ones: points #1 (0,0,0), #2 (1,2,3); directions #3 x, #4 y, #5 z; #6 a frame at #2 with
-/// its axis along x and its reference direction along y; in the plane point #7 (3,4), direction #8 (0,1) and frame #9.
+/// A file with the entities of a test behind common ones: points #1 (0,0,0), #2 (1,2,3); directions #3 x, #4
+/// y, #5 z; #6 a frame at #2 with its axis along x and its reference direction along y; in the plane point #7
+/// (3,4), direction #8 (0,1) and frame #9.
 class Sample
 {
 public:
@@ -132,7 +134,8 @@ void TestCurves()
   CheckEqual("trimmed curves", 4, static_cast<long long>(s.Ledger.Converted["TRIMMED_CURVE"]));
 }
 
-/// A cubic of four control points is the same in all forms of splines without own knots, but for its parameter.
+/// A cubic of four control points is the same in all forms of splines without own knots, but for its
+/// parameter.
 void TestSplines()
 {
   const std::string common = "#16=CARTESIAN_POINT('',(4.,4.,0.));\n#17=CARTESIAN_POINT('',(6.,0.,1.));\n";
@@ -226,7 +229,8 @@ void TestParameterCurves()
            "CONTEXT('',''));\n"
            "#15=VECTOR('',#8,2.);\n#16=LINE('',#7,#15);\n#17=OFFSET_CURVE_2D('',#16,1.,.F.);\n",
     { inch, Quarter / 90.0 });
-  // The frame #9 has X = (0,1): at 90 degrees the circle is at (3,4) + 2 (-1,0), u = 1 degree and v = 4 inches.
+  // The frame #9 has X = (0,1): at 90 degrees the circle is at (3,4) + 2 (-1,0), u = 1 degree and v = 4
+  // inches.
   const double one = Quarter / 90.0;
   CheckPoint("PCURVE in space", s.GetCurve(12), 90.0,
     { inch * 5.0, inch * (2.0 + 2.0 * std::cos(one)), inch * (3.0 + 2.0 * std::sin(one)) });

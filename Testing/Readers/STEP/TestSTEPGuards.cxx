@@ -1,6 +1,6 @@
-// TestSTEPGuards FOLDER: what stands between a damaged file and OpenCASCADE, which follows null references and cycles without end. Each file is
-// read without the damage, or refused with its entity. Every input here was seen to be harmless: OpenCASCADE alone reads or refuses it. FOLDER takes
-// the files.
+// TestSTEPGuards FOLDER: what stands between a damaged file and OpenCASCADE, which follows null references
+// and cycles without end. Each file is read without the damage, or refused with its entity. Every input here
+// was seen to be harmless: OpenCASCADE alone reads or refuses it. FOLDER takes the files.
 #include "smCensusSamples.h"
 #include "smFileState.h"
 #include "smReaderTesting.h"
@@ -112,7 +112,8 @@ void CheckOwners()
     ReadText(ball + "#65=SHAPE_DEFINITION_REPRESENTATION(#53,#32);\n").Status);
 }
 
-/// A plane face with two edges, in the place of the ball's face. Point #94, the vertex of #87, is left to be added.
+/// A plane face with two edges, in the place of the ball's face. Point #94, the vertex of #87, is left to be
+/// added.
 std::string MakeDisc()
 {
   return Replace(GetBallText() + GetAssemblyText(), "#29=ADVANCED_FACE('',(#28),#24,.T.);\n",

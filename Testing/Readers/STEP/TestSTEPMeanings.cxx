@@ -1,5 +1,6 @@
-// TestSTEPMeanings FOLDER: what the standard says by rules that OpenCASCADE does not follow: chains of units, placements of instances,
-// omitted directions, and solids of several products. A box of 1 x 2 x 3 has exact values in all of them.
+// TestSTEPMeanings FOLDER: what the standard says by rules that OpenCASCADE does not follow: chains of units,
+// placements of instances, omitted directions, and solids of several products. A box of 1 x 2 x 3 has exact
+// values in all of them.
 #include "smOCCTFile.h"
 #include "smOCCTModel.h"
 #include "smReaderTesting.h"
@@ -187,7 +188,8 @@ void CheckUnits()
   CheckKernelUnit(BoxText().Exchange(Millimetre, foot + inch));
 }
 
-/// #810: at (5,0,0); #811: at (100,0,0), turned by 90 degrees; #812: at the origin, the axis is x, the reference direction omitted or x.
+/// #810: at (5,0,0); #811: at (100,0,0), turned by 90 degrees; #812: at the origin, the axis is x, the
+/// reference direction omitted or x.
 std::string AddFrames(const std::string& reference = "$")
 {
   return "#813=CARTESIAN_POINT('',(5.,0.,0.));\n#814=CARTESIAN_POINT('',(100.,0.,0.));\n"
@@ -252,7 +254,8 @@ void CheckDirections()
   CheckBox("operator_y", operate("$,#831", "$"), 1.0, {}, "lost its scale or its mirror");
   CheckBox("operator_z", operate("$,$", "#831"), 1.0, {}, "is parallel to another one");
   CheckBox("operator_none", operate("$,$", "$"), 1.0, { 100.5, 1.0, 1.5 });
-  // The third axis is x, the first one y, and the second one, z, is given or left to the default, which is y: it is undetermined.
+  // The third axis is x, the first one y, and the second one, z, is given or left to the default, which is y:
+  // it is undetermined.
   CheckBox("operator_of_three", operate("#818,#816", "#817"), 1.0, { 101.5, 0.5, 1.0 });
   CheckBox("operator_of_two", operate("#817,$", "#816"), 1.0, { 100.5, 1.0, 1.5 });
   CheckBox("operator_of_y_and_x", operate("#818,$", "#817"), 1.0, {}, "is parallel to another one");

@@ -1,6 +1,7 @@
 /**
  * @file TestSTEPReaderErrors.cxx
- * @brief vtkSTEPReader at its edge: unreadable and damaged files, settings, nested and stopped runs, exceptions, little memory
+ * @brief vtkSTEPReader at its edge: unreadable and damaged files, settings, nested and stopped runs,
+ * exceptions, little memory
  *
  * Usage: TestSTEPReaderErrors FOLDER [memory], a folder for the files it writes; with little memory.
  */
@@ -99,7 +100,8 @@ void CheckJunk(const std::string& text)
   CheckEqual("CanReadFile of nothing", 0, vtkSTEPReader::CanReadFile(nullptr));
 }
 
-/// The one face with a reference to an entity that is not there is left out. OpenCASCADE alone reads the file without it, too.
+/// The one face with a reference to an entity that is not there is left out. OpenCASCADE alone reads the file
+/// without it, too.
 void CheckDamage(const std::string& text)
 {
   vtkNew<vtkSTEPReader> reader;
@@ -157,7 +159,8 @@ void CheckLostScale(const std::string& text)
   CheckTrue("a lost scale is a defect", misplaced > 0);
 }
 
-/// A ball in a box, with `more` entities. Returns whether its body is defective; `said` must be in a message, nothing means no message.
+/// A ball in a box, with `more` entities. Returns whether its body is defective; `said` must be in a message,
+/// nothing means no message.
 void CheckDeclared(const std::string& name, const std::string& more, bool isDefect, const std::string& said)
 {
   vtkNew<vtkSTEPReader> reader;
@@ -421,7 +424,8 @@ void CheckExceptions(const std::string& path)
   CheckEqual("and the reader recovers", 3, reader->GetNumberOfInstances());
 }
 
-/// Lets the stack grow as far as reading may need it: where it cannot grow later, the process ends without an error.
+/// Lets the stack grow as far as reading may need it: where it cannot grow later, the process ends without an
+/// error.
 [[gnu::noinline]] void GrowStack()
 {
   volatile char bytes[1 << 20];
@@ -431,7 +435,8 @@ void CheckExceptions(const std::string& path)
   }
 }
 
-/// Reads and writes with no more than `extra` bytes of address space than now. 0: done, 1: an error said why not.
+/// Reads and writes with no more than `extra` bytes of address space than now. 0: done, 1: an error said why
+/// not.
 int RunWithMemory(const std::string& path, const std::string& copy, std::size_t extra)
 {
   GrowStack();

@@ -1,5 +1,6 @@
-// TestSTEPReaderRanks FILE LEAVES, under mpirun: all ranks have the tree of the reader's output and its status, whichever rank reads the
-// file, when it cannot be read, and when one rank has not enough memory for the tree; a collective filter downstream works.
+// TestSTEPReaderRanks FILE LEAVES, under mpirun: all ranks have the tree of the reader's output and its
+// status, whichever rank reads the file, when it cannot be read, and when one rank has not enough memory for
+// the tree; a collective filter downstream works.
 #include "smFailingMemory.h"
 #include "smTestRanks.h"
 

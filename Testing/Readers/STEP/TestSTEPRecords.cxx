@@ -1,5 +1,6 @@
-// TestSTEPRecords FILE.step...: the model that OpenCASCADE loads of our records is the one it loads of its own parser's, entity by entity,
-// with the same complaints; texts that it may read in another way are left to it.
+// TestSTEPRecords FILE.step...: the model that OpenCASCADE loads of our records is the one it loads of its
+// own parser's, entity by entity, with the same complaints; texts that it may read in another way are left to
+// it.
 #include "smMemoryBuffer.h"
 #include "smOCCTFile.h"
 #include "smOCCTRecords.h"

@@ -1,5 +1,5 @@
-// TestSTEPRepair SOLIDS VARIANT: what vtkSTEPReader takes from the file as it is has the properties that formulas give, also where the file
-// has no trim curves; what has to be repaired is repaired, and said.
+// TestSTEPRepair SOLIDS VARIANT: what vtkSTEPReader takes from the file as it is has the properties that
+// formulas give, also where the file has no trim curves; what has to be repaired is repaired, and said.
 #include "smReaderTesting.h"
 #include "smRoundTrip.h"
 #include "smTestManifest.h"
@@ -31,8 +31,9 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> ReadAsItIs(const std::string& p
   return reader->GetStatus() == vtkSTEPReader::OK ? reader->GetOutput() : nullptr;
 }
 
-/// Returns true if the loop of a torus runs against the loop of its curves in (u,v). The loop is two seams, each there and back, and all
-/// ends are one vertex: only the direction of its second edge tells. OpenCASCADE 7.6 models every torus so, 7.8 the mirrored one.
+/// Returns true if the loop of a torus runs against the loop of its curves in (u,v). The loop is two seams,
+/// each there and back, and all ends are one vertex: only the direction of its second edge tells.
+/// OpenCASCADE 7.6 models every torus so, 7.8 the mirrored one.
 bool HasTurnedLoop(const std::string& path)
 {
   std::ifstream file(path);

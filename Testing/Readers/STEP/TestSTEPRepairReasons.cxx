@@ -1,6 +1,7 @@
-// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; a torus with a negative radius, a pole on an
-// edge, edges that run against both their loops and shells that are not connected are none, and these are parted all the same. One face that
-// lies beside its edges is repaired by itself. FOLDER takes the file.
+// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; a torus with a
+// negative radius, a pole on an edge, edges that run against both their loops and shells that are not
+// connected are none, and these are parted all the same. One face that lies beside its edges is repaired by
+// itself. FOLDER takes the file.
 #include "smIntegralNames.h"
 #include "smOCCTRepair.h"
 #include "smReaderTesting.h"
@@ -60,7 +61,8 @@ std::string GetRepairs(vtkSTEPReader* reader)
   return repairs;
 }
 
-/// Gives the rim of the bore at height 10 another trim curve on the bore: a parabola through (pole, 10 + bump) half way.
+/// Gives the rim of the bore at height 10 another trim curve on the bore: a parabola through (pole, 10 +
+/// bump) half way.
 void SetTrim(const TopoDS_Shape& bored, double pole, double bump)
 {
   for (TopExp_Explorer face(bored, TopAbs_FACE); face.More(); face.Next())
@@ -106,8 +108,8 @@ TopoDS_Shape MakeBoredBox()
   return TopExp_Explorer(bored, TopAbs_SOLID).Current();
 }
 
-/// Trim curves that leave their edges between the ends, where the loops close all the same, and one at another speed. From a file
-/// OpenCASCADE takes none that are off: it projects edges instead.
+/// Trim curves that leave their edges between the ends, where the loops close all the same, and one at
+/// another speed. From a file OpenCASCADE takes none that are off: it projects edges instead.
 void CheckTrimReasons()
 {
   TopoDS_Shape solid = MakeBoredBox();
@@ -193,8 +195,9 @@ std::string WriteEdgesOnly(const TopoDS_Shape& shape)
   return text;
 }
 
-/// A torus with a negative major radius is the same surface with its other side outside. OpenCASCADE's transfer turns the loops of its face
-/// alone. A torus whose face has the wrong sense, on the other hand, is repaired, and said.
+/// A torus with a negative major radius is the same surface with its other side outside. OpenCASCADE's
+/// transfer turns the loops of its face alone. A torus whose face has the wrong sense, on the other hand, is
+/// repaired, and said.
 void CheckTurnedTorus()
 {
   const std::string text = WriteEdgesOnly(BRepPrimAPI_MakeTorus(30.0, 5.0, 1.5).Solid());
@@ -216,7 +219,8 @@ void CheckTurnedTorus()
   CheckTrue("a face with the wrong sense", !repairs.empty(), repairs);
 }
 
-/// Reads a solid, and returns the messages that contain a text; a volume other than `volume`, within bound and gaps, is an error.
+/// Reads a solid, and returns the messages that contain a text; a volume other than `volume`, within bound
+/// and gaps, is an error.
 std::string FindMessages(
   const std::string& name, const std::string& content, int faces, double volume, const std::string& part)
 {
@@ -262,8 +266,8 @@ std::string TurnUses(const std::string& text, int count, bool isEverywhere)
   return result;
 }
 
-/// Edges of a box that run against both their loops are reversed in these; an edge that runs against one of them only is repaired. Of a bored
-/// box whose bore lies beside its edges only this face is repaired.
+/// Edges of a box that run against both their loops are reversed in these; an edge that runs against one of
+/// them only is repaired. Of a bored box whose bore lies beside its edges only this face is repaired.
 void CheckFaceRepairs()
 {
   const std::string text = WriteEdgesOnly(BRepPrimAPI_MakeBox(40.0, 30.0, 10.0).Solid());
@@ -291,9 +295,9 @@ void CheckFaceRepairs()
   CheckTrue("  one face", message.find("1 single face of 1 of 1 solids") == 0, message);
 }
 
-/// Half a sphere whose rim passes both poles, or where x leaves the sphere, or both; or near the poles, at a thirtieth to a thousandth of the
-/// radius, where the angle turns so fast that the trim curve needs many pieces: OpenCASCADE's approximation is beside the edge by some
-/// hundredths of the radius there.
+/// Half a sphere whose rim passes both poles, or where x leaves the sphere, or both; or near the poles, at a
+/// thirtieth to a thousandth of the radius, where the angle turns so fast that the trim curve needs many
+/// pieces: OpenCASCADE's approximation is beside the edge by some hundredths of the radius there.
 void CheckPolesOnEdges()
 {
   const std::string text =

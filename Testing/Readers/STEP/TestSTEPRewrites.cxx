@@ -3,8 +3,8 @@
  * @brief Files that say the same in another way, and files with a flag that makes edges overlap
  *
  * MutantSweep.py rewrites files and turns their flags; here are the kinds that it found. Lines that are
- * revolved or extruded have no ends, so that faces on them were left to OpenCASCADE's repair where the file has
- * no parameter curves. An arc with the wrong sense covers its neighbours on the same circle.
+ * revolved or extruded have no ends, so that faces on them were left to OpenCASCADE's repair where the file
+ * has no parameter curves. An arc with the wrong sense covers its neighbours on the same circle.
  */
 #include "smReaderTesting.h"
 #include "smStepText.h"
@@ -71,8 +71,8 @@ std::string AddExtrudedPlane(StepText& step, double z, double side)
     step.Add("VECTOR(''," + step.AddDirection({ 0.3, side, 0 }) + ",2.)") + ")");
 }
 
-/// Revolves the line between two points round the axis z; the disks at its ends are planes that are extruded. A
-/// point on the axis is an apex.
+/// Revolves the line between two points round the axis z; the disks at its ends are planes that are extruded.
+/// A point on the axis is an apex.
 void CheckRevolvedLine(
   const std::string& name, const StepText::Point& start, const StepText::Point& end, double volume)
 {
@@ -119,8 +119,8 @@ void CheckRevolvedLine(
   CheckRange("  its bound", 0.0, value.Bound / volume, 1e-9);
 }
 
-/// Turns the sense of each edge of a ball of radius 1 with a unit cube on it. Arcs end on the seam of the ball,
-/// so that one with the other sense covers the arc beyond the seam.
+/// Turns the sense of each edge of a ball of radius 1 with a unit cube on it. Arcs end on the seam of the
+/// ball, so that one with the other sense covers the arc beyond the seam.
 void CheckTurnedEdges()
 {
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(1.0).Shape();

@@ -308,8 +308,8 @@ void CheckSurfaces()
     new Geom_OffsetSurface(new Geom_ToroidalSurface(MakeFrame(true), 4.0, 1.5), -0.5), 0.0, 3.0, -1.0, 4.0);
 }
 
-/// A surface far away, whose poles are exact there, becomes the same as the one at home: the kernel's evaluation, which
-/// loses digits far away, must not be mistaken for the surface.
+/// A surface far away, whose poles are exact there, becomes the same as the one at home: the kernel's
+/// evaluation, which loses digits far away, must not be mistaken for the surface.
 void CheckFarSurfaces()
 {
   TColgp_Array2OfPnt net(1, 10, 1, 8);
@@ -349,7 +349,8 @@ void CheckFarSurfaces()
   }
 }
 
-/// The end of a range that is a pole but for the file's digits becomes the pole, a row of one point; another end stays.
+/// The end of a range that is a pole but for the file's digits becomes the pole, a row of one point; another
+/// end stays.
 void CheckPoles()
 {
   const double pi = std::acos(-1.0);
@@ -387,7 +388,8 @@ void CheckPoles()
   smtest::CheckRange("both nappes", 1e-6, getWidth(cone, apex - 1e-4, 3.0, false), 1.0);
 }
 
-/// A closed spline of the file covers a box that is moved by whole periods, but not one that crosses its seam.
+/// A closed spline of the file covers a box that is moved by whole periods, but not one that crosses its
+/// seam.
 void CheckFileSurfaces()
 {
   TColgp_Array2OfPnt net(1, 5, 1, 2);
@@ -434,7 +436,8 @@ void CheckFileSurfaces()
   }
 }
 
-/// Trim curves under two angle maps, one, or none; the residual limit is 1e-13 of an arc and the floor of double precision.
+/// Trim curves under two angle maps, one, or none; the residual limit is 1e-13 of an arc and the floor of
+/// double precision.
 void CheckTrim(const char* name, const Handle(Geom2d_Curve) & curve, double first, double last,
   const sm::ParameterMap& mapU, const sm::ParameterMap& mapV, bool exact)
 {

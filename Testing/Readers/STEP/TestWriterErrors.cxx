@@ -1,4 +1,5 @@
-// TestWriterErrors SOLIDS OUTPUT: what the writers do where they cannot write, and that nothing is lost or left behind.
+// TestWriterErrors SOLIDS OUTPUT: what the writers do where they cannot write, and that nothing is lost or
+// left behind.
 #include "smRoundTrip.h"
 #include "smTestManifest.h"
 #include "smWriterFiles.h"

@@ -1,4 +1,5 @@
-// TestWriterStructure SOLIDS OUTPUT: what vtkSTEPWriter keeps beside the geometry: assembly, instances, names, colours, materials.
+// TestWriterStructure SOLIDS OUTPUT: what vtkSTEPWriter keeps beside the geometry: assembly, instances,
+// names, colours, materials.
 #include "smRoundTrip.h"
 #include "smTestManifest.h"
 #include "smWriterFiles.h"
@@ -160,7 +161,8 @@ void CheckStructure(const std::string& folder)
     "the header names us", ReadAll(Output + "/structure.step").find("SolidMoments") != std::string::npos);
 }
 
-/// Two turns of the mirror are none: a mirrored part is rigid again, and saved as an instance of the same model.
+/// Two turns of the mirror are none: a mirrored part is rigid again, and saved as an instance of the same
+/// model.
 void CheckInstances(const std::string& folder)
 {
   const Expected many = Manifest(folder).GetSpecial("assembly");
@@ -206,7 +208,8 @@ void SetParameter(const char* name, const char* value)
   CheckTrue(std::string(name) + " is set", Interface_Static::SetCVal(name, value));
 }
 
-/// A file has the lengths and the unit that it was asked for, whatever the process's own units are, and leaves these as they were.
+/// A file has the lengths and the unit that it was asked for, whatever the process's own units are, and
+/// leaves these as they were.
 void CheckUnits(vtkPartitionedDataSetCollection* box)
 {
   for (const char* unit : { "mm", "cm", "m", "um", "inch", "ft" })

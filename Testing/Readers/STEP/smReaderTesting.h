@@ -1,6 +1,7 @@
 /**
  * @file smReaderTesting.h
- * @brief An assembly in a STEP file, files derived from it, and the errors of a reader, for the tests of vtkSTEPReader
+ * @brief An assembly in a STEP file, files derived from it, and the errors of a reader, for the tests of
+ * vtkSTEPReader
  */
 #ifndef smReaderTesting_h
 #define smReaderTesting_h
@@ -31,7 +32,8 @@ std::string ReadAll(const std::string& path);
 /// Writes a file of this name into the folder and returns its path.
 std::string Make(const std::string& name, const std::string& content);
 
-/// Writes an assembly: two instances of a bored plate with a red face, a blue sphere of steel, and a loose face.
+/// Writes an assembly: two instances of a bored plate with a red face, a blue sphere of steel, and a loose
+/// face.
 void WriteAssembly(const std::string& path, bool solids = true);
 
 vtkNURBSDataSet* GetLeaf(vtkSTEPReader* reader, unsigned int index);

@@ -232,7 +232,8 @@ void CompareProperties(
   CheckEqual(name + ": faces", CountFaces(before), CountFaces(after));
   CheckEqual(name + ": leaves", a.Solids, b.Solids);
   CheckEqual(name + ": open edges", a.OpenEdges, b.OpenEdges);
-  // Coordinates far from the origin are rounded there: half a unit of the last place, on all control points alike at worst.
+  // Coordinates far from the origin are rounded there: half a unit of the last place, on all control points
+  // alike at worst.
   const double rounding = 4.0 * 2.2e-16 * distance / a.GetSize();
   const std::array<double, 4> d = GetDifferences(a, b, true);
   const char* const what[] = { "volume", "area", "centre", "inertia" };
@@ -255,7 +256,8 @@ void CheckKernel(
   CheckEqual(name + ": BREP written", 1, writer->Write());
   const KernelView view = ViewBREP(path);
   CheckTrue(name + ": OpenCASCADE reads it", view.Read, trap.Errors);
-  // It takes a face of degree 20 for unorientable when the body is mirrored, though each test of the face passes by itself.
+  // It takes a face of degree 20 for unorientable when the body is mirrored, though each test of the face
+  // passes by itself.
   CheckTrue(name + ": and finds it valid",
     view.Valid || (name == "graph_20_2-mirrored" && view.Complaints == "4:27x1 "), view.Complaints);
   CheckEqual(name + ": faces of the BREP", CountFaces(data), view.Faces);

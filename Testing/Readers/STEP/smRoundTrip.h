@@ -40,8 +40,8 @@ struct Properties
 /// `tolerance` is that of the filter, relative.
 Properties Weigh(vtkDataObject* data, double tolerance = 1e-13);
 
-/// Differences of volume, area, centre and inertia, relative to volume, area, V^(1/3) and the trace, without what both bounds
-/// allow: 0 where they explain it.
+/// Differences of volume, area, centre and inertia, relative to volume, area, V^(1/3) and the trace, without
+/// what both bounds allow: 0 where they explain it.
 std::array<double, 4> GetDifferences(const Properties& a, const Properties& b, bool beyondBounds);
 
 /// All models of the leaves in order.
@@ -50,17 +50,19 @@ std::vector<vtkSmartPointer<vtkTrimmedNURBSModel>> GetModels(vtkDataObject* data
 /// Number of faces of all leaves.
 long long CountFaces(vtkDataObject* data);
 
-/// Reads a file in one of the reader's units; null when it cannot be read. The filter's messages are not printed.
+/// Reads a file in one of the reader's units; null when it cannot be read. The filter's messages are not
+/// printed.
 vtkSmartPointer<vtkPartitionedDataSetCollection> ReadFile(
   const std::string& path, const std::string& unit = "mm", DisplayMesh mesh = DisplayMesh::Coarse);
 
-/// Writes a STEP file; null, and a failed check, when that fails, otherwise what reading it again gives. `messages` gets those of the
-/// writer. The mesh is to be that of `data`: the sampled gaps depend a little on the box of a body, and that on its mesh.
+/// Writes a STEP file; null, and a failed check, when that fails, otherwise what reading it again gives.
+/// `messages` gets those of the writer. The mesh is to be that of `data`: the sampled gaps depend a little on
+/// the box of a body, and that on its mesh.
 vtkSmartPointer<vtkPartitionedDataSetCollection> SaveAndRead(const std::string& path, vtkDataObject* data,
   std::string* messages = nullptr, DisplayMesh mesh = DisplayMesh::Coarse);
 
-/// Checks that the properties of both are the same: relative differences beyond both bounds are at most `limit`. `distance`: how far
-/// the part's coordinates are from the origin they are saved in.
+/// Checks that the properties of both are the same: relative differences beyond both bounds are at most
+/// `limit`. `distance`: how far the part's coordinates are from the origin they are saved in.
 void CompareProperties(
   const std::string& name, vtkDataObject* before, vtkDataObject* after, double limit, double distance = 0.0);
 
@@ -80,7 +82,8 @@ struct KernelView
 };
 KernelView ViewBREP(const std::string& path, bool integrate = true);
 
-/// Saves a BREP file: OpenCASCADE reads it, finds nothing wrong, and integrates about the same volume and area.
+/// Saves a BREP file: OpenCASCADE reads it, finds nothing wrong, and integrates about the same volume and
+/// area.
 void CheckKernel(
   const std::string& path, const std::string& name, vtkDataObject* data, double volume, double area);
 }

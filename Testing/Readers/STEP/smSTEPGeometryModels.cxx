@@ -31,7 +31,8 @@
 
 namespace
 {
-/// Rounding of both evaluations, relative to the coordinates. Most types need 1e-15; splines with narrow spans 2e-13.
+/// Rounding of both evaluations, relative to the coordinates. Most types need 1e-15; splines with narrow
+/// spans 2e-13.
 constexpr double Rounding = 1e-12;
 /// OpenCASCADE replaces the last control points of splines whose ends are this close.
 constexpr double Closing = 1e-6;
@@ -134,7 +135,8 @@ void EvaluateKernel(const Handle(Geom2d_Curve) & curve, double t, std::array<dou
   d[1] = ToArray(v.XY());
 }
 
-/// Compares over the whole ranges, in the direction of the entity, so that the parameters of trimmed curves do not matter.
+/// Compares over the whole ranges, in the direction of the entity, so that the parameters of trimmed curves
+/// do not matter.
 template <int Dimension, class Curve>
 double CompareCurves(const sm::STEPCurve<Dimension>& own, const Handle(Curve) & curve)
 {
@@ -224,7 +226,8 @@ double CompareSurfaces(const sm::STEPSurface& own, const Handle(Geom_Surface) & 
   return worst;
 }
 
-/// Returns the number of coordinates of the first point on which a curve depends. Curves on surfaces are in space.
+/// Returns the number of coordinates of the first point on which a curve depends. Curves on surfaces are in
+/// space.
 int FindDimension(const sm::STEPAttributes& entities, sm::Part21File::Index entity)
 {
   for (const char* const name : { "SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE", "PCURVE" })
@@ -263,7 +266,8 @@ int FindDimension(const sm::STEPAttributes& entities, sm::Part21File::Index enti
   return 0;
 }
 
-/// Returns the text with the reference directions that placements omit: OpenCASCADE takes others than ISO 10303-42 does.
+/// Returns the text with the reference directions that placements omit: OpenCASCADE takes others than ISO
+/// 10303-42 does.
 std::string MakePlacementsExplicit(const sm::Part21File& file, const sm::STEPAttributes& entities)
 {
   std::uint64_t next = 0;

@@ -5,8 +5,8 @@
 #ifndef smWriterFiles_h
 #define smWriterFiles_h
 
-#include "smRoundTrip.h"
 #include "smReaderTesting.h"
+#include "smRoundTrip.h"
 
 #include <filesystem>
 #include <string>

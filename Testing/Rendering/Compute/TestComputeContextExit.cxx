@@ -1,6 +1,7 @@
-// The process exits while a context, with a program and a buffer in it, lives on in a static object, as ParaView's filters do after
-// Python's sys.exit(): the driver may have ended when these are destroyed. The context is stopped by then, nothing crashes, and the
-// exit status is the program's. First argument: display or headless; "own" or "window" says whose context it is.
+// The process exits while a context, with a program and a buffer in it, lives on in a static object, as
+// ParaView's filters do after Python's sys.exit(): the driver may have ended when these are destroyed. The
+// context is stopped by then, nothing crashes, and the exit status is the program's. First argument: display
+// or headless; "own" or "window" says whose context it is.
 #include "smComputeTesting.h"
 
 #include "vtkRenderWindow.h"

@@ -1,5 +1,5 @@
-// Windows end, contexts end, buffers and programs end, in every order; nothing is freed twice, nothing leaks and
-// whatever was current before is current afterwards. First argument: display or headless.
+// Windows end, contexts end, buffers and programs end, in every order; nothing is freed twice, nothing leaks
+// and whatever was current before is current afterwards. First argument: display or headless.
 #include "smComputeTesting.h"
 
 #include "vtkEGLSurfacelessRenderWindow.h"

@@ -110,7 +110,8 @@ void TestBuffers(vtkComputeContext* context)
   CheckEqual("all stores are freed", before, sm::ComputeBuffer::GetLiveCount());
 }
 
-/// The counters of the context follow the stores; a store that is too large for its uses is replaced by a smaller one.
+/// The counters of the context follow the stores; a store that is too large for its uses is replaced by a
+/// smaller one.
 void TestMemory(vtkComputeContext* context)
 {
   constexpr long long large = 1 << 20;

@@ -19,7 +19,8 @@ using Operation = sm::Reduction::Operation;
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon() / 2.0;
 
-/// Sum and sum of magnitudes in the extended precision of long double, with an error far below the bounds checked.
+/// Sum and sum of magnitudes in the extended precision of long double, with an error far below the bounds
+/// checked.
 struct Sums
 {
   long double Sum = 0.0L;
@@ -161,8 +162,8 @@ void TestAgainstCPU(vtkComputeContext* context)
   Check("cancelling", 4096.0, result[0], 1e-3, "bound of the header");
 }
 
-/// Terms of very different sizes that cancel in each segment: nothing but rounding errors of the second order is
-/// left, so that every change of the tree changes the result. Well-conditioned sums would hide it.
+/// Terms of very different sizes that cancel in each segment: nothing but rounding errors of the second order
+/// is left, so that every change of the tree changes the result. Well-conditioned sums would hide it.
 std::vector<double> MakeCancelling(unsigned int rows, unsigned int columns, const Segments& segments)
 {
   std::vector<double> values = MakeRandom(static_cast<std::size_t>(rows) * columns, 2);

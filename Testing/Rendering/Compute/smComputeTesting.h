@@ -94,7 +94,8 @@ inline void CheckNothingLives()
   CheckEqual("live programs", 0, sm::ComputeProgram::GetLiveCount());
 }
 
-/// Runs tests in one context of their own, and checks that nothing is left of it. Returns the program's exit status.
+/// Runs tests in one context of their own, and checks that nothing is left of it. Returns the program's exit
+/// status.
 inline int RunInContext(std::initializer_list<void (*)(vtkComputeContext*)> tests)
 {
   {

@@ -1,5 +1,6 @@
-// TestNURBSPointEvaluator FOLDER opengl|none: display points of edited faces by OpenGL and by the CPU, against the exact surface;
-// placed, mirrored, at poles; what costs what; and what is refused. none: where there is no OpenGL, the CPU evaluates.
+// TestNURBSPointEvaluator FOLDER opengl|none: display points of edited faces by OpenGL and by the CPU,
+// against the exact surface; placed, mirrored, at poles; what costs what; and what is refused. none: where
+// there is no OpenGL, the CPU evaluates.
 #include "smLatticeBody.h"
 #include "smModelEdit.h"
 #include "smTestManifest.h"
@@ -21,7 +22,8 @@ using namespace smtest;
 
 constexpr double Epsilon = 2.220446049250313e-16;
 
-/// A copy whose points and normals are doubles, at a placement; every point starts at a wrong place, with a wrong normal.
+/// A copy whose points and normals are doubles, at a placement; every point starts at a wrong place, with a
+/// wrong normal.
 vtkSmartPointer<vtkNURBSDataSet> MakeMesh(vtkNURBSDataSet* leaf, vtkMatrix4x4* placement)
 {
   auto mesh = vtkSmartPointer<vtkNURBSDataSet>::New();
@@ -72,7 +74,8 @@ struct Differences
   double Length = 0.0;
 };
 
-/// Against NURBSSurface::Evaluate(), which is another way of computing; normals where they are well conditioned.
+/// Against NURBSSurface::Evaluate(), which is another way of computing; normals where they are well
+/// conditioned.
 Differences CompareWithSurface(vtkNURBSDataSet* mesh, int& degenerate)
 {
   Differences worst;
@@ -169,7 +172,8 @@ void CheckSolid(const std::string& folder, const std::string& name, bool hasPole
     Check("of length 1", 0.0, against.Length, 8.0 * Epsilon, "rounding, placed");
     CheckTrue("poles", (degenerate > 0) == hasPoles, std::to_string(degenerate));
   }
-  // The reader's normals are those of the exact surface, at poles, too; a patch's turn by a 4096th at the pole.
+  // The reader's normals are those of the exact surface, at poles, too; a patch's turn by a 4096th at the
+  // pole.
   vtkNew<vtkNURBSDataSet> again;
   again->ShallowCopy(leaf);
   CheckTrue("at home", gpu->UpdatePoints(again, Renew(leaf->GetModel())), gpu->GetMessage());

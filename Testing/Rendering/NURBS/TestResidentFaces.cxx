@@ -1,4 +1,5 @@
-// Faces on the GPU: uploaded once, packed into pages, dropped with their models and by age within a budget, gone with their context.
+// Faces on the GPU: uploaded once, packed into pages, dropped with their models and by age within a budget,
+// gone with their context.
 #include "smContextScope.h"
 #include "smFacePanelsCache.h"
 #include "smResidentFaces.h"
@@ -106,7 +107,8 @@ void CheckEdits(vtkComputeContext* context)
   CheckEqual("and nothing of the first", 1, static_cast<long long>(resident.GetNumberOfFaces()));
 }
 
-/// Two users of one window, each with a context of its own: a face is on the GPU once, until both have released it.
+/// Two users of one window, each with a context of its own: a face is on the GPU once, until both have
+/// released it.
 void CheckSharing(vtkComputeContext* context)
 {
   const long long before = context->GetAllocatedBytes();

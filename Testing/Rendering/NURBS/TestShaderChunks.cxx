@@ -54,8 +54,8 @@ long double BernsteinSlope(int n, int i, long double x)
 
 constexpr double Unit = sm::UnitRoundoff;
 
-/// Exact sums of doubles within 2^10 of each other fit into the 64 bits of a long double, products of integers below 2^53 into
-/// 128 bits.
+/// Exact sums of doubles within 2^10 of each other fit into the 64 bits of a long double, products of
+/// integers below 2^53 into 128 bits.
 void CheckErrorFree()
 {
   __extension__ using Wide = __int128;

@@ -43,8 +43,8 @@ ExactSolid MakeBlockSolid(const RationalBlock& block)
   return MakeExactSolid(MakeBlockShape(block), IntegrateBlock(block), false);
 }
 
-/// Volume and its first moment in x are sums over the poles: B_i has the integral 1 / (p + 1) and u B_i that of
-/// (i + 1) / ((p + 1) (p + 2)).
+/// Volume and its first moment in x are sums over the poles: B_i has the integral 1 / (p + 1) and u B_i that
+/// of (i + 1) / ((p + 1) (p + 2)).
 void ConfirmGraph(const RationalBlock& block, const ExactMoments& moments)
 {
   const int p = block.Degree[0];
@@ -153,7 +153,8 @@ std::vector<Real> ToBernstein(const std::vector<Real>& powers, int n)
   return result;
 }
 
-/// Integral over [0,1] of u^j / (1 + 5u)^k, k > j + 1, a rational number: with t = 1 + 5u a sum of powers of t.
+/// Integral over [0,1] of u^j / (1 + 5u)^k, k > j + 1, a rational number: with t = 1 + 5u a sum of powers of
+/// t.
 Real IntegrateQuotient(int j, int k)
 {
   Real sum = 0;
@@ -168,8 +169,8 @@ Real IntegrateQuotient(int j, int k)
   return sum / std::pow(5.0L, j + 1);
 }
 
-/// Between z = -4 and z = 48 g(v) / (1 + 5u)^4, g = 1 + 2v - 2v^2, over [0,30] x [0,20]: weights from 1 to 6^4, and
-/// moments that are rational numbers.
+/// Between z = -4 and z = 48 g(v) / (1 + 5u)^4, g = 1 + 2v - 2v^2, over [0,30] x [0,20]: weights from 1 to
+/// 6^4, and moments that are rational numbers.
 ExactSolid MakeRationalGraph()
 {
   const Real a = 30;
@@ -214,8 +215,9 @@ ExactSolid MakeRationalGraph()
   return solid;
 }
 
-/// The strip between c(t) = 24 (t - t^3 / 3, t^2), a curve of speed 24 (1 + t^2), and its offset by 4, which is
-/// rational: n = (-2t, 1 - t^2) / (1 + t^2). Extruded to z = 15. The file gives the outer face as an offset surface.
+/// The strip between c(t) = 24 (t - t^3 / 3, t^2), a curve of speed 24 (1 + t^2), and its offset by 4, which
+/// is rational: n = (-2t, 1 - t^2) / (1 + t^2). Extruded to z = 15. The file gives the outer face as an
+/// offset surface.
 ExactSolid MakeOffsetStrip()
 {
   const Real size = 24;
@@ -272,7 +274,8 @@ std::array<std::array<Real, 3>, 3> MakeArc(Real low, Real high)
     { std::cos(high), std::sin(high), 1 } } };
 }
 
-/// A part of a spherical shell of radii 10 and 13. The file gives the outer face as the offset of a rational B-spline.
+/// A part of a spherical shell of radii 10 and 13. The file gives the outer face as the offset of a rational
+/// B-spline.
 ExactSolid MakeOffsetSphere()
 {
   const Real inner = 10;

@@ -9,8 +9,8 @@
 
 namespace smtest
 {
-/// Graphs and blocks up to degree 9, Möbius reparametrisations up to a weights ratio of 1e3, a graph that is rational
-/// in earnest, and two solids with an offset surface.
+/// Graphs and blocks up to degree 9, Möbius reparametrisations up to a weights ratio of 1e3, a graph that is
+/// rational in earnest, and two solids with an offset surface.
 const std::vector<NamedSolid>& GetExactBlocks();
 }
 

@@ -160,7 +160,8 @@ ExactMoments Cylinder(Real r, Real h)
 
 ExactMoments ConeFrustum(Real r, Real t, Real h)
 {
-  // With radius rho(s) = r + (t - r) s at z = h s: integrals of pi rho^2, pi rho^2 z, pi rho^2 z^2, pi rho^4 / 4.
+  // With radius rho(s) = r + (t - r) s at z = h s: integrals of pi rho^2, pi rho^2 z, pi rho^2 z^2, pi rho^4
+  // / 4.
   const Real v = Pi * h * (r * r + r * t + t * t) / 3;
   const Real z1 = Pi * h * h * (r * r + 2 * r * t + 3 * t * t) / 12;
   const Real z2 = Pi * h * h * h * (r * r + 3 * r * t + 6 * t * t) / 30;
@@ -205,7 +206,8 @@ ExactMoments Bicylinder(Real r)
 
 ExactMoments SlantedHole(Real a, Real b, Real c, Real r, Real x0, Real y0, Real tangent)
 {
-  // The hole's section at height z is an ellipse of half axes e = r sqrt(1 + tangent^2) and r about (x0 + z tangent, y0).
+  // The hole's section at height z is an ellipse of half axes e = r sqrt(1 + tangent^2) and r about (x0 + z
+  // tangent, y0).
   const Real slant = std::sqrt(1 + tangent * tangent);
   const Real e = r * slant;
   const Real section = Pi * e * r;

@@ -45,8 +45,8 @@ ExactMoments FromOrigin(Real volume, Real area, const Vector& first, const Matri
 
 ExactMoments Moved(const ExactMoments& body, const Placement& placement);
 
-/// The union of two bodies that do not overlap (sign +1), or a body less a part of it (sign -1). The area is the
-/// sum in both cases: right when the boundaries do not meet.
+/// The union of two bodies that do not overlap (sign +1), or a body less a part of it (sign -1). The area is
+/// the sum in both cases: right when the boundaries do not meet.
 ExactMoments Combined(const ExactMoments& a, const ExactMoments& b, int sign);
 
 // Bodies. Corner or base at the origin, symmetry axis z, unless said otherwise.
@@ -58,10 +58,11 @@ ExactMoments Torus(Real majorRadius, Real minorRadius);
 ExactMoments Ellipsoid(Real a, Real b, Real c);
 /// x^2 + z^2 <= r^2 and y^2 + z^2 <= r^2 (Steinmetz): volume 16/3 r^3.
 ExactMoments Bicylinder(Real radius);
-/// The box a x b x c less a cylinder through (x0, y0, 0) along (tangent, 0, 1), which leaves through bottom and top.
+/// The box a x b x c less a cylinder through (x0, y0, 0) along (tangent, 0, 1), which leaves through bottom
+/// and top.
 ExactMoments SlantedHole(Real a, Real b, Real c, Real radius, Real x0, Real y0, Real tangent);
-/// The bicubic Bézier graph over [0,a] x [0,b] with heights z_ij (u index first), extruded by `thickness` along z.
-/// Without its area, for which there is no closed form: NaN.
+/// The bicubic Bézier graph over [0,a] x [0,b] with heights z_ij (u index first), extruded by `thickness`
+/// along z. Without its area, for which there is no closed form: NaN.
 ExactMoments ExtrudedGraph(Real a, Real b, const double heights[4][4], Real thickness);
 }
 

@@ -82,8 +82,8 @@ double RoundedTo12Digits(double x)
   return std::strtod(text, nullptr);
 }
 
-/// Poles of the uniform closed cubic spline through the points: (p_{i-1} + 4 p_i + p_{i+1}) / 6 = q_i. Jacobi's
-/// iteration converges by a factor 2 a step.
+/// Poles of the uniform closed cubic spline through the points: (p_{i-1} + 4 p_i + p_{i+1}) / 6 = q_i.
+/// Jacobi's iteration converges by a factor 2 a step.
 std::vector<Point> SolveClosed(const std::vector<Point>& q)
 {
   const std::size_t n = q.size();
@@ -108,8 +108,8 @@ ClosedSpline InterpolateClosed(const std::vector<Point>& points)
 {
   const std::vector<Point> p = SolveClosed(points);
   const int n = static_cast<int>(p.size());
-  // Uniform to clamped: knot 0 inserted three times at the start, knot n at the end. By blossoms f(a,b,c) of the first
-  // span, with pole f(i-1, i, i+1) of the uniform spline called p_i: f(0,0,0), f(0,0,1), f(0,1,2).
+  // Uniform to clamped: knot 0 inserted three times at the start, knot n at the end. By blossoms f(a,b,c) of
+  // the first span, with pole f(i-1, i, i+1) of the uniform spline called p_i: f(0,0,0), f(0,0,1), f(0,1,2).
   auto pole = [&](int i) { return p[((i % n) + n) % n]; };
   auto mix = [](const Point& a, double wa, const Point& b, double wb, const Point& c, double wc) {
     return Point{ wa * a[0] + wb * b[0] + wc * c[0], wa * a[1] + wb * b[1] + wc * c[1] };

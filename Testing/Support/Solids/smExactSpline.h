@@ -2,8 +2,8 @@
  * @file smExactSpline.h
  * @brief Closed planar cubic splines and the exact moments of bodies made from them
  *
- * The integrands of moments are polynomials on every span, so Gauss rules of sufficient order in extended precision
- * give them exactly; lengths are integrated to extended-precision convergence.
+ * The integrands of moments are polynomials on every span, so Gauss rules of sufficient order in extended
+ * precision give them exactly; lengths are integrated to extended-precision convergence.
  */
 #ifndef smExactSpline_h
 #define smExactSpline_h
@@ -15,8 +15,8 @@
 
 namespace smtest
 {
-/// A closed cubic B-spline in the plane, clamped, counter-clockwise. The poles have 12 significant digits, so a STEP
-/// file carries them without error.
+/// A closed cubic B-spline in the plane, clamped, counter-clockwise. The poles have 12 significant digits, so
+/// a STEP file carries them without error.
 struct ClosedSpline
 {
   static constexpr int Degree = 3;

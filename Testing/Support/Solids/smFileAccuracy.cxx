@@ -96,8 +96,8 @@ FileAccuracy GetFileAccuracy(const ExactMoments& moments, double size, double di
 
 double GetShortFormatDisplacement(const ExactMoments& moments, double size)
 {
-  // 12 digits after the point or, outside [0.1, 1000], 13 significant ones; a direction of 12 digits tilts a plane by
-  // 5e-13 of its size.
+  // 12 digits after the point or, outside [0.1, 1000], 13 significant ones; a direction of 12 digits tilts a
+  // plane by 5e-13 of its size.
   return 1e-12 * (1 + size) + 1e-12 * GetDistance(moments);
 }
 

@@ -23,8 +23,9 @@ FileAccuracy GetFileAccuracy(const ExactMoments& moments, double size, double di
 /// Bound of the displacement by OCCT's format of 12 digits.
 double GetShortFormatDisplacement(const ExactMoments& moments, double size);
 
-/// Bound of the displacement by moving `original` (OCCT rounds, above all far from the origin) and writing 17 digits.
-/// Measured at the poles and vertices of `moved`; where surfaces have no poles their rounding is estimated.
+/// Bound of the displacement by moving `original` (OCCT rounds, above all far from the origin) and writing 17
+/// digits. Measured at the poles and vertices of `moved`; where surfaces have no poles their rounding is
+/// estimated.
 double GetDisplacement(const TopoDS_Shape& original, const TopoDS_Shape& moved, const Placement& placement,
   const ExactMoments& moments, double size);
 }

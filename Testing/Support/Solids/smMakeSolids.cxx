@@ -1,5 +1,6 @@
-// smMakeSolids OUTDIR: writes every exact solid in every variant to OUTDIR/<solid>-<variant>.step, files for the error
-// tests beside them, comparison.txt with what OCCT's quadrature says, and OUTDIR/manifest.json with the expected values.
+// smMakeSolids OUTDIR: writes every exact solid in every variant to OUTDIR/<solid>-<variant>.step, files for
+// the error tests beside them, comparison.txt with what OCCT's quadrature says, and OUTDIR/manifest.json with
+// the expected values.
 
 #include "smExactBlocks.h"
 #include "smExactSolids.h"
@@ -93,7 +94,8 @@ void Compare(const std::string& name, const TopoDS_Shape& shape, const ExactMome
   const std::array<double, 2> adaptive = GetDifference(shape, exact, size, true);
   log << name << ": OCCT differs by " << plain[0] << " or " << adaptive[0] << ", in area by " << plain[1]
       << " or " << adaptive[1] << "\n";
-  // Each of OCCT's two rules misses some of these by percents; 1e-3 separates the better one from a wrong formula.
+  // Each of OCCT's two rules misses some of these by percents; 1e-3 separates the better one from a wrong
+  // formula.
   if (!((!volumes || std::min(plain[0], adaptive[0]) < 1e-3) && std::min(plain[1], adaptive[1]) < 1e-3))
   {
     throw std::runtime_error(name + ": the closed form and OCCT's quadrature disagree");

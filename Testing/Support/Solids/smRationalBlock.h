@@ -2,9 +2,9 @@
  * @file smRationalBlock.h
  * @brief Solids that are the image of the unit cube under a polynomial or rational map, and their moments
  *
- * Every face is one Bézier patch and every edge one Bézier curve. The integrands of the moments are polynomials where
- * the map is one, so Gauss rules of sufficient order in extended precision give them exactly; where it is rational they
- * are integrated to extended-precision convergence, which is checked.
+ * Every face is one Bézier patch and every edge one Bézier curve. The integrands of the moments are
+ * polynomials where the map is one, so Gauss rules of sufficient order in extended precision give them
+ * exactly; where it is rational they are integrated to extended-precision convergence, which is checked.
  */
 #ifndef smRationalBlock_h
 #define smRationalBlock_h
@@ -38,8 +38,8 @@ RationalBlock MakeBlock(const std::array<int, 3>& degree, const LatticeFunction&
 /// factor[0]^i factor[1]^j factor[2]^k, the poles stay.
 RationalBlock Reparametrized(const RationalBlock& block, const std::array<double, 3>& factor);
 
-/// Moments and area. Throws std::runtime_error where the map's Jacobian changes its sign at a sample (the block folds)
-/// or the integrals do not converge. The Jacobian may be negative throughout.
+/// Moments and area. Throws std::runtime_error where the map's Jacobian changes its sign at a sample (the
+/// block folds) or the integrals do not converge. The Jacobian may be negative throughout.
 ExactMoments IntegrateBlock(const RationalBlock& block);
 
 /// Sign of the Jacobian in the middle.

@@ -22,9 +22,9 @@ struct SpecialFile
   double Size = 0;
 };
 
-/// Writes empty, truncated, not_step, no_geometry, points_only, open_shell, open_solid, assembly (500 instances of one
-/// part, each placed differently), two_solids, junk_header, cone_tip (radius 12, height 20) and cone_tip_digits12, the same with 12
-/// digits a number, which miss the apex by 1e-11.
+/// Writes empty, truncated, not_step, no_geometry, points_only, open_shell, open_solid, assembly (500
+/// instances of one part, each placed differently), two_solids, junk_header, cone_tip (radius 12, height 20)
+/// and cone_tip_digits12, the same with 12 digits a number, which miss the apex by 1e-11.
 std::vector<SpecialFile> WriteSpecialFiles(const std::string& folder);
 
 /// Placement of instance i of the assembly.

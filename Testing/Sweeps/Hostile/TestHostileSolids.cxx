@@ -1,9 +1,9 @@
-// TestHostileSolids [--count N] [--first-seed S] [--seed S] [--tolerance T] [--perturbation F]: random exact solids, no
-// bound exceeded.
+// TestHostileSolids [--count N] [--first-seed S] [--seed S] [--tolerance T] [--perturbation F]: random exact
+// solids, no bound exceeded.
 //
-// Every solid follows from its seed alone, and so does the tolerance of its batch of 50. `--seed S` runs one and prints
-// every comparison. `--perturbation` multiplies every sample of the shaders, to see the sweep fail. The truth is that of
-// the very doubles that the library gets, see smHostileShape.h.
+// Every solid follows from its seed alone, and so does the tolerance of its batch of 50. `--seed S` runs one
+// and prints every comparison. `--perturbation` multiplies every sample of the shaders, to see the sweep
+// fail. The truth is that of the very doubles that the library gets, see smHostileShape.h.
 #include "smHostileSolid.h"
 
 #include "smMassPropertyNames.h"
@@ -36,8 +36,8 @@ using smhostile::Real;
 using smhostile::ReferenceProperties;
 
 constexpr std::uint64_t BatchSize = 50;
-// Refinements of a truth: enough for the moments of every family; the area of a patch with a vanishing normal is known
-// with fewer digits, and a single solid gets more.
+// Refinements of a truth: enough for the moments of every family; the area of a patch with a vanishing normal
+// is known with fewer digits, and a single solid gets more.
 constexpr int MaximumCells = 100;
 constexpr int MaximumCellsOfOne = 5000;
 // Solids whose exact area is known with a larger relative uncertainty are counted.
@@ -132,7 +132,8 @@ struct Comparison
       const double actual = this->Get(name, static_cast<int>(i));
       if (!std::isfinite(exact[i]))
       {
-        // A folded solid may have a negative principal moment, and no radius of gyration: then the value is NaN, too.
+        // A folded solid may have a negative principal moment, and no radius of gyration: then the value is
+        // NaN, too.
         number = number && std::isnan(actual);
         continue;
       }
@@ -188,7 +189,8 @@ struct Comparison
     {
       ++this->Totals.NotMet;
     }
-    // A folded solid may have moments that no body has: that is to be said, and its radii have no common bound.
+    // A folded solid may have moments that no body has: that is to be said, and its radii have no common
+    // bound.
     const auto& principal = truth.Principal.Value;
     const bool isBody = principal[0] >= 0 && principal[2] <= principal[0] + principal[1];
     if (this->Status != (isBody ? names::StatusOk : names::StatusSuspect) &&

@@ -7,7 +7,8 @@ namespace smhostile
 {
 namespace
 {
-/// A monotone curve from (first, 0) to (last, 1) with u in [low, high]: sorted v coefficients cannot turn back.
+/// A monotone curve from (first, 0) to (last, 1) with u in [low, high]: sorted v coefficients cannot turn
+/// back.
 sm::TrimCurve MakeCut(Random& random, double first, double last, double low, double high)
 {
   sm::TrimCurve curve;

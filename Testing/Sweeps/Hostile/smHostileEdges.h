@@ -25,7 +25,8 @@ struct RailEdges
   std::vector<double> Breaks;
   std::vector<Point3> Vertices;
   std::vector<EdgePointer> Edges;
-  /// Bernstein coefficients of the rail's parameter over each edge's range: every face runs along the edge like this.
+  /// Bernstein coefficients of the rail's parameter over each edge's range: every face runs along the edge
+  /// like this.
   std::vector<std::vector<std::array<double, 1>>> Progress;
 };
 

@@ -204,8 +204,8 @@ void MakeRationalBlock(Random& random, Shape& shape)
 
 void MakeBallOctant(Random& random, Shape& shape)
 {
-  // rho (1) x latitude (2) x longitude (2). The quarter circle (1 - t^2, 2 t) / (1 + t^2) has integer control points:
-  // the ball is exact in doubles.
+  // rho (1) x latitude (2) x longitude (2). The quarter circle (1 - t^2, 2 t) / (1 + t^2) has integer control
+  // points: the ball is exact in doubles.
   shape.Family = "ball-octant";
   BlockPoints points;
   points.Degree[0] = 1;

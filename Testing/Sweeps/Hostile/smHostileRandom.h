@@ -21,7 +21,8 @@ public:
     : Engine(seed * 0x9e3779b97f4a7c15ULL + 0x2545f4914f6cdd1dULL)
   {
   }
-  /// A random number in [0,1), a multiple of 2^-53. The standard's distributions differ between libraries; this does not.
+  /// A random number in [0,1), a multiple of 2^-53. The standard's distributions differ between libraries;
+  /// this does not.
   double Uniform() { return std::ldexp(static_cast<double>(this->Engine() >> 11), -53); }
   double Uniform(double low, double high) { return low + (high - low) * this->Uniform(); }
   double LogUniform(double low, double high)

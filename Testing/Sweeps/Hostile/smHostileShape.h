@@ -2,9 +2,9 @@
  * @file smHostileShape.h
  * @brief Random solids before trimming: patches that close exactly, the curves they share, and their truth
  *
- * A **sheet** is one untrimmed surface, a **rail** the curve along which sheets meet. Two sheets that meet hold the
- * same control points along their rail, bit for bit, and run in step along it. So the sheets close exactly, and the truth
- * is defined by the very doubles that the library is given.
+ * A **sheet** is one untrimmed surface, a **rail** the curve along which sheets meet. Two sheets that meet
+ * hold the same control points along their rail, bit for bit, and run in step along it. So the sheets close
+ * exactly, and the truth is defined by the very doubles that the library is given.
  */
 #ifndef smHostileShape_h
 #define smHostileShape_h
@@ -33,7 +33,8 @@ struct Rail
   Point3 Evaluate(Real t) const;
 };
 
-/// The sides of a sheet, in the order of its border: v low (u rising), u high (v rising), v high (u rising), u low.
+/// The sides of a sheet, in the order of its border: v low (u rising), u high (v rising), v high (u rising),
+/// u low.
 enum Side
 {
   BOTTOM = 0,
@@ -47,7 +48,8 @@ struct Sheet
   sm::NURBSSurface Surface;
   /// The outward normal is -(Su x Sv).
   bool Reversed = false;
-  /// Rail of each side; a rail's t runs as the side's u or v: u = Low + Width t, exactly (Width is a power of two).
+  /// Rail of each side; a rail's t runs as the side's u or v: u = Low + Width t, exactly (Width is a power of
+  /// two).
   int Sides[4] = { 0, 0, 0, 0 };
   double Low[2] = { 0.0, 0.0 };
   double Width[2] = { 1.0, 1.0 };

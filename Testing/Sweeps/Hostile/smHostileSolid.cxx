@@ -31,8 +31,8 @@ std::array<double, 16> MakePlacement(Random& random, double size)
   return m;
 }
 
-/// Computes the integrals by other formulas than the patches' fluxes, and returns the largest difference from the truth over the error that
-/// the truth states.
+/// Computes the integrals by other formulas than the patches' fluxes, and returns the largest difference from
+/// the truth over the error that the truth states.
 Real CheckTruth(const Shape& shape, const ReferenceIntegrals& truth)
 {
   Real worst = 0;

@@ -25,8 +25,8 @@ struct HostileSolid
   /// One or more instances of the model, row-major.
   std::vector<std::array<double, 16>> Placements;
   ReferenceIntegrals Truth;
-  /// Largest difference between the truth and the independent ways of getting it (the map's own integral, a closed
-  /// formula), over the error that the truth states; 0 where there are none.
+  /// Largest difference between the truth and the independent ways of getting it (the map's own integral, a
+  /// closed formula), over the error that the truth states; 0 where there are none.
   Real TruthDisagreement = 0;
 };
 

@@ -2,8 +2,8 @@
  * @file smHostileTrims.h
  * @brief Sheets made into trimmed faces: random splits, edges good and bad, vertices off their corners
  *
- * Splitting a sheet along any curve and joining the parts changes no total, whatever the curve: the truth stays that of the
- * sheets. Neither does the edge's own curve matter, as long as both faces use the same one.
+ * Splitting a sheet along any curve and joining the parts changes no total, whatever the curve: the truth
+ * stays that of the sheets. Neither does the edge's own curve matter, as long as both faces use the same one.
  */
 #ifndef smHostileTrims_h
 #define smHostileTrims_h

@@ -23,7 +23,8 @@ struct Cell
   Real Width = 1.0L;
   Values Integral{};
   Values Magnitude{};
-  /// A quarter of the change by the last quartering of the parent cell; and its largest value in units of the target.
+  /// A quarter of the change by the last quartering of the parent cell; and its largest value in units of the
+  /// target.
   Values Change{};
   Real Urgency = std::numeric_limits<Real>::infinity();
 
@@ -232,8 +233,8 @@ ReferenceIntegrals IntegratePatches(const std::vector<ReferencePatch>& patches, 
     open.pop();
     if (cells >= maximumCells && std::isfinite(cell.Urgency))
     {
-      // The budget is spent. Along a line where the normal vanishes the error falls irregularly: over a finer truth it
-      // was up to 2.1 times the last change.
+      // The budget is spent. Along a line where the normal vanishes the error falls irregularly: over a finer
+      // truth it was up to 2.1 times the last change.
       for (int k = 0; k < NumberOfIntegrals; ++k)
       {
         result.Value[k] += cell.Integral[k];

@@ -2,9 +2,9 @@
  * @file smReferenceIntegral.h
  * @brief The truth of the hostile sweep: moments and area of untrimmed patches in extended precision
  *
- * Written apart from the library on purpose: no trim curve, no ribbon, no knot line, no shader, no double in a sum.
- * A solid's moments are the fluxes of r g(r) / (3 + deg g) through the patches that bound it; its patches share their
- * boundary control points, so they close exactly.
+ * Written apart from the library on purpose: no trim curve, no ribbon, no knot line, no shader, no double in
+ * a sum. A solid's moments are the fluxes of r g(r) / (3 + deg g) through the patches that bound it; its
+ * patches share their boundary control points, so they close exactly.
  */
 #ifndef smReferenceIntegral_h
 #define smReferenceIntegral_h
@@ -45,9 +45,11 @@ void EvaluateBernstein(int degree, Real x, std::vector<Real>& values, std::vecto
 void ComputeExtendedGauss(int n, std::vector<Real>& nodes, std::vector<Real>& weights);
 
 /**
- * Adaptive Gauss with 24 x 24 points on each cell: exact on any cell for the moments of polynomial patches up to degree
- * 9. The cell that changes most is quartered until nothing changes above 1e-18 of the whole, or `maximumCells` were
- * quartered: then the error says what is left (the area of a patch whose normal vanishes inside it).
+ * Adaptive Gauss with 24 x 24 points on each cell: exact on any cell for the moments of polynomial patches up
+ * to degree
+ * 9. The cell that changes most is quartered until nothing changes above 1e-18 of the whole, or
+ * `maximumCells` were quartered: then the error says what is left (the area of a patch whose normal vanishes
+ * inside it).
  */
 ReferenceIntegrals IntegratePatches(const std::vector<ReferencePatch>& patches, int maximumCells);
 
@@ -58,8 +60,8 @@ struct ReferenceBlock
   std::vector<RealPoint> Points;
 };
 
-/// The same moments from the other side of the divergence theorem: integral of det DF times monomials over the cube
-/// with n^3 Gauss points. Checks IntegratePatches; the area stays 0.
+/// The same moments from the other side of the divergence theorem: integral of det DF times monomials over
+/// the cube with n^3 Gauss points. Checks IntegratePatches; the area stays 0.
 std::array<Real, NumberOfIntegrals> IntegrateBlock(const ReferenceBlock& block, int n);
 
 /// A quantity in the world with the uncertainty of its truth.
@@ -78,8 +80,9 @@ struct ReferenceProperties
   ReferenceQuantity<9> Inertia, InertiaAtOrigin;
 };
 
-/// Mass properties of the solid placed at placement * (origin + x). The 3x3 part of the placement stands for a rotation
-/// or reflection and is applied to the moments as its doubles say. A negative volume changes its sign.
+/// Mass properties of the solid placed at placement * (origin + x). The 3x3 part of the placement stands for
+/// a rotation or reflection and is applied to the moments as its doubles say. A negative volume changes its
+/// sign.
 ReferenceProperties PlaceReference(
   const ReferenceIntegrals& integrals, const double origin[3], const double placement[16]);
 }
