@@ -22,6 +22,7 @@ STEPCensus STEPCensusTaker::Take()
   this->CheckVersions();
   this->FindAlternatives();
   this->FindShapelessProducts();
+  this->ListProducts();
   this->ReadQuantities();
   this->WalkBodies();
   this->FindCycles();

@@ -35,11 +35,10 @@ std::string Unquote(std::string_view text)
 class ProductReader
 {
 public:
-  explicit ProductReader(const Part21File& file)
+  ProductReader(const Part21File& file, const STEPCensus& census)
     : File(file)
     , Entities(file)
   {
-    const STEPCensus census = TakeSTEPCensus(file);
     for (const STEPDensity& density : census.Densities)
     {
       this->WithDensity.insert(density.Product);
@@ -383,7 +382,12 @@ void AddStatement(const STEPStatement& statement, EntityWriter& writer)
 
 std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file)
 {
-  return ProductReader(file).Read();
+  return ReadSTEPProducts(file, TakeSTEPCensus(file));
+}
+
+std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file, const STEPCensus& census)
+{
+  return ProductReader(file, census).Read();
 }
 
 std::string AppendSTEPValidation(const Part21File& file, const std::vector<STEPStatement>& statements)

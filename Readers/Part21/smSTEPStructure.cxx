@@ -214,7 +214,13 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
   {
     this->KernelArcs.push_back({ parent, owner->second, i, true });
   }
-  if (!forward && !backward)
+  occurrence.IsReversed = !forward && backward;
+  if (forward || backward)
+  {
+    occurrence.ChildShape = this->File.GetId(occurrence.IsReversed ? second : first);
+    occurrence.ParentShape = this->File.GetId(occurrence.IsReversed ? first : second);
+  }
+  else
   {
     this->Add(CensusDefect::PlacementMismatch, i, occurrence.Placement, "representations of other products");
   }

@@ -80,6 +80,15 @@ public:
 private:
   Handle(Standard_Transient) Previous;
 };
+
+/// Calls visit(from, to) for each shape that a repair replaced.
+using ShapeChanges =
+  std::function<void(const std::function<void(const TopoDS_Shape&, const TopoDS_Shape&)>&)>;
+
+/// Repairs a shape as the transfer of a STEP file would; the conditions of TransferFilter apply. `precision`
+/// and the largest tolerance are in millimetres. From OpenCASCADE 7.9 on the shape is returned as it is.
+TopoDS_Shape RepairTransferred(
+  const TopoDS_Shape& shape, double precision, double maximum, ShapeChanges& changes);
 }
 
 #endif

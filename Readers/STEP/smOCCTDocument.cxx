@@ -19,6 +19,7 @@
 #include "smPart21File.h"
 #include "smPart21Remains.h"
 #include "smPart21Unparsable.h"
+#include "smSTEPDirect.h"
 #include "smSTEPExplicit.h"
 #include "smSTEPFaceStatements.h"
 #include "smSTEPReconciliation.h"
@@ -346,22 +347,9 @@ struct DeclaredContent
   }
 };
 
-/// Transfers all shapes of the file; returns false if `progress` stopped it.
-bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, RepairMode repair,
-  const ProgressCallback& progress, Document& document, RepairLog& log)
+/// Takes the sound faces, defects and messages of the repairs over into the document.
+void ApplyLog(const RepairLog& log, Document& document)
 {
-  const Handle(KernelProgress) indicator =
-    new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
-  {
-    const auto label = [&reader](const TopoDS_Shape& shape)
-    { return GetShapeLabel(reader.Reader().WS(), shape); };
-    const std::unique_ptr<RepairOnNeed> selective =
-      repair == RepairMode::OnNeed ? std::make_unique<RepairOnNeed>(log, label) : nullptr;
-    const std::unique_ptr<RepairAlways> full =
-      repair == RepairMode::Always ? std::make_unique<RepairAlways>(log, label) : nullptr;
-    reader.Transfer(xde, indicator->Start());
-  }
-  indicator->Rethrow();
   for (const auto& [shape, face] : log.SoundFaces)
   {
     document.Table[shape].AsInFile = face;
@@ -383,11 +371,57 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
   {
     document.Messages.push_back(std::move(message));
   }
+}
+
+/// Transfers all shapes of the file; returns false if `progress` stopped it.
+bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, RepairMode repair,
+  const ProgressCallback& progress, Document& document, RepairLog& log)
+{
+  const Handle(KernelProgress) indicator =
+    new KernelProgress([&progress](double x) { return progress(ParsingShare + (1.0 - ParsingShare) * x); });
+  {
+    const auto label = [&reader](const TopoDS_Shape& shape)
+    { return GetShapeLabel(reader.Reader().WS(), shape); };
+    const std::unique_ptr<RepairOnNeed> selective =
+      repair == RepairMode::OnNeed ? std::make_unique<RepairOnNeed>(log, label) : nullptr;
+    const std::unique_ptr<RepairAlways> full =
+      repair == RepairMode::Always ? std::make_unique<RepairAlways>(log, label) : nullptr;
+    reader.Transfer(xde, indicator->Start());
+  }
+  indicator->Rethrow();
+  ApplyLog(log, document);
   return progress(1.0);
 }
 
-void Read(std::string content, const FileCheck& check, RepairMode repair, const ProgressCallback& progress,
-  Document& document)
+/// Reads the file without OpenCASCADE's reader. Returns false if that has to read it.
+bool ReadDirectly(const DeclaredContent& declared, RepairMode repair, const ProgressCallback& progress,
+  double start, Document& document)
+{
+  RepairLog log;
+  bool isAborted = false;
+  const double parsed = vtkTimerLog::GetUniversalTime() - start;
+  const std::string reason =
+    ReadSTEPDirectly(declared.Text, declared.Census, repair, progress, document, log, isAborted);
+  if (!reason.empty())
+  {
+    return false;
+  }
+  if (isAborted)
+  {
+    document.Status = ReadStatus::Aborted;
+    return true;
+  }
+  document.ParseSeconds = parsed;
+  ApplyLog(log, document);
+  ReportTurnedShells(log, document);
+  Reconcile(declared.Census, document);
+  document.Statements = ReadFaceStatements(declared.Text, declared.Census);
+  document.Status = document.Bodies.empty() ? ReadStatus::Empty : ReadStatus::Ok;
+  return true;
+}
+
+void Read(std::string content, const FileCheck& check, RepairMode repair, ReaderMode mode,
+  const ProgressCallback& progress, Document& document)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   const DeclaredContent declared(std::move(content), document);
@@ -409,6 +443,10 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     return;
   }
   const KernelSession kernel;
+  if (mode == ReaderMode::Direct && ReadDirectly(declared, repair, progress, start, document))
+  {
+    return;
+  }
   STEPCAFControl_Reader reader;
   Configure(reader);
   STEPExplicit completed;
@@ -492,7 +530,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
 }
 }
 
-Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress)
+Document ReadSTEP(std::string content, RepairMode repair, ReaderMode reader, const ProgressCallback& progress)
 {
   Document document;
   const FileCheck check = CheckText(content);
@@ -511,7 +549,7 @@ Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback
     document.Messages.push_back("The file does not end with END-ISO-10303-21: part of it may be missing.");
   }
   const std::string failure =
-    CatchFailure([&]() { Read(std::move(content), check, repair, progress, document); });
+    CatchFailure([&]() { Read(std::move(content), check, repair, reader, progress, document); });
   if (!failure.empty())
   {
     document.Status = ReadStatus::Unreadable;

@@ -12,6 +12,9 @@ namespace sm
 {
 namespace
 {
+/// A parameter that lies this far before the start of a period, in radians, is the start.
+constexpr double SameStart = 1e-9;
+
 constexpr STEPAttribute SenseOfEdge = { "EDGE_CURVE", 1, 4, "sense" };
 
 /// Finds the range of a curve between two vertices.
@@ -68,6 +71,8 @@ private:
     this->Edge.Last = FindCurveParameter<3>(this->Curve, this->Edge.End);
     const double low = this->Curve.GetDomain().Low;
     this->Edge.First -= std::floor((this->Edge.First - low) / period) * period;
+    // A vertex at the start may be before it, by its digits.
+    this->Edge.First -= low + period - this->Edge.First < SameStart ? period : 0.0;
     this->Edge.Last -= std::floor((this->Edge.Last - this->Edge.First) / period) * period;
     if (this->IsSame || this->Edge.Last <= this->Edge.First)
     {

@@ -224,6 +224,27 @@ void TestCurves()
     smtest::Check("parameter of a point", t, sm::FindCurveParameter<Dimension>(*curve, curve->Evaluate(t)),
       1e-9, "the square root of rounding where the speed is small");
   }
+  // A closed curve has its first and its last part near its end.
+  sm::SplineCurve<Dimension> round;
+  round.Basis.Degree = 2;
+  round.Basis.Knots = { -1.0, 0.0, 1.0, 2.0, 3.0, 4.0 };
+  round.Basis.Multiplicities = { 1, 2, 2, 2, 2, 1 };
+  round.Weights = { 1.0, 0.5, 1.0, 0.5, 1.0, 0.5, 1.0 };
+  const double height = 0.5 * std::sqrt(3.0);
+  for (const auto& [x, y] : { std::make_pair(1.0, 0.0), { 1.0, 2.0 * height }, { -0.5, height }, { -2.0, 0.0 },
+         { -0.5, -height }, { 1.0, -2.0 * height }, { 1.0, 0.0 } })
+  {
+    round.Poles.push_back({ x, y });
+  }
+  const auto circle = MakeCurve<Dimension>(round);
+  for (const double angle : { -1.2, -0.3, -0.01, 0.01, 0.3 })
+  {
+    std::array<double, Dimension> p{};
+    p[0] = std::cos(angle);
+    p[1] = std::sin(angle);
+    const double t = sm::FindCurveParameter<Dimension>(*circle, p);
+    smtest::Check("foot on a closed curve", 0.0, GetGap<Dimension>(circle->Evaluate(t), p), 1e-9);
+  }
   // Offsets keep their distance along the normal.
   sm::OffsetCurve<Dimension> offset{ rational, 0.3, {} };
   offset.Reference[Dimension - 1] = 1.0;

@@ -439,6 +439,15 @@ void CheckEncodings()
   CheckEqual("overlong, three bytes", "\xc3\xa0\xc2\x80\xc2\xaf", sm::ToUTF8("\xe0\x80\xaf"));
   CheckEqual("surrogate", "\xc3\xad\xc2\xa0\xc2\x80", sm::ToUTF8("\xed\xa0\x80"));
   CheckEqual("beyond", "\xc3\xb4\xc2\x90\xc2\x80\xc2\x80", sm::ToUTF8("\xf4\x90\x80\x80"));
+  // Escapes of strings.
+  CheckEqual("apostrophe and backslash", "it's \\", sm::DecodePart21Text("it''s \\\\"));
+  CheckEqual("8 bits", umlaut, sm::DecodePart21Text("Geh\\X\\E4use"));
+  CheckEqual("page", umlaut, sm::DecodePart21Text("Geh\\S\\duse"));
+  CheckEqual("16 bits", "\xc5\xa1\xe2\x82\xac!", sm::DecodePart21Text("\\X2\\016120AC\\X0\\!"));
+  CheckEqual("a pair", "\xf0\x9f\x94\xa9", sm::DecodePart21Text("\\X2\\D83DDD29\\X0\\"));
+  CheckEqual("32 bits", "\xf0\x9f\x94\xa9", sm::DecodePart21Text("\\X4\\0001F529\\X0\\"));
+  CheckEqual("half a pair", "\xef\xbf\xbd", sm::DecodePart21Text("\\X2\\D83D\\X0\\"));
+  CheckEqual("an unfinished escape", "\\X2\\01", sm::DecodePart21Text("\\X2\\01"));
   const sm::Part21File file = Parse("#1=A('Geh\xe4use');\n#2=B('" + umlaut + "');\n");
   CheckEqual("in a file: ISO 8859-1", "'" + umlaut + "'", std::string(file.GetParameters(0)));
   CheckEqual("in a file: UTF-8", "'" + umlaut + "'", std::string(file.GetParameters(1)));
