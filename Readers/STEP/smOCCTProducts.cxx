@@ -207,7 +207,7 @@ private:
     }
   }
 
-  /// Returns the bodies of a shell that is no part of a solid. OpenCASCADE's repair divides a shell into
+  /// Returns the bodies of a shell that is not part of a solid. OpenCASCADE's repair divides a shell into
   /// connected parts; a shell that was not repaired is divided here.
   std::vector<TopoDS_Shape> GetParts(const TopoDS_Shape& shell)
   {

@@ -10,7 +10,7 @@ namespace
 {
 /// Number of parts into which each span is divided for the start of Newton's method.
 constexpr int StartParts = 8;
-constexpr int MostSteps = 60;
+constexpr int MaxSteps = 60;
 
 template <int Dimension>
 double GetProduct(const std::array<double, Dimension>& a, const std::array<double, Dimension>& b)
@@ -66,15 +66,15 @@ double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array
 {
   typename GeometricCurve<Dimension>::Derivatives d;
   const int order = std::min(2, curve.GetLargestOrder());
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   double best = t;
   double step = 0.0;
-  for (int i = 0; i < MostSteps; ++i)
+  for (int i = 0; i < MaxSteps; ++i)
   {
     curve.Evaluate(t, order, d);
     const auto gap = GetDifference<Dimension>(point, d[0]);
     const double distance = GetProduct<Dimension>(gap, gap);
-    if (!(distance < least))
+    if (!(distance < minimum))
     {
       // A step that leads away is halved.
       step *= 0.5;
@@ -85,7 +85,7 @@ double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array
       t = std::clamp(best + step, low, high);
       continue;
     }
-    least = distance;
+    minimum = distance;
     best = t;
     const double slope = GetProduct<Dimension>(gap, d[1]);
     const double square = GetProduct<Dimension>(d[1], d[1]);
@@ -119,7 +119,7 @@ double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::arr
   }
   const std::vector<double> breaks = curve.GetBreaks(domain.Low, domain.High);
   double best = domain.Low;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
   {
     for (int i = 0; i <= StartParts; ++i)
@@ -127,9 +127,9 @@ double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::arr
       const double t = breaks[k] + (breaks[k + 1] - breaks[k]) * i / StartParts;
       const auto gap = GetDifference<Dimension>(point, curve.Evaluate(t));
       const double distance = GetProduct<Dimension>(gap, gap);
-      if (distance < least)
+      if (distance < minimum)
       {
-        least = distance;
+        minimum = distance;
         best = t;
       }
     }

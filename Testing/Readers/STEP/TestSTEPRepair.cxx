@@ -32,7 +32,7 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> ReadAsItIs(const std::string& p
 }
 
 /// Returns true if the loop of a torus runs against the loop of its curves in (u,v). The loop is two seams,
-/// each there and back, and all ends are one vertex: only the direction of its second edge tells.
+/// each there and back, and all ends are one vertex: only the direction of its second edge decides.
 /// OpenCASCADE 7.6 models every torus so, 7.8 the mirrored one.
 bool HasTurnedLoop(const std::string& path)
 {
