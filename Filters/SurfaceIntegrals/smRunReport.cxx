@@ -28,7 +28,7 @@ std::string WrapLines(const std::string& text)
 std::string FormatStatus(
   const std::string& status, const std::string& reason, const std::vector<std::string>& messages)
 {
-  // Messages beside the status ok are notes, such as a unit that was assumed.
+  // Messages with the status ok are notes, such as a unit that was assumed.
   const bool isNote = status == names::StatusOk;
   if (isNote && messages.empty())
   {

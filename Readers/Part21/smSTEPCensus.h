@@ -49,7 +49,7 @@ enum class CensusDefect : unsigned char
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses
   MissingUnit,       ///< no length unit, or no angle unit
-  WrongUnit,         ///< a unit that is damaged, not positive, or not what its name says
+  WrongUnit,         ///< a unit that is damaged, not positive, or not what its name means
   AbsurdUnit,        ///< a length unit below a nanometre or above a kilometre
   Count
 };
@@ -135,7 +135,7 @@ struct CensusBody
   CensusCount Instances = 0;
   /// Number of representations of which it is an item.
   std::uint32_t Representations = 0;
-  /// Number of these that are geometry of construction, which is no shape of a product.
+  /// Number of these that are geometry of construction, which is not a shape of a product.
   std::uint32_t Constructions = 0;
   /// Index into STEPCensus::Contexts of one of these, -1 for none.
   int Context = -1;

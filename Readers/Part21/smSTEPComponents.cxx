@@ -56,7 +56,7 @@ std::vector<std::uint32_t> STEPCensusTaker::FindExactBodies(Index group) const
   return bodies;
 }
 
-/// Returns true if triangles lie beyond the exact bodies beside them, and thus are none of these in other
+/// Returns true if triangles lie beyond the exact bodies next to them, and thus are none of these in other
 /// words.
 bool STEPCensusTaker::IsElsewhere(Index group, Index tessellation) const
 {
@@ -145,7 +145,7 @@ void STEPCensusTaker::FindAlternatives()
   }
 }
 
-/// Surfaces beside solids are left out, for most of them are none of a part. A product of nothing but closed
+/// Surfaces outside solids are left out, for most of them are none of a part. A product of nothing but closed
 /// ones is a part.
 void STEPCensusTaker::CheckSurfaces(Index product, const std::vector<std::uint32_t>& bodies)
 {

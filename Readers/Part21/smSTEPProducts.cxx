@@ -189,7 +189,7 @@ private:
     const double unit = this->ReadUnit(this->Entities.Follow(this->Entities.Get(item, UnitOfItem)), power);
     if (!GetPart21Value(measure.Text, 0).GetNumber(number))
     {
-      product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is no number";
+      product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is not a number";
     }
     else if (!(unit > 0.0))
     {
@@ -210,7 +210,7 @@ private:
     {
       if (!GetPart21Value(list, i).GetNumber(point[i]) || !(millimetres > 0.0))
       {
-        product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is no point with a length unit";
+        product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is not a point with a length unit";
         return;
       }
     }

@@ -65,7 +65,7 @@ using FaceRepair = std::function<TopoDS_Shape(
  * During the lifetime of this object `isSound` is called for each shape of a STEP transfer before OpenCASCADE
  * repairs it. If it returns true, the shape, which it may exchange or repair in part, is not repaired. The
  * hook is global: hold a KernelSession. From OpenCASCADE 7.9 on it is never called and all shapes are
- * repaired, because the repair is no virtual function any more.
+ * repaired, because the repair is not a virtual function any more.
  */
 class TransferFilter
 {

@@ -158,7 +158,7 @@ void TurnNegativeTori(const ModelEntities& entities)
 }
 
 /// Keeps OpenCASCADE from reading other files, which it would seek in the working directory: their bodies
-/// would have numbers that are none of this file, and nothing would tell whether they are complete.
+/// would have numbers that are none of this file, and nothing would show whether they are complete.
 /// Reconcile() reports the products that lack them.
 void ForgetOtherFiles(const ModelEntities& entities)
 {
@@ -356,15 +356,16 @@ void ApplyLog(const RepairLog& log, Document& document)
   }
   for (const std::string& face : log.FoldedFaces)
   {
-    document.Defects.push_back("Of " + face +
-      " of the file the sense contradicts its neighbours: it folds back where it meets them. The other part "
-      "of its surface may be meant.");
+    document.Defects.push_back("The sense of " + face +
+      " of the file contradicts its neighbours: the face folds back at their common edges. The other part of "
+      "its surface may be meant.");
   }
   for (const std::string& face : log.OutsideFaces)
   {
-    document.Defects.push_back("Of " + face +
-      " of the file the part outside its loops is meant, by their direction. OpenCASCADE's repair may have "
-      "taken the part inside.");
+    document.Defects.push_back("The direction of the loops of " + face +
+      " of the file selects the part of its surface outside them. OpenCASCADE's repair may have taken the "
+      "part "
+      "inside.");
   }
   document.TrimSeconds = log.Seconds;
   for (std::string& message : Describe(log))
@@ -426,11 +427,11 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, Reader
   const double start = vtkTimerLog::GetUniversalTime();
   const DeclaredContent declared(std::move(content), document);
   const CensusCount instances = CountDeclaredInstances(declared.Census);
-  if (instances > MostInstances)
+  if (instances > MaxInstances)
   {
     document.Problem = "it declares " +
       (instances == CensusMaximum ? "more than 10^19" : std::to_string(instances)) +
-      " instances of bodies and sub-assemblies, and at most " + std::to_string(MostInstances) +
+      " instances of bodies and sub-assemblies, and at most " + std::to_string(MaxInstances) +
       " are read; export its sub-assemblies one by one";
     return;
   }

@@ -186,7 +186,7 @@ const STEPEdge* STEPEdges::GetEdge(Index entity)
     std::string_view record;
     if (file.IsDamaged(entity) || !this->Entities.FindRecord(entity, SenseOfEdge.Record, record))
     {
-      throw STEPGeometryFailure{ "it is no EDGE_CURVE, or damaged" };
+      throw STEPGeometryFailure{ "it is not an EDGE_CURVE, or is damaged" };
     }
     found->second = std::make_unique<STEPEdge>(this->Make(entity));
     ++this->Ledger.Converted[SenseOfEdge.Record];

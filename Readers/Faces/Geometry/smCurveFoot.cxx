@@ -10,9 +10,9 @@ namespace
 {
 /// Number of parts into which each span is divided for the start of Newton's method.
 constexpr int StartParts = 8;
-constexpr int MostSteps = 60;
+constexpr int MaxSteps = 60;
 /// Number of samples from which Newton's method starts: those of the least local minima of the distance.
-constexpr int MostStarts = 3;
+constexpr int MaxStarts = 3;
 
 template <int Dimension>
 double GetProduct(const std::array<double, Dimension>& a, const std::array<double, Dimension>& b)
@@ -68,15 +68,15 @@ double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array
 {
   typename GeometricCurve<Dimension>::Derivatives d;
   const int order = std::min(2, curve.GetLargestOrder());
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   double best = t;
   double step = 0.0;
-  for (int i = 0; i < MostSteps; ++i)
+  for (int i = 0; i < MaxSteps; ++i)
   {
     curve.Evaluate(t, order, d);
     const auto gap = GetDifference<Dimension>(point, d[0]);
     const double distance = GetProduct<Dimension>(gap, gap);
-    if (!(distance < least))
+    if (!(distance < minimum))
     {
       // A step that leads away is halved.
       step *= 0.5;
@@ -87,7 +87,7 @@ double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array
       t = std::clamp(best + step, low, high);
       continue;
     }
-    least = distance;
+    minimum = distance;
     best = t;
     const double slope = GetProduct<Dimension>(gap, d[1]);
     const double square = GetProduct<Dimension>(d[1], d[1]);
@@ -146,7 +146,7 @@ double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::arr
       starts.push_back(samples[k]);
     }
   }
-  const auto last = starts.begin() + std::min<std::ptrdiff_t>(MostStarts, starts.end() - starts.begin());
+  const auto last = starts.begin() + std::min<std::ptrdiff_t>(MaxStarts, starts.end() - starts.begin());
   std::partial_sort(starts.begin(), last, starts.end(),
     [](const Start& a, const Start& b)
     { return a.Square < b.Square || (a.Square == b.Square && a.T < b.T); });

@@ -364,9 +364,9 @@ void TestSwept()
   const auto ellipse = MakeCurve<3>(MakeConic<3>(Shape::Ellipse, 2.0, 3.0));
   const auto rational = MakeCurve<3>(MakeSpline<3>(true));
   sm::RevolvedSurface revolved{ rational, {}, { 1.0, 2.0, 0.0 }, sm::Normalized<double>({ 0.2, 0.1, 0.9 }) };
-  const auto turned = MakeSurface(revolved);
-  CheckSlopes("revolved spline", *turned, { { 0.0, 0.1 }, { 6.0, 0.9 } });
-  const Vector3 p = turned->Evaluate(1.1, 0.6);
+  const auto rotated = MakeSurface(revolved);
+  CheckSlopes("revolved spline", *rotated, { { 0.0, 0.1 }, { 6.0, 0.9 } });
+  const Vector3 p = rotated->Evaluate(1.1, 0.6);
   const Vector3 q = rational->Evaluate(0.6);
   const auto getHeight = [&](const Vector3& x)
   { return sm::Dot(sm::Subtract(x, revolved.Origin), revolved.Axis); };
@@ -515,13 +515,13 @@ void TestImagesOfCurves()
       CheckImages<Dimension>(curve, map);
     }
   }
-  // An affine map that is no similarity keeps parameters; an offset has no image.
+  // An affine map that is not a similarity keeps parameters; an offset has no image.
   sm::AffineTransform<Dimension> stretch;
   for (int d = 0; d < Dimension; ++d)
   {
     stretch.Linear[d][d] = d + 0.5;
   }
-  smtest::Check("a stretch is no similarity", 0.0, stretch.GetScale(), 0.0);
+  smtest::Check("a stretch is not a similarity", 0.0, stretch.GetScale(), 0.0);
   for (int i = 0; i < 6; ++i)
   {
     CheckImages<Dimension>(curves[i], stretch);

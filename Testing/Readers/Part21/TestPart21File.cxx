@@ -95,8 +95,8 @@ void CheckValues()
   CheckTrue("values: real", values[5].GetNumber(number) && number == 1.5e-7);
   CheckTrue("values: sign of a real", values[4].GetNumber(number) && number == 4.0);
   CheckTrue("values: integer", values[3].GetInteger(integer) && integer == -3);
-  CheckTrue("values: a real is no integer", !values[6].GetInteger(integer));
-  CheckTrue("values: a string is no number", !values[8].GetNumber(number));
+  CheckTrue("values: a real is not an integer", !values[6].GetInteger(integer));
+  CheckTrue("values: a string is not a number", !values[8].GetNumber(number));
   CheckEqual("values: name of a type", "LENGTH_MEASURE", std::string(values[14].TypeName));
   CheckEqual("values: own type", "!OWN", std::string(values[17].TypeName));
   CheckEqual(
@@ -104,8 +104,8 @@ void CheckValues()
   CheckTrue("values: beyond the last", sm::GetPart21Value("1,2", 2).Kind == Kind::Malformed);
   sm::Part21Value huge;
   sm::Part21Values numbers("1.E400,99999999999999999999");
-  CheckTrue("values: 1.E400 is no number", numbers.Next(huge) && !huge.GetNumber(number));
-  CheckTrue("values: 20 digits are no integer", numbers.Next(huge) && !huge.GetInteger(integer));
+  CheckTrue("values: 1.E400 is not a number", numbers.Next(huge) && !huge.GetNumber(number));
+  CheckTrue("values: 20 digits are not integer", numbers.Next(huge) && !huge.GetInteger(integer));
   for (const char* text : { "1 2", ",", "1,", "nan", ".T", "'a", "(1", "#", "--1", "1.E", "\"1", "<a" })
   {
     sm::Part21Values broken(text);

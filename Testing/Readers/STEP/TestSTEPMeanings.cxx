@@ -188,7 +188,7 @@ void CheckUnits()
   CheckKernelUnit(BoxText().Exchange(Millimetre, foot + inch));
 }
 
-/// #810: at (5,0,0); #811: at (100,0,0), turned by 90 degrees; #812: at the origin, the axis is x, the
+/// #810: at (5,0,0); #811: at (100,0,0), rotated by 90 degrees; #812: at the origin, the axis is x, the
 /// reference direction omitted or x.
 std::string AddFrames(const std::string& reference = "$")
 {
@@ -203,7 +203,7 @@ std::string AddFrames(const std::string& reference = "$")
 
 void CheckPlacements()
 {
-  // (0.5, 1, 1.5) less (5, 0, 0), turned, and (100, 0, 0).
+  // (0.5, 1, 1.5) less (5, 0, 0), rotated, and (100, 0, 0).
   const Vector center = { 99.0, -4.5, 1.5 };
   CheckBox("mapped", BoxText().Add(AddFrames()).Map("#810", "#811"), 1.0, center);
   // New numbers are found below that of the last one that OpenCASCADE reads.

@@ -94,7 +94,7 @@ void CheckJunk(const std::string& text)
   CheckEqual("CanReadFile", 1, vtkSTEPReader::CanReadFile(junk.c_str()));
   CheckEqual(
     "CanReadFile of text", 0, vtkSTEPReader::CanReadFile(Make("reader_text.txt", "no step").c_str()));
-  CheckEqual("CanReadFile of text with a STEP file's name, of which reading tells why", 1,
+  CheckEqual("CanReadFile of text with a STEP file's name, of which reading reports why", 1,
     vtkSTEPReader::CanReadFile(Make("reader_text.STEP", "no step").c_str()));
   CheckEqual("CanReadFile of a file that is not there", 0, vtkSTEPReader::CanReadFile("/nowhere/part.step"));
   CheckEqual("CanReadFile of nothing", 0, vtkSTEPReader::CanReadFile(nullptr));
@@ -241,7 +241,7 @@ void CheckUnreadParts()
   const std::string triangles = "of triangles instead of exact faces: it is left out";
   CheckDeclared("triangles", shape + "#75=TESSELLATED_SOLID('t',(#77),$);\n", true, triangles);
   CheckDeclared("triangles of the ball", shape + "#75=TESSELLATED_SOLID('t',(#77),#31);\n", false, "");
-  CheckDeclared("triangles beside the ball",
+  CheckDeclared("triangles next to the ball",
     "#74=SHAPE_REPRESENTATION('',(#75),#6);\n#75=TESSELLATED_SOLID('t',(#77),$);\n"
     "#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n",
     false, "");
@@ -339,9 +339,9 @@ void CheckAbort(const std::string& path, double threshold)
   vtkNew<vtkCallbackCommand> stop;
   stop->SetClientData(&threshold);
   stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void* least, void* progress)
+    [](vtkObject* caller, unsigned long, void* minimum, void* progress)
     {
-      if (*static_cast<double*>(progress) >= *static_cast<double*>(least))
+      if (*static_cast<double*>(progress) >= *static_cast<double*>(minimum))
       {
         static_cast<vtkSTEPReader*>(caller)->SetAbortExecute(1);
       }
