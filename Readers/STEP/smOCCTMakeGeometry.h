@@ -14,9 +14,9 @@
 
 namespace sm
 {
-/// Makes an OpenCASCADE object of a value: the inverse of MakeGeometry() (smOCCTGeometry.h), but for the last
-/// bits of unit vectors, which OpenCASCADE divides by their length again. Throws std::runtime_error with a
-/// short reason for a value of which OpenCASCADE has no kind, and what OpenCASCADE throws.
+/// Makes an OpenCASCADE object of a value: the inverse of MakeGeometry() (smOCCTGeometry.h), except for the
+/// last bits of unit vectors, which OpenCASCADE divides by their length again. Throws std::runtime_error with
+/// a short reason for a value of which OpenCASCADE has no kind, and what OpenCASCADE throws.
 SMREADERSSTEP_EXPORT Handle(Geom_Surface) MakeKernelSurface(const GeometricSurface& surface);
 SMREADERSSTEP_EXPORT Handle(Geom_Curve) MakeKernelCurve(const GeometricCurve<3>& curve);
 SMREADERSSTEP_EXPORT Handle(Geom2d_Curve) MakeKernelCurve(const GeometricCurve<2>& curve);

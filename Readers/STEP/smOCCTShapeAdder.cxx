@@ -116,7 +116,7 @@ void ShapeAdder::Add(const TopoDS_Shape& shape, const PartBody& part, const gp_T
   }
 }
 
-/// Returns the bodies of a shell that is no part of a solid. OpenCASCADE's repair divides a shell into
+/// Returns the bodies of a shell that is not part of a solid. OpenCASCADE's repair divides a shell into
 /// connected parts; a shell that was not repaired is divided here.
 std::vector<TopoDS_Shape> ShapeAdder::GetParts(const TopoDS_Shape& shell)
 {

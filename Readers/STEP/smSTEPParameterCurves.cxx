@@ -214,7 +214,7 @@ void ReportParameterCurves(const std::vector<STEPParameterCurve>& curves, double
         [&]()
         {
           return "Edge #" + std::to_string(curve.Edge) + " of the file: its parameter curve #" +
-            std::to_string(curve.Id) + " lies " + FormatDistance(distance) + " mm beside its curve #" +
+            std::to_string(curve.Id) + " lies " + FormatDistance(distance) + " mm from its curve #" +
             std::to_string(curve.SpaceCurve) +
             (curve.IsPreferred ? ", which is taken, although the file prefers the parameter curve."
                                : ", which is taken.");

@@ -68,7 +68,7 @@ gp_Trsf Place(const gp_Ax3& from, const gp_Ax3& to)
 
 gp_Trsf MakeMotion(const AffineTransform<3>& t)
 {
-  RequireDirect(t.GetScale() > 0.0, "it has an operator that is no similarity");
+  RequireDirect(t.GetScale() > 0.0, "it has an operator that is not a similarity");
   gp_Trsf motion;
   motion.SetValues(t.Linear[0][0], t.Linear[0][1], t.Linear[0][2], t.Translation[0], t.Linear[1][0],
     t.Linear[1][1], t.Linear[1][2], t.Translation[1], t.Linear[2][0], t.Linear[2][1], t.Linear[2][2],

@@ -35,7 +35,8 @@ inline void RequireDirect(bool isGiven, const char* reason)
  * bodies: those of occurrences (NEXT_ASSEMBLY_USAGE_OCCURRENCE) and of mapped items, in the order of the
  * file. A placement moves a representation so that its first frame lands on the second one (ISO 10303-43).
  * Operators may scale uniformly and reflect. `bodies` are shapes by the index of their body in the census;
- * `colors` are those of occurrences. Faces of surface models beside solids are counted. Throws STEPNotDirect.
+ * `colors` are those of occurrences. Faces of surface models are counted where there are solids. Throws
+ * STEPNotDirect.
  */
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
   const std::map<std::uint32_t, TopoDS_Shape>& bodies,

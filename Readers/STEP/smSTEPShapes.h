@@ -28,8 +28,8 @@ namespace sm
  *
  * Faces have the loops of the file: edges on their curves between their vertices, with the parameter curves
  * that the file has on this surface if both ends agree with the edge's within the file's accuracy, and that
- * is no plane. Vertices closer than STEPEdges::SameVertex at the ends of one edge, or closer than the file's
- * accuracy at neighbouring edges of a loop, are one.
+ * is not a plane. Vertices closer than STEPEdges::SameVertex at the ends of one edge, or closer than the
+ * file's accuracy at neighbouring edges of a loop, are one.
  */
 class STEPShapes
 {

@@ -27,7 +27,7 @@ struct STEPTrim
 };
 
 /// Adds the parameter curves that a file has of edges on surfaces, where they agree with the edges' curves as
-/// far as the file is accurate, and the surface is no plane.
+/// far as the file is accurate, and the surface is not a plane.
 class STEPTrims
 {
 public:

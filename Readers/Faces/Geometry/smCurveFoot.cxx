@@ -11,7 +11,7 @@ namespace
 /// Number of parts into which each span is divided for the start of Newton's method.
 constexpr int StartParts = 8;
 constexpr int MaxSteps = 60;
-/// Number of samples from which Newton's method starts: those of the least local minima of the distance.
+/// Number of samples from which Newton's method starts: those of the smallest local minima of the distance.
 constexpr int MaxStarts = 3;
 
 template <int Dimension>

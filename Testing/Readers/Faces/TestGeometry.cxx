@@ -231,8 +231,8 @@ void TestCurves()
   round.Basis.Multiplicities = { 1, 2, 2, 2, 2, 1 };
   round.Weights = { 1.0, 0.5, 1.0, 0.5, 1.0, 0.5, 1.0 };
   const double height = 0.5 * std::sqrt(3.0);
-  for (const auto& [x, y] : { std::make_pair(1.0, 0.0), { 1.0, 2.0 * height }, { -0.5, height }, { -2.0, 0.0 },
-         { -0.5, -height }, { 1.0, -2.0 * height }, { 1.0, 0.0 } })
+  for (const auto& [x, y] : { std::make_pair(1.0, 0.0), { 1.0, 2.0 * height }, { -0.5, height },
+         { -2.0, 0.0 }, { -0.5, -height }, { 1.0, -2.0 * height }, { 1.0, 0.0 } })
   {
     round.Poles.push_back({ x, y });
   }

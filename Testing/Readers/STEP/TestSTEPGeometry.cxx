@@ -275,7 +275,7 @@ void TestLedger()
   CheckRow(s, 1, 11, "missing or left out");
   CheckTrue("is asked for twice", !s.GetSurface(11) && !s.GetSurface(10) && s.Ledger.Rows.size() == 2);
   CheckTrue("a clothoid", !s.GetCurve(12));
-  CheckRow(s, 2, 12, "no curve of a kind that can be read");
+  CheckRow(s, 2, 12, "not a curve of a kind that can be read");
   CheckTrue("an offset of itself", !s.GetCurve(13));
   CheckRow(s, 3, 13, "missing or left out");
   CheckTrue("control points are missing", !s.GetCurve(14));
