@@ -6,7 +6,7 @@
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smUnitRoundoff.h"
-#include "vtkSurfaceIntegralGPUInternals.h"
+#include "Engine/vtkSurfaceIntegralGPUInternals.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"

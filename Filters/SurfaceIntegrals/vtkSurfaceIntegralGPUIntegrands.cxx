@@ -8,7 +8,7 @@
 #include "smTrimText.h"
 #include "smUserExpression.h"
 #include "vtkNURBSDataSet.h"
-#include "vtkSurfaceIntegralGPUInternals.h"
+#include "Engine/vtkSurfaceIntegralGPUInternals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 #include "smBodyIntegrals.h"
 #include "smUnitRoundoff.h"
 
+#include "Outputs/smOpenEdges.h"
+#include "Outputs/smShellOrientation.h"
 #include "smBodyScales.h"
 #include "smCompensatedSum.h"
 #include "smFormat.h"
 #include "smMeshTriangles.h"
-#include "smOpenEdges.h"
-#include "smShellOrientation.h"
 #include "smVector.h"
 
 #include "vtkCompositeDataSet.h"

@@ -1,5 +1,7 @@
 #include "smMeshTriangles.h"
 
+#include "smVector.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -19,8 +21,6 @@ namespace sm
 {
 namespace
 {
-using Point = std::array<double, 3>;
-
 /// The scale mesh of an instance of a model; null without one.
 vtkPolyData* FindScaleMesh(vtkNURBSDataSet* instance)
 {
@@ -40,14 +40,14 @@ void VisitShownTriangles(vtkPolyData* mesh, std::size_t faces, const TriangleVis
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
   const auto corner = [mesh](vtkIdType id)
   {
-    Point p;
+    Point3 p;
     mesh->GetPoints()->GetPoint(id, p.data());
     return p;
   };
   const auto normal = [normals](vtkIdType id)
   {
     // Without normals the triangles are assumed to be flat.
-    Point n{ 0.0, 0.0, 0.0 };
+    Point3 n{ 0.0, 0.0, 0.0 };
     if (normals)
     {
       normals->GetTuple(id, n.data());
@@ -85,9 +85,9 @@ void VisitTriangles(vtkPolyData* instance, std::size_t faces, const TriangleVisi
   }
   const double* const m = leaf->GetPlacementData();
   const bool isMirrored = vtkMatrix4x4::Determinant(m) < 0.0;
-  const auto place = [m](Point& p, double translation)
+  const auto place = [m](Point3& p, double translation)
   {
-    const Point from = p;
+    const Point3 from = p;
     for (int r = 0; r < 3; ++r)
     {
       p[r] =
@@ -95,7 +95,7 @@ void VisitTriangles(vtkPolyData* instance, std::size_t faces, const TriangleVisi
     }
   };
   VisitShownTriangles(mesh, faces,
-    [&](std::size_t face, std::array<Point, 3> corners, std::array<Point, 3> normals)
+    [&](std::size_t face, std::array<Point3, 3> corners, std::array<Point3, 3> normals)
     {
       for (int i = 0; i < 3; ++i)
       {

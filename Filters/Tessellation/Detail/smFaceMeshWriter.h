@@ -5,9 +5,9 @@
 #ifndef smFaceMeshWriter_h
 #define smFaceMeshWriter_h
 
+#include "Detail/smMeshRepair.h"
+#include "Detail/smTriangleJudge.h"
 #include "smFaceMesher.h"
-#include "smMeshRepair.h"
-#include "smTriangleJudge.h"
 #include "smVector.h"
 
 #include <functional>
