@@ -22,6 +22,7 @@ ROOMS = {
     "FiltersQuadrature": ("Filters/Quadrature", ["FiltersNURBS"]),
     "FiltersSurfaceIntegrals": ("Filters/SurfaceIntegrals", ["FiltersQuadrature", "RenderingCompute", "RenderingNURBS"]),
     "FiltersMassProperties": ("Filters/MassProperties", ["FiltersSurfaceIntegrals"]),
+    "FiltersProducts": ("Filters/Products", ["FiltersMassProperties"]),
     "FiltersStability": ("Filters/Stability", ["FiltersMassProperties"]),
     "FiltersBuoyancy": ("Filters/Buoyancy", ["FiltersSurfaceIntegrals"]),
     "FiltersSection": ("Filters/Section", ["FiltersBuoyancy"]),

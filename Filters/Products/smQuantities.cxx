@@ -1,7 +1,6 @@
 #include "smQuantities.h"
 
 #include "smMassPropertyNames.h"
-#include "smText.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -153,14 +152,20 @@ void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
   fields.Note("L^3", "").Number("volume", this->Volume);
   fields.Note("L^2", "").Number("area", this->Area);
   fields.Note("L", "").Point("center_of_mass", this->Center.Value);
-  fields.Note("L^5", "about the centre of mass, at unit density; off-diagonals are negative products")
+  fields
+    .Note("L^5",
+      "about the centre of mass, at unit density; off-diagonals "
+      "are negative products")
     .Matrix("inertia", this->Inertia.Value);
   fields.Note("L^5", "ascending").Point("principal_moments", this->PrincipalMoments.Value);
   fields.Note("1", "rows are unit vectors").Matrix("principal_axes", this->PrincipalAxes.Value);
   fields.Note("", "true: moments coincide, the axes are not unique")
     .Flag("principal_axes_degenerate", this->PrincipalAxesDegenerate);
   fields.Note("kg", "with a density").Number("mass", this->Mass);
-  fields.Note("", "of the quantities with the same names; of a vector or matrix that of its largest entry")
+  fields
+    .Note("",
+      "of the quantities with the same names; of a vector or matrix "
+      "that of its largest entry")
     .Begin("bounds");
   fields.Number("volume", this->Volume.Bound);
   fields.Number("area", this->Area.Bound);
@@ -193,15 +198,17 @@ void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
     fields.End();
   }
   VisitFour(fields.Note("",
-              "the part of the bound that rests on measured constants and residuals, an estimate; the rest "
+              "the part of the bound that rests on measured "
+              "constants and residuals, an estimate; the rest "
               "is a theorem"),
     "bounds_measured", this->BoundsMeasured, { "volume", "area", "center_of_mass", "inertia" });
   fields.Note("", "true: some bound is an estimate").Flag("bounds_estimated", this->BoundsEstimated);
   fields.Note("kg/m^3", "of the solid; of the total if all solids have the same")
     .Number("density", this->Density);
   fields.Note("", "as `density`").Name("material", this->Material);
-  VisitFour(
-    fields.Note("kg", "what is in doubt of the mass: the sum, and its shares by densities, gaps and bound"),
+  VisitFour(fields.Note("kg",
+              "what is in doubt of the mass: the sum, and its "
+              "shares by densities, gaps and bound"),
     "mass_uncertainty", this->MassUncertainty, { "total", "density", "gaps", "numerical" });
   fields.Note("L", "centre of mass with the densities as weight")
     .Point("mass_center", this->MassCenter.Value);
@@ -218,13 +225,5 @@ void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
     sm::Visit(fields, *this->About);
     fields.End();
   }
-}
-
-void VisitFileName(Fields& fields, std::string& name)
-{
-  fields.Note("", "name of the file").Text("file", name);
-  std::optional<std::string> bytes =
-    MakeUtf8(name) == name ? std::nullopt : std::optional(PercentEncode(name));
-  fields.Note("", "the percent-encoded name of a file whose name is not UTF-8").Text("file_bytes", bytes);
 }
 }

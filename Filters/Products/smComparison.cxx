@@ -1,8 +1,7 @@
 #include "smComparison.h"
 
 #include "smPartMatch.h"
-#include "smResults.h"
-#include "smText.h"
+#include "smUnitRoundoff.h"
 
 #include "vtkMath.h"
 
@@ -17,9 +16,6 @@ namespace sm
 {
 namespace
 {
-/// Unit roundoff 2^-53: bound of the relative error of one operation, rounded to nearest.
-constexpr double Roundoff = 1.1102230246251565e-16;
-
 using namespace states;
 /// The states in the order of the list.
 constexpr const char* States[] = { Changed, Moved, Added, Removed, Unchanged };
@@ -45,8 +41,8 @@ QuantityDifference<N> MakeDifference(const Quantity<N>& before, const Quantity<N
     {
       difference.Change.Value[i] = after.Value[i] - before.Value[i];
     }
-    difference.Change.Bound =
-      (before.Bound + after.Bound) * (1.0 + 4.0 * Roundoff) + Roundoff * GetLargest(difference.Change.Value);
+    difference.Change.Bound = (before.Bound + after.Bound) * (1.0 + 4.0 * UnitRoundoff) +
+      UnitRoundoff * GetLargest(difference.Change.Value);
   }
   return difference;
 }
@@ -148,7 +144,7 @@ bool HasOtherMaterial(const Quantities& before, const Quantities& after, double 
 /// A solid of one of the files.
 struct Body
 {
-  const SolidResult* Solid;
+  const SolidResults* Solid;
   SolidShape Shape;
   std::array<double, 3> Center{};
   bool IsDone = false;
@@ -157,11 +153,11 @@ struct Body
   bool HasShape() const { return this->Shape.Shape && this->Shape.Shape->Problem.empty(); }
 };
 
-std::vector<Body> ListEntries(const FileResult& file)
+std::vector<Body> ListEntries(const ProductResults& results, const ProductShapes& measured)
 {
-  std::map<std::string, SolidShape> shapes = ReadShapes(*file.Shapes);
+  std::map<std::string, SolidShape> shapes = ReadShapes(measured);
   std::vector<Body> bodies;
-  for (const SolidResult& solid : file.Solids)
+  for (const SolidResults& solid : results.Solids)
   {
     Body body{ &solid, shapes[solid.Id] };
     body.Center = body.Shape.Shape ? body.Shape.GetCenter() : body.Center;
@@ -186,22 +182,21 @@ struct Outcome
 };
 
 /// Returns the diagonal of the larger product.
-double GetDiagonal(const FileResult& oldFile, const FileResult& newFile)
+double GetLargerDiagonal(const ProductResults& a, const ProductResults& b)
 {
-  return std::max(std::isnan(oldFile.Diagonal) ? 0.0 : oldFile.Diagonal,
-    std::isnan(newFile.Diagonal) ? 0.0 : newFile.Diagonal);
+  return std::max(std::isnan(a.Diagonal) ? 0.0 : a.Diagonal, std::isnan(b.Diagonal) ? 0.0 : b.Diagonal);
 }
 
 class Comparison
 {
 public:
-  Comparison(
-    const FileResult& oldFile, const FileResult& newFile, double limit, std::function<bool()> shouldContinue)
+  Comparison(std::vector<Body> before, std::vector<Body> after, double limit, double diagonal,
+    std::function<bool()> shouldContinue)
     : ShouldContinue(std::move(shouldContinue))
-    , Old(ListEntries(oldFile))
-    , New(ListEntries(newFile))
+    , Old(std::move(before))
+    , New(std::move(after))
     , Limit(limit)
-    , Diagonal(GetDiagonal(oldFile, newFile))
+    , Diagonal(diagonal)
   {
   }
 
@@ -237,7 +232,8 @@ private:
   void Add(Body& before, Body& after, const char* state, bool hasSameShape, const Rotation& rotation = {})
   {
     before.IsDone = after.IsDone = true;
-    const bool isOther = hasSameShape && HasOtherMaterial(*before.Solid, *after.Solid, this->Limit);
+    const bool isOther =
+      hasSameShape && HasOtherMaterial(before.Solid->Values, after.Solid->Values, this->Limit);
     this->Outcomes.push_back({ &before, &after, isOther ? Changed : state, hasSameShape, rotation });
   }
 
@@ -365,11 +361,11 @@ private:
 };
 
 /// Returns notes on a solid that is in both files: the changes other than that of its place.
-std::vector<std::string> MakeNotes(const Outcome& outcome)
+std::vector<std::string> MakeNotes(const Outcome& outcome, const std::function<std::string(double)>& format)
 {
   std::vector<std::string> notes;
-  const SolidResult& before = *outcome.Old->Solid;
-  const SolidResult& after = *outcome.New->Solid;
+  const SolidResults& before = *outcome.Old->Solid;
+  const SolidResults& after = *outcome.New->Solid;
   if (before.Name != after.Name)
   {
     notes.push_back("renamed from " + before.Name);
@@ -389,10 +385,10 @@ std::vector<std::string> MakeNotes(const Outcome& outcome)
       notes.push_back(std::string(key) + " " + old + " -> " + now);
     }
   };
-  const auto say = [](double density) { return std::isnan(density) ? "none" : FormatExact(density); };
-  add("density", say(before.Density), say(after.Density));
-  add("material", before.Material.empty() ? "none" : before.Material,
-    after.Material.empty() ? "none" : after.Material);
+  const auto say = [&format](double density) { return std::isnan(density) ? "none" : format(density); };
+  add("density", say(before.Values.Density), say(after.Values.Density));
+  add("material", before.Values.Material.empty() ? "none" : before.Values.Material,
+    after.Values.Material.empty() ? "none" : after.Values.Material);
   return notes;
 }
 
@@ -431,7 +427,8 @@ PartKey GetKey(const Outcome& outcome)
     outcome.Old ? outcome.Old->Shape.Model : none, outcome.New ? outcome.New->Shape.Model : none };
 }
 
-std::vector<ComparedPart> MakeParts(const std::vector<Outcome>& outcomes)
+std::vector<ComparedPart> MakeParts(
+  const std::vector<Outcome>& outcomes, const std::function<std::string(double)>& format)
 {
   std::map<PartKey, std::vector<const Outcome*>> groups;
   for (const Outcome& outcome : outcomes)
@@ -450,8 +447,8 @@ std::vector<ComparedPart> MakeParts(const std::vector<Outcome>& outcomes)
     part.InNew = CountInstances(outcomes, part.Name, &Outcome::New);
     if (first.Old && first.New)
     {
-      part.Notes = MakeNotes(first);
-      part.Difference = MakeDifferences(*first.Old->Solid, *first.New->Solid);
+      part.Notes = MakeNotes(first, format);
+      part.Difference = MakeDifferences(first.Old->Solid->Values, first.New->Solid->Values);
     }
     for (const Outcome* outcome : group)
     {
@@ -483,10 +480,12 @@ void ProductDifference::Visit(Fields& fields)
     .List("parts", this->Parts, [&fields](ComparedPart& part) { sm::Visit(fields, part); });
 }
 
-std::optional<ProductDifference> CompareProducts(const FileResult& oldFile, const FileResult& newFile,
-  double limit, const std::function<bool()>& shouldContinue)
+std::optional<ProductDifference> CompareProducts(const ProductResults& before, const ProductShapes& oldShapes,
+  const ProductResults& after, const ProductShapes& newShapes, double limit,
+  const std::function<std::string(double)>& format, const std::function<bool()>& shouldContinue)
 {
-  Comparison comparison(oldFile, newFile, limit, shouldContinue);
+  Comparison comparison(ListEntries(before, oldShapes), ListEntries(after, newShapes), limit,
+    GetLargerDiagonal(before, after), shouldContinue);
   const std::vector<Outcome> outcomes = comparison.Run();
   if (!shouldContinue())
   {
@@ -502,9 +501,9 @@ std::optional<ProductDifference> CompareProducts(const FileResult& oldFile, cons
       (state == std::string(Unchanged) && static_cast<std::size_t>(count) == outcomes.size());
   }
   result.Limit = limit;
-  result.LengthUnit = newFile.LengthUnit;
-  result.Total = MakeDifferences(oldFile.Total, newFile.Total);
-  result.Parts = MakeParts(outcomes);
+  result.LengthUnit = after.LengthUnit;
+  result.Total = MakeDifferences(before.Total, after.Total);
+  result.Parts = MakeParts(outcomes, format);
   return result;
 }
 }

@@ -2,50 +2,30 @@
 
 #include "smIntegralNames.h"
 #include "smLengthUnits.h"
+#include "smProductResults.h"
 #include "smProducts.h"
-#include "smResults.h"
-#include "smSTEPProducts.h"
-#include "smSafeFile.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace sm
 {
 namespace
 {
-using Vector = std::array<double, 3>;
-
-/// The computed values of a product of the tree, in millimetres; NaN if not known.
-struct Computed
-{
-  /// The reason why no value is known.
-  std::string Reason;
-  double Volume = 0.0, VolumeBound = 0.0;
-  double Area = 0.0, AreaBound = 0.0;
-  Vector Center{ std::nan(""), std::nan(""), std::nan("") };
-  double CenterBound = std::nan("");
-  /// The reason why the centre cannot be compared; empty if it can.
-  std::string NoCenter;
-  /// False if some solid is flagged by more than a bound above the tolerance.
-  bool IsSound = true;
-  /// Material and density; empty and NaN for an assembly.
-  std::string Material;
-  double Density = std::nan("");
-};
-
 struct PlacedSolid
 {
-  const SolidResult* Values;
+  const SolidResults* Solid;
   const double* Placement;
 };
 
-using SolidsById = std::map<std::string, const SolidResult*>;
+using SolidsById = std::map<std::string, const SolidResults*>;
 
-bool IsKnown(const SolidResult& solid)
+bool IsKnown(const Quantities& solid)
 {
   return solid.Volume.IsKnown() && solid.Area.IsKnown() && solid.Center.IsKnown() &&
     !std::isnan(solid.Volume.Bound) && !std::isnan(solid.Area.Bound) && !std::isnan(solid.Center.Bound);
@@ -62,7 +42,7 @@ bool Collect(const ProductTreeNode& node, const SolidsById& byId, std::vector<Pl
   for (const ProductTreeNode::Body& body : node.Bodies)
   {
     const auto found = byId.find(body.Id);
-    if (found == byId.end() || !IsKnown(*found->second))
+    if (found == byId.end() || !IsKnown(found->second->Values))
     {
       return false;
     }
@@ -73,9 +53,9 @@ bool Collect(const ProductTreeNode& node, const SolidsById& byId, std::vector<Pl
 }
 
 /// Returns the centre in the coordinates of the part: R^T (c - t) for a rigid placement.
-Vector PlaceBack(const Vector& c, const double* placement)
+Vector3 PlaceBack(const Vector3& c, const double* placement)
 {
-  Vector result{};
+  Vector3 result{};
   for (size_t i = 0; i < 3; ++i)
   {
     for (size_t k = 0; k < 3; ++k)
@@ -88,9 +68,9 @@ Vector PlaceBack(const Vector& c, const double* placement)
 
 /// Returns the sums of the solids below a node: in the coordinates of the part if there is a single part,
 /// otherwise in world coordinates.
-Computed Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byId, double millimetres)
+ComputedProduct Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byId, double millimetres)
 {
-  Computed sum;
+  ComputedProduct sum;
   std::vector<PlacedSolid> solids;
   if (!Collect(node, byId, solids) || solids.empty())
   {
@@ -99,19 +79,19 @@ Computed Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byI
   }
   const double cube = millimetres * millimetres * millimetres;
   const bool isPart = node.Children.empty();
-  std::vector<Vector> centers;
-  Vector first{};
+  std::vector<Vector3> centers;
+  Vector3 first{};
   double rounding = 0.0;
   for (const PlacedSolid& solid : solids)
   {
-    const SolidResult& values = *solid.Values;
-    sum.IsSound = sum.IsSound && IsSound(values.Status);
+    const Quantities& values = solid.Solid->Values;
+    sum.IsSound = sum.IsSound && IsSound(solid.Solid->Status);
     const double volume = cube * values.Volume.Get();
     sum.Volume += volume;
     sum.VolumeBound += cube * values.Volume.Bound;
     sum.Area += millimetres * millimetres * values.Area.Get();
     sum.AreaBound += millimetres * millimetres * values.Area.Bound;
-    const Vector& world = values.Center.Value;
+    const Vector3& world = values.Center.Value;
     centers.push_back(isPart ? PlaceBack(world, solid.Placement) : world);
     for (size_t i = 0; i < 3; ++i)
     {
@@ -133,7 +113,7 @@ Computed Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byI
   }
   for (size_t k = 0; k < solids.size(); ++k)
   {
-    const SolidResult& values = *solids[k].Values;
+    const Quantities& values = solids[k].Solid->Values;
     const double e = cube * values.Volume.Bound;
     const double d = millimetres * values.Center.Bound;
     const double away =
@@ -146,12 +126,12 @@ Computed Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byI
     return sum;
   }
   // One material for all solids, or none.
-  sum.Material = solids.front().Values->Material;
-  sum.Density = solids.front().Values->Density;
+  sum.Material = solids.front().Solid->Values.Material;
+  sum.Density = solids.front().Solid->Values.Density;
   for (const PlacedSolid& solid : solids)
   {
-    sum.Material = solid.Values->Material == sum.Material ? sum.Material : "";
-    sum.Density = solid.Values->Density == sum.Density ? sum.Density : std::nan("");
+    sum.Material = solid.Solid->Values.Material == sum.Material ? sum.Material : "";
+    sum.Density = solid.Solid->Values.Density == sum.Density ? sum.Density : std::nan("");
   }
   return sum;
 }
@@ -168,58 +148,9 @@ void ListNodes(const ProductTreeNode& node, bool isTop, Nodes& nodes)
   }
 }
 
-class ProductComparison
-{
-public:
-  ProductComparison(const std::string& fileName, const ProductTreeNode& tree, const FileResult& file)
-    : Millimetres(GetUnitInMillimetres(file.LengthUnit.value_or("")))
-  {
-    this->IsRead = this->File.Read(fileName);
-    this->Products = this->IsRead ? ReadSTEPProducts(this->File) : std::vector<STEPProduct>();
-    for (const STEPProduct& product : this->Products)
-    {
-      ++this->Uses[product.Name];
-    }
-    for (const SolidResult& solid : file.Solids)
-    {
-      this->ById[solid.Id] = &solid;
-    }
-    ListNodes(tree, true, this->NodesByName);
-  }
-
-  Computed Find(const STEPProduct& product) const
-  {
-    const auto found = this->NodesByName.find(product.Name);
-    Computed result;
-    if (this->Uses.at(product.Name) > 1)
-    {
-      result.Reason = "several products have this name";
-    }
-    else if (found == this->NodesByName.end())
-    {
-      result.Reason = "no product of this name was read";
-    }
-    else
-    {
-      result = Compute(*found->second.first, found->second.second, this->ById, this->Millimetres);
-    }
-    return result;
-  }
-
-  Part21File File;
-  bool IsRead = false;
-  std::vector<STEPProduct> Products;
-  double Millimetres;
-
-private:
-  std::map<std::string, int> Uses;
-  Nodes NodesByName;
-  SolidsById ById;
-};
-
 /// Adds an entry. Values are in millimetres to a power, those of a centroid in three components; `allowed` is
 /// without the bound.
-void AddEntry(const STEPProduct& product, const char* quantity, const std::vector<double>& stated,
+void AddEntry(const StatedProduct& product, const char* quantity, const std::vector<double>& stated,
   const std::vector<double>& computed, double bound, double allowed, const std::string& reason, double unit,
   std::vector<ValidationEntry>& list)
 {
@@ -243,7 +174,7 @@ void AddEntry(const STEPProduct& product, const char* quantity, const std::vecto
   const bool isComparable = problem.empty() && std::isfinite(limit) && std::isfinite(difference);
   ValidationEntry entry;
   entry.Product = product.Name;
-  entry.Definition = static_cast<long long>(product.Definition);
+  entry.Definition = product.Definition;
   entry.Quantity = quantity;
   entry.Stated = convert(stated);
   if (isComparable)
@@ -288,31 +219,71 @@ void ValidationEntry::Visit(Fields& fields)
   fields.Note("", "why it is not comparable").Name("reason", this->Reason);
 }
 
-std::vector<ValidationEntry> CompareValidation(
-  const std::string& fileName, const ProductTreeNode& tree, const FileResult& file, double limit)
+ProductSums::ProductSums(
+  const std::vector<StatedProduct>& products, const ProductTreeNode& tree, const ProductResults& results)
+  : Millimetres(GetUnitInMillimetres(results.LengthUnit.value_or("")))
 {
-  const ProductComparison comparison(fileName, tree, file);
-  const double unit = comparison.Millimetres > 0.0 ? comparison.Millimetres : 1.0;
-  std::vector<ValidationEntry> list;
-  for (const STEPProduct& product : comparison.Products)
+  for (const StatedProduct& product : products)
   {
-    const STEPValidation& stated = product.Stated;
-    const Vector& point = stated.Centroid;
+    ++this->Uses[product.Name];
+  }
+  for (const SolidResults& solid : results.Solids)
+  {
+    this->ById[solid.Id] = &solid;
+  }
+  ListNodes(tree, true, this->NodesByName);
+}
+
+ComputedProduct ProductSums::Find(const std::string& name) const
+{
+  const auto found = this->NodesByName.find(name);
+  ComputedProduct result;
+  if (this->Uses.at(name) > 1)
+  {
+    result.Reason = "several products have this name";
+  }
+  else if (found == this->NodesByName.end())
+  {
+    result.Reason = "no product of this name was read";
+  }
+  else
+  {
+    result = Compute(*found->second.first, found->second.second, this->ById, this->Millimetres);
+  }
+  return result;
+}
+
+bool IsFileSound(const ProductResults& results)
+{
+  return IsSound(results.Status) ||
+    std::any_of(results.Solids.begin(), results.Solids.end(),
+      [](const SolidResults& solid) { return !IsSound(solid.Status); });
+}
+
+std::vector<ValidationEntry> CompareValidation(const std::vector<StatedProduct>& products,
+  const ProductTreeNode& tree, const ProductResults& results, double limit)
+{
+  const ProductSums sums(products, tree, results);
+  const double unit = sums.GetMillimetres() > 0.0 ? sums.GetMillimetres() : 1.0;
+  std::vector<ValidationEntry> list;
+  for (const StatedProduct& product : products)
+  {
+    const Vector3& point = product.Centroid;
     const bool hasPoint = std::isfinite(point[0] + point[1] + point[2]);
-    if (!hasPoint && !std::isfinite(stated.Volume) && !std::isfinite(stated.Area))
+    if (!hasPoint && !std::isfinite(product.Volume) && !std::isfinite(product.Area))
     {
       continue;
     }
-    const Computed computed = comparison.Find(product);
-    if (std::isfinite(stated.Volume))
+    const ComputedProduct computed = sums.Find(product.Name);
+    if (std::isfinite(product.Volume))
     {
-      AddEntry(product, "volume", { stated.Volume }, { computed.Volume }, computed.VolumeBound,
-        limit * std::abs(stated.Volume), computed.Reason, unit * unit * unit, list);
+      AddEntry(product, "volume", { product.Volume }, { computed.Volume }, computed.VolumeBound,
+        limit * std::abs(product.Volume), computed.Reason, unit * unit * unit, list);
     }
-    if (std::isfinite(stated.Area))
+    if (std::isfinite(product.Area))
     {
-      AddEntry(product, "area", { stated.Area }, { computed.Area }, computed.AreaBound,
-        limit * std::abs(stated.Area), computed.Reason, unit * unit, list);
+      AddEntry(product, "area", { product.Area }, { computed.Area }, computed.AreaBound,
+        limit * std::abs(product.Area), computed.Reason, unit * unit, list);
     }
     if (hasPoint)
     {
@@ -323,56 +294,5 @@ std::vector<ValidationEntry> CompareValidation(
     }
   }
   return list;
-}
-
-std::string WriteValidation(
-  const std::string& fileName, const ProductTreeNode& tree, const FileResult& file, const std::string& target)
-{
-  const ProductComparison comparison(fileName, tree, file);
-  if (!comparison.IsRead)
-  {
-    return fileName + " is not a STEP file that can be written again with validation properties";
-  }
-  // A flag that no solid has is that of the file: something that it declares is missing or contradictory.
-  const bool isFileSound = IsSound(file.Status) ||
-    std::any_of(file.Solids.begin(), file.Solids.end(),
-      [](const SolidResult& solid) { return !IsSound(solid.Status); });
-  std::vector<STEPStatement> statements;
-  for (const STEPProduct& product : comparison.Products)
-  {
-    const Computed computed = comparison.Find(product);
-    const STEPValidation& stated = product.Stated;
-    if (!computed.Reason.empty() || !product.Problem.empty() || product.Context == 0)
-    {
-      continue;
-    }
-    STEPStatement statement;
-    statement.Product = product;
-    // A property that the file states already is not written a second time, and none of which this program
-    // says that it may be wrong.
-    const bool isSound = isFileSound && computed.IsSound;
-    statement.Values.Volume = std::isfinite(stated.Volume) || !isSound ? std::nan("") : computed.Volume;
-    statement.Values.Area = std::isfinite(stated.Area) || !isSound ? std::nan("") : computed.Area;
-    if (computed.NoCenter.empty() && isSound && !std::isfinite(stated.Centroid[0]))
-    {
-      statement.Values.Centroid = computed.Center;
-    }
-    if (!std::isnan(computed.Density) && !product.HasDensity)
-    {
-      statement.Density = computed.Density;
-      statement.Material = computed.Material;
-    }
-    statements.push_back(statement);
-  }
-  const std::string text = AppendSTEPValidation(comparison.File, statements);
-  const std::string problem = text.empty() ? "it has no entities" : SaveFile(target, text);
-  return problem.empty() ? problem : target + " cannot be written: " + problem;
-}
-
-long long CountValidation(const FileResult& file, const std::string& result)
-{
-  const std::vector<ValidationEntry> list = file.Validation.value_or(std::vector<ValidationEntry>());
-  return std::count_if(
-    list.begin(), list.end(), [&result](const ValidationEntry& entry) { return entry.Result == result; });
 }
 }

@@ -1,6 +1,6 @@
 /**
  * @file smQuantities.h
- * @brief The outputs of vtkMassPropertiesGPU as typed results
+ * @brief The outputs of vtkMassPropertiesGPU as typed results; not installed
  *
  * `data` is the field data of port 0 (row 0) or the columns of a table. A value that is missing or not finite
  * is not known.
@@ -9,6 +9,7 @@
 #define smQuantities_h
 
 #include "smFields.h"
+#include "smFiltersProductsModule.h"
 
 #include "vtkType.h"
 
@@ -21,13 +22,15 @@ namespace sm
 {
 /// Copies the components of a row; NaN in all of them if the array is missing, has another number of
 /// components, or one is not finite.
-void ReadNumbers(vtkFieldData* data, vtkIdType row, const std::string& name, double* values, int components);
-double GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name);
-std::array<double, 3> GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name);
+SMFILTERSPRODUCTS_EXPORT void ReadNumbers(
+  vtkFieldData* data, vtkIdType row, const std::string& name, double* values, int components);
+SMFILTERSPRODUCTS_EXPORT double GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name);
+SMFILTERSPRODUCTS_EXPORT std::array<double, 3> GetPoint(
+  vtkFieldData* data, vtkIdType row, const std::string& name);
 /// Returns a whole number; -1 if it is not known.
-long long GetCount(vtkFieldData* data, vtkIdType row, const std::string& name);
+SMFILTERSPRODUCTS_EXPORT long long GetCount(vtkFieldData* data, vtkIdType row, const std::string& name);
 /// Returns a text; empty if the array is missing.
-std::string GetText(vtkFieldData* data, vtkIdType row, const char* name);
+SMFILTERSPRODUCTS_EXPORT std::string GetText(vtkFieldData* data, vtkIdType row, const char* name);
 /// Returns the value of that name, and its bound.
 template <std::size_t N>
 Quantity<N> GetQuantity(vtkFieldData* data, vtkIdType row, const std::string& name)
@@ -46,7 +49,7 @@ struct FrameQuantities
 };
 
 /// The quantities of all solids together, or of one. The user guide has their meaning.
-struct Quantities
+struct SMFILTERSPRODUCTS_EXPORT Quantities
 {
   ScalarQuantity Volume, Area, Mass;
   VectorQuantity Center, MassCenter, PrincipalMoments, MassPrincipalMoments;
@@ -68,12 +71,7 @@ struct Quantities
   void Visit(Fields& fields, const std::function<void()>& inBounds = {});
 };
 
-Quantities ReadQuantities(vtkFieldData* data, vtkIdType row);
-
-/// Sets the keys "file" and "file_bytes". "file" is the name; Dump() replaces its bytes that are not UTF-8.
-/// When there are such bytes, "file_bytes" is the percent-encoded name, which gives them back; otherwise it
-/// is null.
-void VisitFileName(Fields& fields, std::string& name);
+SMFILTERSPRODUCTS_EXPORT Quantities ReadQuantities(vtkFieldData* data, vtkIdType row);
 }
 
 #endif

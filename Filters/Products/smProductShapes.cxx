@@ -1,9 +1,8 @@
 #include "smProductShapes.h"
 
-#include "smProductTree.h"
-#include "smResults.h"
+#include "smProductBodies.h"
+#include "smProductResults.h"
 
-#include "vtkCADReader.h"
 #include "vtkMath.h"
 #include "vtkTrimmedNURBSModel.h"
 
@@ -52,16 +51,16 @@ void ProductShapes::Visit(Fields& fields)
     });
 }
 
-ProductShapes MeasureProduct(vtkCADReader* reader, const FileResult& file, double seconds)
+ProductShapes MeasureProduct(vtkDataObject* input, const ProductResults& results, double seconds)
 {
   std::set<std::string> ids;
-  for (const SolidResult& solid : file.Solids)
+  for (const SolidResults& solid : results.Solids)
   {
     ids.insert(solid.Id);
   }
   std::vector<vtkTrimmedNURBSModel*> models;
   ProductShapes result;
-  for (const ProductBody& body : ListBodies(reader))
+  for (const ProductBody& body : ListBodies(input))
   {
     if (ids.count(body.Id) == 0)
     {

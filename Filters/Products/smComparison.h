@@ -1,11 +1,12 @@
 /**
  * @file smComparison.h
- * @brief Comparison of the parts of a product in two files
+ * @brief Comparison of the parts of a product in two files; not installed
  */
 #ifndef smComparison_h
 #define smComparison_h
 
-#include "smQuantities.h"
+#include "smProductResults.h"
+#include "smProductShapes.h"
 
 #include <functional>
 #include <optional>
@@ -14,8 +15,6 @@
 
 namespace sm
 {
-struct FileResult;
-
 namespace states
 {
 constexpr const char* Unchanged = "unchanged";
@@ -60,7 +59,7 @@ struct ComparedPart
   std::vector<ComparedBody> Bodies;
 };
 
-struct ProductDifference
+struct SMFILTERSPRODUCTS_EXPORT ProductDifference
 {
   bool IsEqual = false;
   double Limit = 0.0;
@@ -82,12 +81,13 @@ struct ProductDifference
  *   - changed: the same shape with another mass or material, or another shape of the same name, the nearest
  * of these, or another shape where either file has one solid;
  *   - removed, added: all other solids.
- * The files have Shapes, and one length unit. `limit`: the largest relative difference, in addition to the
- * bounds, that counts as equal; that of places is relative to the diagonal of the larger product. There is no
- * result if `shouldContinue` returned false.
+ * Both have one length unit. `limit`: the largest relative difference, in addition to the bounds, that counts
+ * as equal; that of places is relative to the diagonal of the larger product. `format` writes the densities
+ * of the notes. There is no result if `shouldContinue` returned false.
  */
-std::optional<ProductDifference> CompareProducts(const FileResult& oldFile, const FileResult& newFile,
-  double limit, const std::function<bool()>& shouldContinue);
+SMFILTERSPRODUCTS_EXPORT std::optional<ProductDifference> CompareProducts(const ProductResults& before,
+  const ProductShapes& oldShapes, const ProductResults& after, const ProductShapes& newShapes, double limit,
+  const std::function<std::string(double)>& format, const std::function<bool()>& shouldContinue);
 }
 
 #endif

@@ -1,12 +1,12 @@
 /**
  * @file smProductShapes.h
- * @brief The shapes of the solids of a file, which the process that reads the file sends to the one that
- * compares
+ * @brief The shapes of the solids of a product; not installed
  */
 #ifndef smProductShapes_h
 #define smProductShapes_h
 
 #include "smFields.h"
+#include "smFiltersProductsModule.h"
 #include "smPartShape.h"
 
 #include <array>
@@ -15,14 +15,14 @@
 #include <string>
 #include <vector>
 
-class vtkCADReader;
+class vtkDataObject;
 
 namespace sm
 {
-struct FileResult;
+struct ProductResults;
 
 /// The shape of each model, and the model and the placement of each solid.
-struct ProductShapes
+struct SMFILTERSPRODUCTS_EXPORT ProductShapes
 {
   struct Body
   {
@@ -36,8 +36,9 @@ struct ProductShapes
   void Visit(Fields& fields);
 };
 
-/// Measures the solids of the file. `seconds`: the limit of all; 0: none.
-ProductShapes MeasureProduct(vtkCADReader* reader, const FileResult& file, double seconds);
+/// Measures the solids of an input that have results. `seconds`: the limit of all; 0: none.
+SMFILTERSPRODUCTS_EXPORT ProductShapes MeasureProduct(
+  vtkDataObject* input, const ProductResults& results, double seconds);
 
 /// The data of a solid for the comparison.
 struct SolidShape
