@@ -1,26 +1,18 @@
-// ScaleBenchmark [--json FILE] [--folder FOLDER] [--only NAME] | --counts FOLDER | --write NAME SIZE: how
-// time and memory grow with a model.
+// Benchmark scale: how time and memory grow with a model.
 //
 // Plates of 900, 3,600, 10,000 and 30,000 holes, lattices of 9,000 to 100,000 different faces, assemblies of
 // 900, 3,600 and 10,000 instances (smScaleModels.h). Each is written as a STEP file, read, and integrated to
 // 1e-9 on the CPU backend in a process of its own, by one thread. Printed are the processor's seconds of
 // every stage, the growth exponents from each model of a family to the next and from the smallest to the
 // largest, log(time ratio) / log(size ratio), and the growth of the peak memory per face or instance.
-//
-// --write: the STEP file of such a model on standard output, for a profiler.
-// --counts: small ones, and no time: status, volumes, faces, and that evaluations, triangles and allocated
-// bytes per hole, face and instance do not grow. Exit status 1: a volume is not within its bound and the
-// file's digits, or a check of --counts failed.
 #include "smAllocatedBytes.h"
+#include "smBenchmark.h"
+#include "smHelperProcess.h"
 #include "smScaleModels.h"
 #include "smStageSeconds.h"
 #include "smTesting.h"
 
 #include <vtkSMPTools.h>
-
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -90,41 +82,26 @@ Json MeasureHere(const std::string& path)
   return result;
 }
 
-/// Measures in a child, so that the peak memory is that of one model. The child's result comes through a
-/// pipe.
+/// Measures in a child, so that the peak memory is that of one model.
 Json Measure(const std::string& path)
 {
-  int ends[2];
-  if (pipe(ends) != 0)
+  Json result;
+  sm::HelperProcess helper(
+    [&result](char, const sm::Bytes& content) { result = Json::parse(content, nullptr, false); });
+  helper.Fork(
+    [&path](int descriptor)
+    {
+      const std::string text = MeasureHere(path).dump();
+      sm::SendMessage(descriptor, 'r', text.data(), text.size());
+    });
+  while (helper.IsRunning())
   {
-    return {};
+    sm::HelperProcess::Wait({ &helper }, 1.0);
   }
-  const pid_t child = fork();
-  if (child == 0)
+  if (result.is_object())
   {
-    close(ends[0]);
-    const std::string text = MeasureHere(path).dump();
-    const bool isWritten = write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size());
-    close(ends[1]);
-    _exit(isWritten ? 0 : 1);
+    result["peak_megabytes"] = helper.GetEnd().PeakMegabytes;
   }
-  close(ends[1]);
-  std::string text;
-  char buffer[4096];
-  for (ssize_t size = 0; (size = read(ends[0], buffer, sizeof(buffer))) > 0;)
-  {
-    text.append(buffer, static_cast<std::size_t>(size));
-  }
-  close(ends[0]);
-  int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
-  Json result = Json::parse(text, nullptr, false);
-  if (!result.is_object())
-  {
-    return {};
-  }
-  result["peak_megabytes"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
   return result;
 }
 
@@ -193,7 +170,7 @@ void PrintGrowth(const Family& family, const Json& first, const Json& last)
   std::fflush(stdout);
 }
 
-int PrintTable(const std::vector<std::string>& only, const std::string& folder, const std::string& json)
+int PrintTable(const std::string& only, const std::string& folder, const std::string& json)
 {
   std::printf("| model | size | MB of text |");
   for (const std::string& stage : smtest::GetStageNames())
@@ -210,7 +187,7 @@ int PrintTable(const std::vector<std::string>& only, const std::string& folder, 
   bool right = true;
   for (const Family& family : GetFamilies())
   {
-    if (family.Sizes.empty() || (!only.empty() && only[0] != family.Name))
+    if (family.Sizes.empty() || (!only.empty() && only != family.Name))
     {
       continue;
     }
@@ -308,44 +285,35 @@ int Write(const std::string& name, int size)
   }
   return 1;
 }
-}
 
-int main(int argc, char* argv[])
+void Add(CLI::App& app, int& status)
 {
-  std::string json;
-  std::string folder = ".";
-  std::vector<std::string> only;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    if (argument == "--counts" && i + 1 < argc)
+  static std::string json;
+  static std::string folder = ".";
+  static std::string only;
+  static std::string counts;
+  static std::string written;
+  static int size = 0;
+  CLI::App* command = app.add_subcommand("scale",
+    "How time and memory grow with a model. Exit status 1: a volume is not within its bound and the file's "
+    "digits, or "
+    "a check of --counts failed");
+  command->add_option("--json", json, "file for the numbers");
+  command->add_option("--folder", folder, "folder of the temporary STEP files");
+  command->add_option("--only", only, "plate, lattice or assembly");
+  command->add_option("--counts", counts,
+    "folder for small models; checks status, volumes, faces, and that evaluations, triangles and allocated "
+    "bytes per "
+    "hole, face and instance do not grow");
+  command->add_option("--write", written, "writes such a model to the standard output, for a profiler");
+  command->add_option("--size", size, "size of the model of --write");
+  command->callback(
+    [&status]()
     {
-      return CheckCounts(argv[++i]);
-    }
-    if (argument == "--write" && i + 2 < argc)
-    {
-      return Write(argv[i + 1], std::atoi(argv[i + 2]));
-    }
-    if (argument == "--json" && i + 1 < argc)
-    {
-      json = argv[++i];
-    }
-    else if (argument == "--folder" && i + 1 < argc)
-    {
-      folder = argv[++i];
-    }
-    else if (argument == "--only" && i + 1 < argc)
-    {
-      only = { argv[++i] };
-    }
-    else
-    {
-      std::fprintf(stderr,
-        "usage: ScaleBenchmark [--json FILE] [--folder FOLDER] [--only plate|lattice|assembly] | --counts "
-        "FOLDER | "
-        "--write NAME SIZE\n");
-      return 1;
-    }
-  }
-  return PrintTable(only, folder, json);
+      status = !counts.empty() ? CheckCounts(counts)
+        : !written.empty()     ? Write(written, size)
+                               : PrintTable(only, folder, json);
+    });
+}
+const smtest::BenchmarkEntry Entry(Add);
 }

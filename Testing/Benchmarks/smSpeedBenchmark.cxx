@@ -1,5 +1,5 @@
-// SpeedBenchmark [--json FILE] [--read] [--ours] [--repeat N] FILE.step...: seconds of the processor from
-// file to numbers, compared with OpenCASCADE's, in one run.
+// Benchmark speed FILE.step...: seconds of the processor from file to numbers, compared with OpenCASCADE's,
+// in one run.
 //
 // Per file: OpenCASCADE's default reader (parse, transfer); its BRepGProp, volume and area, by its default
 // rule and with Eps = 1e-6; our reader and our mass properties on the CPU backend at a tolerance of 1e-9, by
@@ -7,11 +7,10 @@
 // the machine hardly matters. The references of evaluations a second are the kernel by itself, on bicubic
 // panels of 20 x 20 points that stay in the cache: with as many lanes as the processor has, and as a plain
 // kernel with the two doubles of SSE2, for which compilers make code by default. Peak memory is the process's
-// up to the end of a file. --read: reading alone. --ours: without OpenCASCADE's. --repeat: the integrals N
-// times, the minimum of their seconds. Exit status 1: wrong usage, or a file whose volume is not
-// OpenCASCADE's to a thousandth.
+// up to the end of a file.
 #include "Items/smBatchParameters.h"
 #include "Items/smItemKernels.h"
+#include "smBenchmark.h"
 #include "smJson.h"
 #include "smProcessorTime.h"
 #include "smStageSeconds.h"
@@ -198,6 +197,8 @@ void PrintRow(const std::string& name, const Json& seconds, double evaluations, 
 
 struct Options
 {
+  std::vector<std::string> Files;
+  std::string Json;
   bool OnlyRead = false;
   bool OnlyOurs = false;
   int Repeats = 1;
@@ -277,44 +278,11 @@ Json AddUp(const Json& all, bool onlyOurs)
   }
   return sum;
 }
-}
 
-int main(int argc, char* argv[])
+int Run(const Options& options)
 {
   // Until here the process has only loaded its libraries, ours and OpenCASCADE's.
   const double processStart = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-  std::string json;
-  Options options;
-  std::vector<std::string> paths;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    if (argument == "--json" && i + 1 < argc)
-    {
-      json = argv[++i];
-    }
-    else if (argument == "--read")
-    {
-      options.OnlyRead = true;
-    }
-    else if (argument == "--ours")
-    {
-      options.OnlyOurs = true;
-    }
-    else if (argument == "--repeat" && i + 1 < argc)
-    {
-      options.Repeats = std::max(1, std::atoi(argv[++i]));
-    }
-    else
-    {
-      paths.push_back(argument);
-    }
-  }
-  if (paths.empty() || paths[0][0] == '-')
-  {
-    std::fprintf(stderr, "usage: SpeedBenchmark [--json FILE] [--read] [--ours] [--repeat N] FILE.step...\n");
-    return 1;
-  }
   Message::DefaultMessenger()->ChangePrinters().Clear();
   vtkSMPTools::SetBackend("Sequential");
   const int lanes = sm::GetLaneCounts().back();
@@ -336,7 +304,7 @@ int main(int argc, char* argv[])
     { "kernel_evaluations_per_second", kernel.Widest },
     { "plain_kernel_evaluations_per_second", kernel.Plain }, { "files", Json::array() } };
   bool same = true;
-  for (const std::string& path : paths)
+  for (const std::string& path : options.Files)
   {
     document["files"].push_back(MeasureFile(path, options));
     const Json& file = document["files"].back();
@@ -351,19 +319,39 @@ int main(int argc, char* argv[])
   document["sum"] = AddUp(document["files"], options.OnlyOurs);
   const Json& sum = document["sum"];
   const auto summed = sum["files"].get<std::size_t>();
-  PrintRow(summed < paths.size() ? "sum of those that OpenCASCADE reads" : "sum", sum["seconds"],
+  PrintRow(summed < options.Files.size() ? "sum of those that OpenCASCADE reads" : "sum", sum["seconds"],
     sum["evaluations"], kernel);
   std::printf(
     "\ncut, plan, upload and integrate over BRepGProp: %.2f; integrate alone: %.2f; read and convert over "
     "OpenCASCADE's reader: %.2f, at most %.2f on files of more than 100 faces; peak %.0f MB\n",
     sum["prepare_and_integrate_over_gprop"].get<double>(), sum["integrate_over_gprop"].get<double>(),
     sum["read_over_occt"].get<double>(), sum["worst_read_over_occt"].get<double>(), GetPeakMegabytes());
-  if (!json.empty())
+  if (!options.Json.empty())
   {
-    std::ofstream file(json);
+    std::ofstream file(options.Json);
     file << document.dump(1) << "\n";
     file.close();
     same = same && file;
   }
   return same ? 0 : 1;
+}
+
+void Add(CLI::App& app, int& status)
+{
+  static Options options;
+  CLI::App* command = app.add_subcommand("speed",
+    "Seconds of the processor from file to numbers, compared with OpenCASCADE's. Exit status 1: a volume is "
+    "not "
+    "OpenCASCADE's to a thousandth");
+  command->add_option("FILE", options.Files, "STEP files")->required();
+  command->add_option("--json", options.Json, "file for the numbers");
+  command->add_flag("--read", options.OnlyRead, "reading alone");
+  command->add_flag("--ours", options.OnlyOurs, "without OpenCASCADE");
+  command
+    ->add_option(
+      "--repeat", options.Repeats, "runs of the integrals, of which the minimum of the seconds counts")
+    ->check(CLI::PositiveNumber);
+  command->callback([&status]() { status = Run(options); });
+}
+const smtest::BenchmarkEntry Entry(Add);
 }

@@ -1,12 +1,12 @@
-// AccuracyBenchmark [--certified FILE.json] [--output FOLDER] FILE.step...: errors of volumes against the
+// Benchmark accuracy FILE.step...: errors of volumes against the
 // seconds of the processor that they take once the file is read, by our filter, by OpenCASCADE's BRepGProp,
 // and by meshes of OpenCASCADE and vtkMassProperties.
 //
 // The true volume of a file that FILE.json names is the middle of its interval there; of others it is ours at
 // a tolerance of 1e-13, so that ours are compared with themselves. Files are left out that one of them cannot
 // read, whose volume is not known to 1e-10, or that OpenCASCADE repairs into another body (more than 1e-3
-// apart). FOLDER gets the plot: accuracy_over_time.png, .svg and .csv. Exit status 1: wrong usage, a volume
-// farther from the true one than its bound and the interval allow, or nothing could be written.
+// apart).
+#include "smBenchmark.h"
 #include "smFigure.h"
 #include "smJson.h"
 #include "smProcessorTime.h"
@@ -397,30 +397,9 @@ int Run(const std::vector<std::string>& paths, const std::string& certifiedPath,
   }
   return exceeded ? 1 : 0;
 }
-}
 
-int main(int argc, char* argv[])
+int RunGuarded(const std::vector<std::string>& paths, const std::string& certified, const std::string& folder)
 {
-  std::string certified;
-  std::string folder;
-  std::vector<std::string> paths;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    if ((argument == "--certified" || argument == "--output") && i + 1 < argc)
-    {
-      (argument == "--output" ? folder : certified) = argv[++i];
-    }
-    else
-    {
-      paths.push_back(argument);
-    }
-  }
-  if (paths.empty() || paths[0][0] == '-')
-  {
-    std::fprintf(stderr, "usage: AccuracyBenchmark [--certified FILE.json] [--output FOLDER] FILE.step...\n");
-    return 1;
-  }
   vtkObject::GlobalWarningDisplayOff();
   Message::DefaultMessenger()->ChangePrinters().Clear();
   vtkSMPTools::SetBackend("Sequential");
@@ -437,4 +416,21 @@ int main(int argc, char* argv[])
     std::fprintf(stderr, "OpenCASCADE: %s\n", failure.GetMessageString());
   }
   return 1;
+}
+
+void Add(CLI::App& app, int& status)
+{
+  static std::string certified;
+  static std::string folder;
+  static std::vector<std::string> paths;
+  CLI::App* command = app.add_subcommand("accuracy",
+    "Errors of volumes against the seconds that they take. Exit status 1: a volume is farther from the true "
+    "one than "
+    "its bound and the interval allow, or nothing could be written");
+  command->add_option("FILE", paths, "STEP files")->required();
+  command->add_option("--certified", certified, "JSON of a certified set with the intervals of volumes");
+  command->add_option("--output", folder, "folder for the plot: accuracy_over_time.png, .svg and .csv");
+  command->callback([&status]() { status = RunGuarded(paths, certified, folder); });
+}
+const smtest::BenchmarkEntry Entry(Add);
 }
