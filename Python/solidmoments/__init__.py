@@ -5,7 +5,7 @@
 >>> part.volume, part.volume_bound, part.units["volume"]
 
 `mass_properties` reads one file, `to_dataframe` several into a table of pandas, `parts_list` gives the products of a file, `compare` the
-differences of two, `validation` what a file states beside the results, `materials` common densities, `Model` is a solid built from NumPy arrays,
+differences of two, `validation` what a file states against the results, `materials` common densities, `Model` is a solid built from NumPy arrays,
 `display_mesh` gives the triangles as NumPy arrays, and `pyvista.read("part.step")` as PyVista's meshes (PyVista 0.48 or later). Numbers are
 bitwise equal to those of the program `solidmoments`. The VTK classes behind them are in the extension modules of this package, for example
 `solidmoments.smFiltersMassProperties`, and load with the first call.

@@ -55,7 +55,7 @@ def compare(old, new, density=None, *, limit=1e-9, **options):
 
 
 def validation(file, density=None, *, limit=1e-3, **options):
-    """The validation properties that a STEP file states beside the results: a list of dicts, empty if it states none.
+    """The validation properties that a STEP file states, compared with the results: a list of dicts, empty if it states none.
 
     Keys are those of `validation` in the JSON of the program `solidmoments`: product, definition (entity number), quantity (volume, area
     or centroid), stated, computed, bound, difference, limit, result (pass, fail or not-comparable) and reason. Volume and area may differ
