@@ -23,8 +23,8 @@ solidmoments_packages() {
   echo libgl1-mesa-dri libegl1 xvfb xauth
   # Header libraries
   echo libglm-dev libcli11-dev nlohmann-json3-dev
-  # For Testing: benchmarks, and a locale with a decimal comma
-  echo libbenchmark-dev locales
+  # For Testing: a locale with a decimal comma
+  echo locales
 }
 
 solidmoments_has_tools() {

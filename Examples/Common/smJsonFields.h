@@ -53,6 +53,11 @@ Json WriteJsonFields(const Visit& visit)
   visit(fields);
   return fields.Take();
 }
+
+/// Sets the keys "file" and "file_bytes". "file" is the name; Dump() replaces its bytes that are not UTF-8.
+/// When there are such bytes, "file_bytes" is the percent-encoded name, which gives them back; otherwise it
+/// is null.
+void VisitFileName(Fields& fields, std::string& name);
 }
 
 #endif

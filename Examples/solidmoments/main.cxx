@@ -7,7 +7,9 @@
 #include "smOutputFiles.h"
 #include "smReportFiles.h"
 #include "smStabilityAnalysis.h"
+#include "smText.h"
 #include "smUrdf.h"
+#include "smValidationFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -233,7 +235,8 @@ std::optional<sm::ProductDifference> Compare(
   std::optional<sm::ProductDifference> comparison;
   if (areRead)
   {
-    comparison = sm::CompareProducts(files[0], files[1], limit, []() { return !sm::IsInterrupted(); });
+    comparison = sm::CompareProducts(files[0].GetProduct(), *files[0].Shapes, files[1].GetProduct(),
+      *files[1].Shapes, limit, sm::FormatExact, []() { return !sm::IsInterrupted(); });
   }
   if (sm::IsInterrupted())
   {

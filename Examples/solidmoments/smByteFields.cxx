@@ -2,51 +2,40 @@
 
 #include "smText.h"
 
-#include <algorithm>
-#include <cstring>
-
 namespace sm
 {
-namespace
+void ByteFieldWriter::Number(const char*, double& value)
 {
-template <typename T>
-void Append(std::string& bytes, const T& value)
-{
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
-}
+  this->To.Put(value);
 }
 
-void ByteWriter::Number(const char*, double& value)
+void ByteFieldWriter::Numbers(const char*, double* values, std::size_t rows, std::size_t columns)
 {
-  Append(this->Bytes, value);
-}
-
-void ByteWriter::Numbers(const char*, double* values, std::size_t rows, std::size_t columns)
-{
-  this->Bytes.append(reinterpret_cast<const char*>(values), rows * columns * sizeof(double));
-}
-
-void ByteWriter::Count(const char*, long long& value)
-{
-  Append(this->Bytes, value);
-}
-
-void ByteWriter::Flag(const char*, std::optional<bool>& value)
-{
-  this->Bytes += value ? (*value ? '\2' : '\1') : '\0';
-}
-
-void ByteWriter::Text(const char*, std::optional<std::string>& value)
-{
-  if (this->Has(value.has_value()))
+  for (std::size_t i = 0; i < rows * columns; ++i)
   {
-    const std::string text = MakeUtf8(*value);
-    this->BeginList(nullptr, text.size());
-    this->Bytes += text;
+    this->To.Put(values[i]);
   }
 }
 
-void ByteWriter::Texts(const char*, std::vector<std::string>& values)
+void ByteFieldWriter::Count(const char*, long long& value)
+{
+  this->To.Put(value);
+}
+
+void ByteFieldWriter::Flag(const char*, std::optional<bool>& value)
+{
+  this->To.Put(value ? (*value ? '\2' : '\1') : '\0');
+}
+
+void ByteFieldWriter::Text(const char*, std::optional<std::string>& value)
+{
+  if (this->Has(value.has_value()))
+  {
+    this->To.PutText(MakeUtf8(*value));
+  }
+}
+
+void ByteFieldWriter::Texts(const char*, std::vector<std::string>& values)
 {
   this->BeginList(nullptr, values.size());
   for (std::string& value : values)
@@ -55,63 +44,48 @@ void ByteWriter::Texts(const char*, std::vector<std::string>& values)
   }
 }
 
-std::size_t ByteWriter::BeginList(const char*, std::size_t count)
+std::size_t ByteFieldWriter::BeginList(const char*, std::size_t count)
 {
-  Append(this->Bytes, count);
+  this->To.Put(static_cast<std::uint64_t>(count));
   return count;
 }
 
-bool ByteWriter::Has(bool exists)
+bool ByteFieldWriter::Has(bool exists)
 {
-  this->Bytes += exists ? '\1' : '\0';
+  this->To.Put(exists ? '\1' : '\0');
   return exists;
 }
 
-bool ByteReader::Take(void* to, std::size_t size)
+void ByteFieldReader::Number(const char*, double& value)
 {
-  this->IsShort = this->IsShort || size > this->Bytes.size() - this->At;
-  if (!this->IsShort)
+  value = this->From.Get<double>();
+}
+
+void ByteFieldReader::Numbers(const char*, double* values, std::size_t rows, std::size_t columns)
+{
+  for (std::size_t i = 0; i < rows * columns; ++i)
   {
-    std::memcpy(to, this->Bytes.data() + this->At, size);
-    this->At += size;
+    values[i] = this->From.Get<double>();
   }
-  return !this->IsShort;
 }
 
-void ByteReader::Number(const char*, double& value)
+void ByteFieldReader::Count(const char*, long long& value)
 {
-  this->Take(&value, sizeof(value));
+  value = this->From.Get<long long>();
 }
 
-void ByteReader::Numbers(const char*, double* values, std::size_t rows, std::size_t columns)
+void ByteFieldReader::Flag(const char*, std::optional<bool>& value)
 {
-  this->Take(values, rows * columns * sizeof(double));
-}
-
-void ByteReader::Count(const char*, long long& value)
-{
-  this->Take(&value, sizeof(value));
-}
-
-void ByteReader::Flag(const char*, std::optional<bool>& value)
-{
-  char byte = '\0';
-  this->Take(&byte, 1);
+  const char byte = this->From.Get<char>();
   value = byte == '\0' ? std::nullopt : std::optional(byte == '\2');
 }
 
-void ByteReader::Text(const char*, std::optional<std::string>& value)
+void ByteFieldReader::Text(const char*, std::optional<std::string>& value)
 {
-  value = std::nullopt;
-  if (this->Has(false))
-  {
-    std::string text(this->BeginList(nullptr, 0), '\0');
-    this->Take(text.data(), text.size());
-    value = std::move(text);
-  }
+  value = this->Has(false) ? std::optional(this->From.GetText()) : std::nullopt;
 }
 
-void ByteReader::Texts(const char*, std::vector<std::string>& values)
+void ByteFieldReader::Texts(const char*, std::vector<std::string>& values)
 {
   values.resize(this->BeginList(nullptr, 0));
   for (std::string& value : values)
@@ -120,19 +94,14 @@ void ByteReader::Texts(const char*, std::vector<std::string>& values)
   }
 }
 
-std::size_t ByteReader::BeginList(const char*, std::size_t)
+std::size_t ByteFieldReader::BeginList(const char*, std::size_t)
 {
   // Every entry has a byte at least.
-  std::size_t count = 0;
-  this->Take(&count, sizeof(count));
-  this->IsShort = this->IsShort || count > this->Bytes.size() - this->At;
-  return this->IsShort ? 0 : count;
+  return this->From.GetCount(1);
 }
 
-bool ByteReader::Has(bool)
+bool ByteFieldReader::Has(bool)
 {
-  char byte = '\0';
-  this->Take(&byte, 1);
-  return byte == '\1';
+  return this->From.Get<char>() == '\1';
 }
 }

@@ -5,15 +5,16 @@
 #ifndef smByteFields_h
 #define smByteFields_h
 
+#include "smBytes.h"
 #include "smFields.h"
 
 #include <string>
 
 namespace sm
 {
-/// Appends the members to a text. Bytes of texts that are not UTF-8 are replaced by U+FFFD: names in files
+/// Appends the members to bytes. Bytes of texts that are not UTF-8 are replaced by U+FFFD: names in files
 /// may be in any encoding.
-class ByteWriter : public Fields
+class ByteFieldWriter : public Fields
 {
 public:
   using Fields::Number;
@@ -30,19 +31,18 @@ public:
   void EndList() override {}
   bool Has(bool exists) override;
 
-  const std::string& Get() const { return this->Bytes; }
+  const Bytes& Get() { return this->To.GetBytes(); }
 
 private:
-  std::string Bytes;
+  ByteWriter To;
 };
 
-/// Sets the members from the bytes of a ByteWriter. Where these end too early, the rest is unknown and
-/// IsWhole() returns false.
-class ByteReader : public Fields
+/// Sets the members from the bytes of a ByteFieldWriter. If these end too early, IsWhole() returns false.
+class ByteFieldReader : public Fields
 {
 public:
-  explicit ByteReader(std::string bytes)
-    : Bytes(std::move(bytes))
+  explicit ByteFieldReader(Bytes bytes)
+    : Content(std::move(bytes))
   {
   }
   using Fields::Number;
@@ -59,15 +59,11 @@ public:
   void EndList() override {}
   bool Has(bool exists) override;
 
-  bool IsWhole() const { return this->At == this->Bytes.size() && !this->IsShort; }
+  bool IsWhole() const { return this->From.IsGood() && this->From.GetNumberOfBytesLeft() == 0; }
 
 private:
-  /// Returns false, and sets nothing, if there are not as many bytes.
-  bool Take(void* to, std::size_t size);
-
-  std::string Bytes;
-  std::size_t At = 0;
-  bool IsShort = false;
+  Bytes Content;
+  ByteReader From{ this->Content };
 };
 }
 

@@ -5,7 +5,7 @@
 #include "smFileReader.h"
 #include "smFilterSetUp.h"
 #include "smMassPropertyNames.h"
-#include "smProductTree.h"
+#include "smProductBodies.h"
 #include "smResults.h"
 #include "smText.h"
 
@@ -15,6 +15,7 @@
 #include "vtkComputeContext.h"
 #include "vtkImageData.h"
 #include "vtkMassPropertiesGPU.h"
+#include "vtkNURBSDataSet.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -70,12 +71,12 @@ vtkSmartPointer<vtkPolyData> JoinState(
 {
   vtkNew<vtkPartitionedDataSetCollection> chosen;
   unsigned int count = 0;
-  for (const ProductBody& body : ListBodies(reader))
+  for (const ProductBody& body : ListBodies(reader->GetOutputDataObject(0)))
   {
     const auto found = states.find(body.Id);
     if (found != states.end() && found->second == state)
     {
-      chosen->SetPartition(count++, 0, body.Mesh);
+      chosen->SetPartition(count++, 0, body.Leaf);
     }
   }
   return JoinParts(chosen);

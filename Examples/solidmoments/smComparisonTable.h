@@ -6,6 +6,7 @@
 #define smComparisonTable_h
 
 #include "smComparison.h"
+#include "smResults.h"
 
 #include <string>
 

@@ -10,8 +10,10 @@
 #include "smOptionValues.h"
 #include "smOptions.h"
 #include "smPicture.h"
-#include "smProductTree.h"
+#include "smProductBodies.h"
+#include "smProducts.h"
 #include "smResults.h"
+#include "smValidationFile.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCADReader.h"
@@ -302,7 +304,8 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   if (options.Shapes)
   {
     SendResult(send, file, messages, false);
-    file.Shapes = sm::MeasureProduct(reader, file, options.GetSecondsLeft());
+    file.Shapes =
+      sm::MeasureProduct(reader->GetOutputDataObject(0), file.GetProduct(), options.GetSecondsLeft());
   }
   if (options.PartsList)
   {
@@ -314,13 +317,13 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   }
   if (options.Validate)
   {
-    file.Validation =
-      sm::CompareValidation(GetSource(options), sm::GetProductTree(reader), file, options.ValidationLimit);
+    file.Validation = sm::CompareValidation(sm::StatedFile(GetSource(options)).List(),
+      sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationLimit);
   }
   if (!options.ValidationTarget.empty())
   {
-    const std::string problem =
-      sm::WriteValidation(GetSource(options), sm::GetProductTree(reader), file, options.ValidationTarget);
+    const std::string problem = sm::WriteValidation(GetSource(options),
+      sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationTarget);
     if (!problem.empty())
     {
       messages.AddEcho(problem);
@@ -374,7 +377,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   sm::JobOptions options = given;
   for (const std::string& pattern : isRead ? given.Only : std::vector<std::string>())
   {
-    const std::vector<std::string> selectors = sm::FindProducts(reader, pattern);
+    const std::vector<std::string> selectors = sm::FindProducts(reader->GetOutputDataObject(0), pattern);
     options.Selectors.insert(options.Selectors.end(), selectors.begin(), selectors.end());
   }
   const auto filter = MakeFilter(reader, options);

@@ -7,27 +7,12 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
-#include <cmath>
 #include <csignal>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <fcntl.h>
-#include <fstream>
 #include <limits>
-#include <new>
-#include <poll.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 namespace
 {
@@ -39,9 +24,6 @@ void OnInterrupt(int number)
 {
   Interrupted = number;
 }
-
-/// Head of a message in the pipe: its kind, and the number of bytes that follow.
-constexpr std::size_t HeadSize = 1 + sizeof(std::uint64_t);
 
 /// Visits what a message of the kind `result` holds.
 void VisitResult(sm::Fields& fields, sm::FileResult& file, bool& isComplete)
@@ -55,9 +37,9 @@ void VisitResult(sm::Fields& fields, sm::FileResult& file, bool& isComplete)
   }
 }
 
-std::string EncodeMessage(const sm::JobMessage& message)
+void WriteMessage(int descriptor, const sm::JobMessage& message)
 {
-  sm::ByteWriter writer;
+  sm::ByteFieldWriter writer;
   if (message.Kind == sm::JobMessage::Result)
   {
     bool isComplete = message.IsComplete;
@@ -71,104 +53,14 @@ std::string EncodeMessage(const sm::JobMessage& message)
     writer.sm::Fields::Text(nullptr, text);
     writer.Number(nullptr, fraction);
   }
-  const std::uint64_t size = writer.Get().size();
-  return std::string(1, message.Kind) + std::string(reinterpret_cast<const char*>(&size), sizeof(size)) +
-    writer.Get();
-}
-
-void WriteMessage(int descriptor, const sm::JobMessage& message)
-{
-  const std::string bytes = EncodeMessage(message);
-  size_t done = 0;
-  while (done < bytes.size())
+  if (!sm::SendMessage(descriptor, message.Kind, writer.Get().data(), writer.Get().size()))
   {
-    const ssize_t count = write(descriptor, bytes.data() + done, bytes.size() - done);
-    if (count < 0 && errno != EINTR)
-    {
-      _exit(1); // the parent has closed the pipe
-    }
-    done += count > 0 ? static_cast<size_t>(count) : 0;
+    _exit(1); // the parent has closed the pipe
   }
 }
 
-/// Set to 1 when a child has no memory left; shared with the process that started it.
-volatile std::sig_atomic_t* OutOfMemory = nullptr;
-
-void OnNoMemory()
+void RunChild(const sm::JobOptions& options, int descriptor)
 {
-  *OutOfMemory = 1;
-  throw std::bad_alloc();
-}
-
-/// Handles a fatal signal: a driver without memory aborts or uses a null pointer. The cause is taken to be
-/// memory if an allocation fails here.
-void OnFatalSignal(int number)
-{
-  constexpr size_t little = size_t(64) << 20;
-  if (mmap(nullptr, little, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED)
-  {
-    *OutOfMemory = 1;
-  }
-  std::signal(number, SIG_DFL);
-  raise(number);
-}
-
-/// Lets the child report that it has run out of memory. Signal handlers are installed only if its memory is
-/// limited (ulimit -v).
-void WatchMemory()
-{
-  if (!OutOfMemory)
-  {
-    return;
-  }
-  std::set_new_handler(OnNoMemory);
-  struct rlimit limit = {};
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-  {
-    for (const int number : { SIGSEGV, SIGBUS, SIGABRT })
-    {
-      std::signal(number, OnFatalSignal);
-    }
-  }
-}
-
-/// How many processes of this machine the system has ended for want of memory; -1 where it does not report
-/// it.
-long CountMemoryKills()
-{
-  std::ifstream counters("/proc/vmstat");
-  std::string name;
-  for (long value = 0; counters >> name >> value;)
-  {
-    if (name == "oom_kill")
-    {
-      return value;
-    }
-  }
-  return -1;
-}
-
-[[noreturn]] void RunChild(const sm::JobOptions& options, int descriptor, pid_t parent)
-{
-  for (const int number : { SIGINT, SIGTERM, SIGHUP })
-  {
-    std::signal(number, SIG_DFL);
-  }
-#ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-  if (getppid() != parent)
-  {
-    _exit(1); // the parent has ended already
-  }
-  WatchMemory();
-  // The standard output is reserved for the results, so the output of libraries is sent to /dev/null.
-  const int null = open("/dev/null", O_WRONLY);
-  if (null >= 0)
-  {
-    dup2(null, STDOUT_FILENO);
-    close(null);
-  }
   if (options.Threads > 0)
   {
     vtkSMPTools::Initialize(options.Threads);
@@ -176,11 +68,7 @@ long CountMemoryKills()
     setenv("LP_NUM_THREADS", std::to_string(options.Threads).c_str(), 0);
   }
   sm::RunFileJob(options, [descriptor](const sm::JobMessage& message) { WriteMessage(descriptor, message); });
-  // _exit() skips the destructors of static objects in third-party libraries, which might fail.
-  _exit(0);
 }
-
-using Clock = std::chrono::steady_clock;
 
 /// Returns the seconds after which a job is killed. Computations stop at the time limit by themselves; a
 /// hanging reader or compiler does not.
@@ -190,53 +78,12 @@ double GetSecondsLeft(const sm::JobOptions& options)
                                       : std::numeric_limits<double>::infinity();
 }
 
-/// No process does this to itself.
-bool WasKilled(int status)
-{
-  return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
-}
-
-/// Returns true if a process with these resources may have reached its hard limit of processor time, at which
-/// the system sends SIGKILL: the shell's ulimit -t sets the hard limit, too.
-bool HasUsedProcessorLimit(const rusage& used)
-{
-  rlimit limit{};
-  const double seconds = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
-    1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
-  return getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_max != RLIM_INFINITY &&
-    seconds > static_cast<double>(limit.rlim_max) - 0.5;
-}
-
-bool IsOverProcessorLimit(int status)
-{
-  return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
-}
-
 /// Returns a sentence about the process of a child and how it ended; empty if it ended normally.
-std::string DescribeEnd(int status, bool isTimeOver, bool isOutOfMemory, const sm::JobOptions& options)
+std::string DescribeEnd(const sm::ProcessEnd& end, const sm::JobOptions& options)
 {
-  if (isTimeOver)
-  {
-    return "took longer than the " + sm::FormatDigits(options.MaximumSeconds, 6) +
-      " s of --max-seconds and was ended";
-  }
-  std::string end;
-  if (IsOverProcessorLimit(status))
-  {
-    end = "used all the processor time that the system allows it (ulimit -t) and was ended";
-  }
-  else if (WIFSIGNALED(status))
-  {
-    const int number = WTERMSIG(status);
-    end = "ended by signal " + std::to_string(number) + " (" + strsignal(number) +
-      (number == SIGKILL && !isOutOfMemory ? ", from outside, as the system does when memory runs out)"
-                                           : ")");
-  }
-  else if (WIFEXITED(status) && WEXITSTATUS(status) != 0)
-  {
-    end = "ended with exit status " + std::to_string(WEXITSTATUS(status));
-  }
-  return !end.empty() && isOutOfMemory ? "ran out of memory and " + end : end;
+  return end.IsTimeOver ? "took longer than the " + sm::FormatDigits(options.MaximumSeconds, 6) +
+      " s of --max-seconds and was ended"
+                        : end.Describe();
 }
 
 /// Adds the reason for missing results to those that a child sent before it failed; `isExplained` is true if
@@ -289,9 +136,9 @@ void FindOutputErrors(
 namespace sm
 {
 void JobMessages::Take(
-  JobMessage::Kinds kind, std::string bytes, const JobOptions& options, const ProgressListener& progress)
+  JobMessage::Kinds kind, Bytes bytes, const JobOptions& options, const ProgressListener& progress)
 {
-  ByteReader reader(std::move(bytes));
+  ByteFieldReader reader(std::move(bytes));
   if (kind == JobMessage::Result)
   {
     FileResult file(options);
@@ -328,9 +175,14 @@ void JobMessages::Take(
 IsolatedJob::IsolatedJob(const JobOptions& options, ProgressListener progress)
   : Options(options)
   , Progress(std::move(progress))
-  , SecondsLeft(GetSecondsLeft(options))
+  , Helper(
+      [this](char kind, Bytes content) {
+        this->Said.Take(
+          static_cast<JobMessage::Kinds>(kind), std::move(content), this->Options, this->Progress);
+      })
 {
   this->Said.Stage = stages::Start;
+  this->Helper.SetSecondsLeft(GetSecondsLeft(options));
   struct stat info = {};
   if (stat(options.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
   {
@@ -338,125 +190,22 @@ IsolatedJob::IsolatedJob(const JobOptions& options, ProgressListener progress)
     this->Error = "Cannot read " + options.FileName + ": not a regular file.";
     return;
   }
-  void* shared =
-    mmap(nullptr, sizeof(*this->OutOfMemory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  this->OutOfMemory = shared != MAP_FAILED ? static_cast<volatile std::sig_atomic_t*>(shared) : nullptr;
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
-  {
-    this->Error = std::string("no pipe to a child process: ") + std::strerror(errno);
-    return;
-  }
-  const pid_t parent = getpid();
-  this->MemoryKills = CountMemoryKills();
-  this->Process = fork();
-  if (this->Process == 0)
-  {
-    close(ends[0]);
-    ::OutOfMemory = this->OutOfMemory;
-    RunChild(options, ends[1], parent);
-  }
-  const int error = errno;
-  close(ends[1]);
-  this->Pipe = ends[0];
-  if (this->Process < 0)
-  {
-    this->Error = std::string("no child process: ") + std::strerror(error);
-    close(this->Pipe);
-    this->Pipe = -1;
-  }
-}
-
-IsolatedJob::~IsolatedJob()
-{
-  if (this->IsRunning())
-  {
-    kill(this->Process, SIGKILL);
-    this->End();
-  }
-  if (this->OutOfMemory)
-  {
-    munmap(const_cast<std::sig_atomic_t*>(this->OutOfMemory), sizeof(*this->OutOfMemory));
-  }
-}
-
-void IsolatedJob::End()
-{
-  close(this->Pipe);
-  this->Pipe = -1;
-  rusage used{};
-  while (wait4(this->Process, &this->ExitStatus, 0, &used) < 0 && errno == EINTR)
-  {
-  }
-  if (WasKilled(this->ExitStatus) && HasUsedProcessorLimit(used))
-  {
-    this->ExitStatus = SIGXCPU;
-  }
-}
-
-void IsolatedJob::Append(const char* bytes, std::size_t count)
-{
-  this->Pending.append(bytes, count);
-  std::size_t begin = 0;
-  while (this->Pending.size() - begin >= HeadSize)
-  {
-    std::uint64_t size = 0;
-    std::memcpy(&size, this->Pending.data() + begin + 1, sizeof(size));
-    if (size > this->Pending.size() - begin - HeadSize)
-    {
-      break;
-    }
-    this->Said.Take(static_cast<JobMessage::Kinds>(this->Pending[begin]),
-      this->Pending.substr(begin + HeadSize, static_cast<std::size_t>(size)), this->Options, this->Progress);
-    begin += HeadSize + static_cast<std::size_t>(size);
-  }
-  this->Pending.erase(0, begin);
+  this->Error = this->Helper.Fork([&options](int descriptor) { RunChild(options, descriptor); });
 }
 
 void IsolatedJob::Wait(const std::vector<IsolatedJob*>& jobs)
 {
-  // A signal that arrives just before poll() is noticed a second later.
-  double seconds = 1.0;
-  std::vector<struct pollfd> waiting;
+  std::vector<HelperProcess*> helpers;
   for (IsolatedJob* job : jobs)
   {
-    if (!job->IsKilled && (Interrupted || job->SecondsLeft <= 0.0))
+    helpers.push_back(&job->Helper);
+    if (Interrupted)
     {
-      kill(job->Process, SIGKILL);
-      job->IsKilled = true;
-      job->IsTimeOver = !Interrupted;
-    }
-    seconds = job->IsKilled ? seconds : std::min(job->SecondsLeft, seconds);
-    waiting.push_back({ job->Pipe, POLLIN, 0 });
-  }
-  const auto start = Clock::now();
-  const int ready = poll(waiting.data(), waiting.size(), static_cast<int>(std::ceil(1e3 * seconds)));
-  const double waited = std::chrono::duration<double>(Clock::now() - start).count();
-  for (IsolatedJob* job : jobs)
-  {
-    job->SecondsLeft -= waited;
-  }
-  if (ready <= 0)
-  {
-    return;
-  }
-  char buffer[65536];
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-  {
-    if (waiting[i].revents == 0)
-    {
-      continue;
-    }
-    const ssize_t count = read(jobs[i]->Pipe, buffer, sizeof(buffer));
-    if (count > 0)
-    {
-      jobs[i]->Append(buffer, static_cast<std::size_t>(count));
-    }
-    else if (count == 0 || errno != EINTR)
-    {
-      jobs[i]->End();
+      job->Helper.Kill();
     }
   }
+  // A signal that arrives just before the wait is noticed a second later.
+  HelperProcess::Wait(helpers, 1.0);
 }
 
 JobOutcome IsolatedJob::GetOutcome()
@@ -478,17 +227,13 @@ JobOutcome IsolatedJob::GetOutcome()
     // After an interrupt only complete results count as those of a finished file.
     return this->Said.IsComplete ? outcome : JobOutcome();
   }
-  const bool isOutOfMemory = (this->OutOfMemory && *this->OutOfMemory) ||
-    (WasKilled(this->ExitStatus) && CountMemoryKills() > this->MemoryKills && !this->IsTimeOver);
-  const std::string end = DescribeEnd(this->ExitStatus, this->IsTimeOver, isOutOfMemory, this->Options);
+  const ProcessEnd& how = this->Helper.GetEnd();
+  const std::string end = DescribeEnd(how, this->Options);
   if (!this->Said.IsComplete)
   {
-    AddFailure(this->Options, this->Said.Stage, end,
-      this->IsTimeOver || isOutOfMemory || WasKilled(this->ExitStatus) ||
-        IsOverProcessorLimit(this->ExitStatus),
-      outcome.File);
+    AddFailure(this->Options, this->Said.Stage, end, how.IsForced(), outcome.File);
   }
-  else if (!end.empty() && !this->IsTimeOver)
+  else if (!end.empty() && !how.IsTimeOver)
   {
     outcome.File->Messages.push_back("the process that worked on this file " + end + " in stage \"" +
       this->Said.Stage + "\", after it had sent the result");

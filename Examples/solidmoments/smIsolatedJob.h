@@ -3,21 +3,19 @@
  * @brief Runs the jobs of files in child processes, so that a crash of the CAD kernel affects only the job of
  * that file
  *
- * Children are forked while this process has neither threads nor an OpenGL context; results come back through
- * a pipe, as smByteFields.h writes them. Signal handlers are installed in the child only if its memory is
- * limited (ulimit -v), to report that it ran out.
+ * Children are forked (smHelperProcess.h) while this process has neither threads nor an OpenGL context;
+ * results come back as smByteFields.h writes them.
  */
 #ifndef smIsolatedJob_h
 #define smIsolatedJob_h
 
 #include "smFileJob.h"
+#include "smHelperProcess.h"
 #include "smResults.h"
 
-#include <csignal>
 #include <functional>
 #include <optional>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace sm
@@ -43,8 +41,7 @@ struct JobMessages
   std::string Stage;
 
   /// Takes a message as WriteMessage() wrote it, without its head; one that is damaged is ignored.
-  void Take(
-    JobMessage::Kinds kind, std::string bytes, const JobOptions& options, const ProgressListener& progress);
+  void Take(JobMessage::Kinds kind, Bytes bytes, const JobOptions& options, const ProgressListener& progress);
 };
 
 /// The job of one file in a child process. A child is killed if it takes longer than 1.25 times
@@ -54,12 +51,10 @@ class IsolatedJob
 public:
   /// Starts the child. Call from a process with one thread.
   IsolatedJob(const JobOptions& options, ProgressListener progress);
-  /// Kills the child if it still runs.
-  ~IsolatedJob();
   IsolatedJob(const IsolatedJob&) = delete;
   IsolatedJob& operator=(const IsolatedJob&) = delete;
 
-  bool IsRunning() const { return this->Pipe >= 0; }
+  bool IsRunning() const { return this->Helper.IsRunning(); }
   /// Waits at most one second until one of the jobs, all of which must be running, sends a message or ends.
   /// Kills those whose time has elapsed, and all of them after an interrupt.
   static void Wait(const std::vector<IsolatedJob*>& jobs);
@@ -67,23 +62,11 @@ public:
   JobOutcome GetOutcome();
 
 private:
-  void Append(const char* bytes, std::size_t count);
-  void End();
-
   JobOptions Options;
   ProgressListener Progress;
-  double
-    SecondsLeft; ///< of waiting for the child; other time does not count, because a full pipe stops the child
   JobMessages Said;
-  std::string Pending;
   std::string Error; ///< why there is no child; empty: there is one
-  pid_t Process = -1;
-  int Pipe = -1; ///< of its messages; -1: it has ended
-  int ExitStatus = 0;
-  bool IsKilled = false;
-  bool IsTimeOver = false;
-  volatile std::sig_atomic_t* OutOfMemory = nullptr; ///< shared with the child, which sets it
-  long MemoryKills = 0;                              ///< of the system, before the child
+  HelperProcess Helper;
 };
 
 /// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set

@@ -3,6 +3,7 @@
 #include "smFormat.h"
 #include "smScheme.h"
 #include "smStabilityAnalysis.h"
+#include "smValidationFile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,12 @@
 #include "smResults.h"
 
 #include "smFileJob.h"
+#include "smJsonFields.h"
 #include "smMassPropertyNames.h"
+#include "smPartsFields.h"
 #include "smReportRows.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkNURBSDataSet.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -44,75 +43,6 @@ void Visit(Fields& fields, StageSeconds& seconds)
   fields.Note("s", "to the GPU").Number("upload", seconds.Upload);
   fields.Note("s", "").Number("integrate", seconds.Integrate);
   fields.Note("s", "checks of shells, plausibility, tables").Number("analyse", seconds.Analyse);
-}
-
-Status FindStatus(const std::string& text)
-{
-  for (int i = 0; i <= static_cast<int>(Status::Unreadable); ++i)
-  {
-    if (text == GetText(static_cast<Status>(i)))
-    {
-      return static_cast<Status>(i);
-    }
-  }
-  return Status::None;
-}
-
-void Visit(Fields& fields, PartsSums& sums)
-{
-  const bool isWhole = sums.HasWholeMass();
-  double volume = sums.Volume.GetValue(), volumeBound = sums.Volume.GetBound();
-  double area = sums.Area.GetValue(), areaBound = sums.Area.GetBound();
-  double known = sums.Mass.GetValue(), knownBound = sums.Mass.GetBound();
-  double mass = isWhole ? known : Unknown, massBound = isWhole ? knownBound : Unknown;
-  long long withMass = sums.Mass.Terms, withVolume = sums.Volume.Terms;
-  fields.Note("L^3", "").Number("volume", volume);
-  fields.Note("L^2", "").Number("area", area);
-  fields.Note("kg", "if all solids have a density").Number("mass", mass);
-  fields.Note("kg", "of the solids that have a density").Number("known_mass", known);
-  fields.Count("solids_with_mass", withMass);
-  fields.Count("solids_with_volume", withVolume);
-  fields.Note("", "of the quantities with the same names").Begin("bounds");
-  fields.Number("volume", volumeBound);
-  fields.Number("area", areaBound);
-  fields.Number("mass", massBound);
-  fields.Number("known_mass", knownBound);
-  fields.End();
-  sums.Volume = { volume, volumeBound, static_cast<int>(withVolume) };
-  sums.Area = { area, areaBound, std::isnan(area) ? 0 : std::max(sums.Area.Terms, 1) };
-  sums.Mass = { known, knownBound, static_cast<int>(withMass) };
-}
-
-void VisitNumber(Fields& fields, const char* key, int& number)
-{
-  long long count = number;
-  fields.Count(key, count);
-  number = static_cast<int>(count);
-}
-
-void Visit(Fields& fields, PartsListEntry& part)
-{
-  std::string kind = part.IsAssembly ? "assembly" : "part";
-  std::string status = GetText(part.Status);
-  fields.Text("name", part.Name);
-  fields.Note("", "`part` or `assembly`").Text("kind", kind);
-  VisitNumber(fields, "count", part.Count);
-  VisitNumber(fields, "count_in_all", part.CountInAll);
-  VisitNumber(fields, "solids", part.Solids);
-  fields.Note("", "the worst of its solids").Text("status", status);
-  fields.Note("", "of the first product").Name("layer", part.Layer);
-  fields.Note("", "as `density`").Name("material", part.Material);
-  fields.Note("kg/m^3", "if all solids have the same").Number("density", part.Density);
-  fields.Note("", "sums of one product").Begin("each");
-  Visit(fields, part.Each);
-  fields.End();
-  fields.Note("", "sums of all these products").Begin("in_all");
-  Visit(fields, part.InAll);
-  fields.End();
-  fields.Note("", "the products that it consists of, with the same keys")
-    .List("children", part.Children, [&](PartsListEntry& child) { Visit(fields, child); });
-  part.IsAssembly = kind == "assembly";
-  part.Status = FindStatus(status);
 }
 
 /// Returns for each solid the edges with the widest gaps, at most five, without edges that have no gap. In
@@ -340,7 +270,7 @@ void FileResult::Visit(Fields& fields)
   {
     this->Parts = this->Parts.value_or(std::vector<PartsListEntry>());
     fields.Note("", "with `--bom`: the parts list")
-      .List("parts", *this->Parts, [&](PartsListEntry& part) { sm::Visit(fields, part); });
+      .List("parts", *this->Parts, [&](PartsListEntry& part) { VisitPart(fields, part); });
   }
   if (fields.Has(this->Validation.has_value()))
   {
@@ -349,6 +279,16 @@ void FileResult::Visit(Fields& fields)
       .List("validation", *this->Validation, [&](ValidationEntry& entry) { entry.Visit(fields); });
   }
   this->VisitAnalyses(fields, this->Analyses, false, true);
+}
+
+ProductResults FileResult::GetProduct() const
+{
+  ProductResults product{ this->Status, this->LengthUnit, this->Diagonal, this->Total, {} };
+  for (const SolidResult& solid : this->Solids)
+  {
+    product.Solids.push_back({ solid.Id, solid.Name, solid.Status, solid });
+  }
+  return product;
 }
 
 bool HasMixedDensities(const Quantities& total)
@@ -379,24 +319,5 @@ void ReadSolids(vtkTable* table, vtkTable* edges, FileResult& file)
     file.Solids.push_back(std::move(solid));
   }
   ReadWorstEdges(edges, file.Solids);
-}
-
-double GetDiagonal(vtkDataObject* input)
-{
-  vtkBoundingBox box;
-  auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(input);
-  for (unsigned int i = 0; parts && i < parts->GetNumberOfPartitionedDataSets(); ++i)
-  {
-    for (unsigned int j = 0; j < parts->GetNumberOfPartitions(i); ++j)
-    {
-      auto* solid = vtkNURBSDataSet::SafeDownCast(parts->GetPartitionAsDataObject(i, j));
-      double bounds[6];
-      if (solid && solid->GetBodyBounds(bounds))
-      {
-        box.AddBounds(bounds);
-      }
-    }
-  }
-  return box.IsValid() ? box.GetDiagonalLength() : Unknown;
 }
 }

@@ -7,15 +7,14 @@
 
 #include "smAnalysis.h"
 #include "smPartsList.h"
+#include "smProductResults.h"
 #include "smProductShapes.h"
-#include "smQuantities.h"
 #include "smValidation.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-class vtkDataObject;
 class vtkFieldData;
 class vtkTable;
 
@@ -97,6 +96,8 @@ struct FileResult
   void Visit(Fields& fields);
   /// Visits a solid, or the total.
   void VisitBody(Fields& fields, BodyResult& body, const std::function<void()>& inBounds = {});
+  /// Returns the results by which products are compared.
+  ProductResults GetProduct() const;
   /// Returns a solid with results of all requested analyses, of which nothing is known.
   SolidResult MakeSolid() const;
   /// Returns "mm^3" for the unit "mm" and the power 3.
@@ -122,8 +123,6 @@ bool HasMixedDensities(const Quantities& total);
 void ReadTotal(vtkFieldData* fields, TotalResult& total);
 /// Adds a solid for every row of port 1; `edges` is port 4.
 void ReadSolids(vtkTable* table, vtkTable* edges, FileResult& file);
-/// Returns the diagonal of the bounding box of all display meshes; NaN if there are none.
-double GetDiagonal(vtkDataObject* input);
 }
 
 #endif

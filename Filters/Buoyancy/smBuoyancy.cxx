@@ -1,9 +1,9 @@
 #include "smBuoyancy.h"
+#include "Detail/smChainExtent.h"
+#include "Detail/smSubmergedStrips.h"
 #include "smBodyScales.h"
-#include "smChainExtent.h"
 #include "smCoedgeGaps.h"
 #include "smParallelFor.h"
-#include "smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 
@@ -20,8 +20,6 @@ namespace sm
 {
 namespace
 {
-using Point3 = std::array<double, 3>;
-
 // Shares of a face's tolerance for cutting and for the quadrature. Rotating first moments to the world's axes
 // multiplies their bounds by at most sqrt(3), and a face may be twice as far from the frame's origin as the
 // radius.

@@ -19,15 +19,15 @@
 #ifndef smBuoyancy_h
 #define smBuoyancy_h
 
+#include "Detail/smSectionMoments.h"
+#include "Detail/smSubmergedFace.h"
+#include "Detail/smWaterlineFrame.h"
 #include "smBodyIntegrals.h"
 #include "smFaceCache.h"
 #include "smFacePanelsCache.h"
 #include "smFiltersBuoyancyModule.h"
 #include "smProgressCallback.h"
-#include "smSectionMoments.h"
-#include "smSubmergedFace.h"
 #include "smSurfaceIntegrator.h"
-#include "smWaterlineFrame.h"
 
 #include <array>
 #include <cstdint>

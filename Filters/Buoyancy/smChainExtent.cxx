@@ -1,4 +1,4 @@
-#include "smChainExtent.h"
+#include "Detail/smChainExtent.h"
 
 #include <algorithm>
 #include <cmath>

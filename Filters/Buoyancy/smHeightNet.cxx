@@ -1,4 +1,4 @@
-#include "smHeightNet.h"
+#include "Detail/smHeightNet.h"
 
 #include "smBernstein.h"
 #include "smUnitRoundoff.h"

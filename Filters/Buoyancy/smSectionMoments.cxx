@@ -1,4 +1,4 @@
-#include "smSectionMoments.h"
+#include "Detail/smSectionMoments.h"
 
 #include "smUnitRoundoff.h"
 #include "smVector.h"

@@ -1,4 +1,4 @@
-#include "smSignChanges.h"
+#include "Detail/smSignChanges.h"
 
 #include "smChebyshev.h"
 

@@ -1,7 +1,7 @@
-#include "smStrip.h"
+#include "Detail/smStrip.h"
 
+#include "Detail/smSignChanges.h"
 #include "smChebyshev.h"
-#include "smSignChanges.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -13,8 +13,6 @@ namespace sm
 {
 namespace
 {
-using Point3 = std::array<double, 3>;
-
 template <std::size_t Dimension>
 std::vector<std::array<double, Dimension>> GetPoints(
   const FacePanels& panels, std::uint32_t first, int degree)

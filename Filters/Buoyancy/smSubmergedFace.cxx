@@ -1,7 +1,7 @@
-#include "smSubmergedFace.h"
+#include "Detail/smSubmergedFace.h"
 
-#include "smSubmergedPanels.h"
-#include "smSubmergedStrips.h"
+#include "Detail/smSubmergedPanels.h"
+#include "Detail/smSubmergedStrips.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 

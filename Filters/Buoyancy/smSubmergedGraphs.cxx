@@ -1,9 +1,10 @@
-#include "smSubmergedPanels.h"
+#include "Detail/smSubmergedPanels.h"
 
+#include "Detail/smSignChanges.h"
 #include "smBernstein.h"
 #include "smChebyshev.h"
 #include "smPatchParts.h"
-#include "smSignChanges.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-
 // Degrees of the polynomials that approximate graphs.
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
 constexpr int MaxNodes = 10;

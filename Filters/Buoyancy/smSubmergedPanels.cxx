@@ -1,6 +1,7 @@
-#include "smSubmergedPanels.h"
+#include "Detail/smSubmergedPanels.h"
 
 #include "smPatchParts.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-
 // Shares of the tolerance for all boxes that remain unresolved together, and for a single cut or fit.
 constexpr double LeftoverShare = 0.25;
 // Boxes are not halved any more when their errors are below this fraction of the errors that halving cannot

@@ -1,9 +1,9 @@
-#include "smSubmergedStrips.h"
+#include "Detail/smSubmergedStrips.h"
 
+#include "Detail/smSignChanges.h"
+#include "Detail/smStrip.h"
 #include "smChebyshev.h"
 #include "smPatchParts.h"
-#include "smSignChanges.h"
-#include "smStrip.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 
@@ -17,8 +17,6 @@ namespace sm
 {
 namespace
 {
-using Point3 = std::array<double, 3>;
-
 // Share of the limits for one crossing.
 constexpr double CrossingShare = 1.0 / 4096.0;
 // Largest numbers of halvings of an interval and of parts of a strip.

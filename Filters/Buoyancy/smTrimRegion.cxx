@@ -1,8 +1,9 @@
-#include "smTrimRegion.h"
+#include "Detail/smTrimRegion.h"
 
 #include "smBernstein.h"
 #include "smPolynomialCurve.h"
 #include "smTrimCutting.h"
+#include "smVector.h"
 
 #include <algorithm>
 
@@ -10,7 +11,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
 // Largest number of halvings in the search for the extent of a piece, and its accuracy relative to the
 // interval.
 constexpr int ExtentDepth = 20;

@@ -1,4 +1,4 @@
-#include "smWaterlineFrame.h"
+#include "Detail/smWaterlineFrame.h"
 #include "smBodyScales.h"
 #include "smPlacementError.h"
 #include "smUnitRoundoff.h"

@@ -5,7 +5,7 @@
 #ifndef smParallelFor_h
 #define smParallelFor_h
 
-#include "smWorkerThreads.h"
+#include "Detail/smWorkerThreads.h"
 
 #include "vtkSMPTools.h"
 

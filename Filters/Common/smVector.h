@@ -1,6 +1,6 @@
 /**
  * @file smVector.h
- * @brief Vectors of three numbers, of double or extended precision; not installed
+ * @brief Points, and vectors of three numbers of double or extended precision; not installed
  *
  * Sums run from the first component to the last, so that every user gets the same bits.
  */
@@ -13,6 +13,8 @@
 
 namespace sm
 {
+using Point2 = std::array<double, 2>;
+using Point3 = std::array<double, 3>;
 using Vector3 = std::array<double, 3>;
 
 template <typename Real = double>
@@ -55,6 +57,12 @@ template <typename Real = double>
 Real Norm(const std::array<Real, 3>& a)
 {
   return Norm(a.data());
+}
+
+template <typename Real = double>
+Real GetDistance(const std::array<Real, 3>& a, const std::array<Real, 3>& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 /// A unit vector. The components are divided by the largest first, so that no square overflows.

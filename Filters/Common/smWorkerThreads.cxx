@@ -1,4 +1,4 @@
-#include "smWorkerThreads.h"
+#include "Detail/smWorkerThreads.h"
 
 #include "vtkSMPTools.h"
 

@@ -1,11 +1,11 @@
 #include "smComputeMassProperties.h"
 
+#include "Detail/smSelfCrossing.h"
 #include "smFailureReason.h"
 #include "smFileState.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMassAnalysis.h"
-#include "smSelfCrossing.h"
 
 #include "vtkDataObject.h"
 

@@ -1,14 +1,14 @@
 #include "smMassAnalysis.h"
 
+#include "Detail/smMoments.h"
+#include "Detail/smPlausibility.h"
+#include "Detail/smSelfCrossing.h"
+#include "Detail/smTotalMass.h"
 #include "smBodyScales.h"
 #include "smCoincidentFaces.h"
 #include "smFormat.h"
 #include "smMassIntegrands.h"
-#include "smMoments.h"
 #include "smPlacementError.h"
-#include "smPlausibility.h"
-#include "smSelfCrossing.h"
-#include "smTotalMass.h"
 #include "smUnitRoundoff.h"
 
 #include "vtkBoundingBox.h"

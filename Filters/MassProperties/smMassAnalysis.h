@@ -5,14 +5,14 @@
 #ifndef smMassAnalysis_h
 #define smMassAnalysis_h
 
+#include "Detail/smMassTolerance.h"
+#include "Detail/smReferenceFrame.h"
 #include "smBodyIntegrals.h"
 #include "smFiltersMassPropertiesModule.h"
 #include "smIntegralEngine.h"
 #include "smMassTable.h"
-#include "smMassTolerance.h"
 #include "smMaterials.h"
 #include "smPartsList.h"
-#include "smReferenceFrame.h"
 #include "smStatus.h"
 
 #include <string>

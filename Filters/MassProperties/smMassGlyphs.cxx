@@ -1,4 +1,4 @@
-#include "smMassGlyphs.h"
+#include "Detail/smMassGlyphs.h"
 
 #include "smBodyScales.h"
 #include "smMassPropertyNames.h"

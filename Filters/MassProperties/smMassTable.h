@@ -5,11 +5,11 @@
 #ifndef smMassTable_h
 #define smMassTable_h
 
+#include "Detail/smMoments.h"
+#include "Detail/smReferenceFrame.h"
 #include "smColumns.h"
 #include "smFiltersMassPropertiesModule.h"
 #include "smLengthUnits.h"
-#include "smMoments.h"
-#include "smReferenceFrame.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "smMassTolerance.h"
+#include "Detail/smMassTolerance.h"
 
 #include "smBodyIntegrals.h"
 #include "smBodyScales.h"

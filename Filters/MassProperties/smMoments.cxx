@@ -1,5 +1,6 @@
-#include "smMoments.h"
+#include "Detail/smMoments.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include "vtkMath.h"
 
@@ -16,7 +17,6 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 // Index of (i,j) in XX YY ZZ XY YZ XZ.
 constexpr int Packed[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
 
-using Vector = std::array<double, 3>;
 using Symmetric = std::array<double, 6>;
 
 double Largest(const double* values, int count)
@@ -129,15 +129,15 @@ void Moments::Place(const double placement[16])
 void Moments::MoveReference(const std::array<double, 3>& reference)
 {
   // r' = r + a with a = old reference - new one.
-  Vector a;
+  Vector3 a;
   for (int i = 0; i < 3; ++i)
   {
     a[i] = this->Reference[i] - reference[i];
   }
   const double v = this->Volume;
   const double b = this->VolumeBound;
-  const Vector m = this->First;
-  Vector mb = this->FirstBound;
+  const Vector3 m = this->First;
+  Vector3 mb = this->FirstBound;
   if (this->ReferenceBound > 0.0)
   {
     // The shift has an error of up to e: first moments change by V e, second ones by (|m_i| + |m_j|) e + V
@@ -192,7 +192,7 @@ void Moments::Add(Moments other)
 Moments Moments::Sum(const std::vector<Moments>& bodies)
 {
   Moments sum;
-  Vector first{};
+  Vector3 first{};
   double volume = 0.0;
   for (const Moments& body : bodies)
   {
@@ -275,8 +275,8 @@ std::array<double, 9> SetCentralProperties(const Moments& moments, MassPropertie
 {
   const double v = moments.Volume;
   const double b = moments.VolumeBound;
-  Vector c;
-  Vector d;
+  Vector3 c;
+  Vector3 d;
   for (int i = 0; i < 3; ++i)
   {
     c[i] = moments.First[i] / v;

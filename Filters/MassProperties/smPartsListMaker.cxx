@@ -1,4 +1,4 @@
-#include "smPartsListMaker.h"
+#include "Detail/smPartsListMaker.h"
 
 #include "smBodyIntegrals.h"
 #include "smColumns.h"

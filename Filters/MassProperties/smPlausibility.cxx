@@ -1,4 +1,4 @@
-#include "smPlausibility.h"
+#include "Detail/smPlausibility.h"
 
 #include "smFormat.h"
 

@@ -1,4 +1,4 @@
-#include "smReferenceFrame.h"
+#include "Detail/smReferenceFrame.h"
 
 #include "smUnitRoundoff.h"
 

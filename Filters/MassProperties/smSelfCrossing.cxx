@@ -1,4 +1,4 @@
-#include "smSelfCrossing.h"
+#include "Detail/smSelfCrossing.h"
 
 #include "smBodyScales.h"
 #include "smFormat.h"

@@ -1,4 +1,4 @@
-#include "smTotalMass.h"
+#include "Detail/smTotalMass.h"
 
 #include "smUnitRoundoff.h"
 

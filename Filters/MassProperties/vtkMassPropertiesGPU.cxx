@@ -1,9 +1,9 @@
 #include "vtkMassPropertiesGPU.h"
 
+#include "Detail/smMassTolerance.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMassAnalysis.h"
-#include "smMassTolerance.h"
 
 #include "vtkObjectFactory.h"
 

@@ -1,6 +1,6 @@
-#include "smCPUSchemeRunner.h"
+#include "Detail/smCPUSchemeRunner.h"
 
-#include "Items/smRowSums.h"
+#include "smRowSums.h"
 
 #include "smParallelFor.h"
 #include "smPortableCxx.h"

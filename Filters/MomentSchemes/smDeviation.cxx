@@ -1,4 +1,4 @@
-#include "smSubPatches.h"
+#include "Detail/smSubPatches.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "smGPUSchemeRunner.h"
+#include "Detail/smGPUSchemeRunner.h"
 
 #include "smComputeBuffer.h"
 #include "smComputeProgram.h"

@@ -1,4 +1,4 @@
-#include "smPlaneMoments.h"
+#include "Detail/smPlaneMoments.h"
 
 #include "smCompensatedSum.h"
 #include "smVector.h"
@@ -7,8 +7,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-using Point3 = Vector3;
 constexpr int NumberOfIntegrals = 11;
 
 /// The plane S(u,v) = Center + (u - Middle[0]) U + (v - Middle[1]) V.

@@ -1,4 +1,4 @@
-#include "smPreparedFaces.h"
+#include "Detail/smPreparedFaces.h"
 
 #include "smParallelFor.h"
 

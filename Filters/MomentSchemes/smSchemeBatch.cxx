@@ -1,4 +1,4 @@
-#include "smSchemeBatch.h"
+#include "Detail/smSchemeBatch.h"
 
 #include <algorithm>
 

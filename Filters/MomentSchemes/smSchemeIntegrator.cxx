@@ -1,10 +1,10 @@
-#include "smSchemeIntegrator.h"
+#include "Detail/smSchemeIntegrator.h"
 
+#include "Detail/smPlaneMoments.h"
+#include "Detail/smSchemeRunner.h"
 #include "smCompensatedSum.h"
 #include "smFormat.h"
 #include "smMassIntegrands.h"
-#include "smPlaneMoments.h"
-#include "smSchemeRunner.h"
 
 #include "vtkTimerLog.h"
 

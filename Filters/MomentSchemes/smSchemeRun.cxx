@@ -1,9 +1,9 @@
-#include "smSchemeRun.h"
+#include "Detail/smSchemeRun.h"
 
+#include "Detail/smCPUSchemeRunner.h"
+#include "Detail/smGPUSchemeRunner.h"
 #include "smBodyScales.h"
-#include "smCPUSchemeRunner.h"
 #include "smColumns.h"
-#include "smGPUSchemeRunner.h"
 #include "smSchemeNames.h"
 
 #include "vtkComputeContext.h"

@@ -1,4 +1,4 @@
-#include "smSubPatches.h"
+#include "Detail/smSubPatches.h"
 
 #include "smVector.h"
 
@@ -11,7 +11,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
 using Homogeneous = std::array<double, 4>;
 
 // Number of points of a rise that are compared with the surface's domain: its ends, where v is extreme, and

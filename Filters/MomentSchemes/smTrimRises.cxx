@@ -1,4 +1,6 @@
-#include "smTrimRises.h"
+#include "Detail/smTrimRises.h"
+
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +9,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-
 // Variation of v relative to the largest |v| of a face below which an extremum counts as rounding.
 constexpr double Resolution = 0x1p-46;
 // Largest number of halvings of a piece with several extrema.

@@ -1,10 +1,10 @@
 #include "vtkSchemeMassPropertiesGPU.h"
 
+#include "Detail/smSchemeRun.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMassAnalysis.h"
 #include "smMassIntegrands.h"
-#include "smSchemeRun.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkMath.h"

@@ -1,6 +1,7 @@
 #include "smBezierPatch.h"
 
 #include "smBernstein.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@ namespace sm
 {
 namespace
 {
-using Point3 = std::array<double, 3>;
-
 /**
  * With P the centred homogeneous points and S = P/w: dS/ds = (P_s - w_s S) / w, P_s = p sum B_i^(p-1)
  * (P_(i+1) - P_i), and w is no less than sum B_i^(p-1) min(w_i, w_(i+1)). So |dS/ds| <= p max (|P_(i+1) -

@@ -1,4 +1,4 @@
-#include "smCoverage.h"
+#include "Detail/smCoverage.h"
 
 namespace sm
 {

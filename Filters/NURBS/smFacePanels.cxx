@@ -1,7 +1,7 @@
 #include "smFacePanels.h"
 
-#include "smCoverage.h"
-#include "smLoopCrossings.h"
+#include "Detail/smCoverage.h"
+#include "Detail/smLoopCrossings.h"
 #include "smPatchParts.h"
 #include "smTrimCutting.h"
 #include "smVector.h"
@@ -15,9 +15,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-using Point3 = Vector3;
-
 // Corners and ribbons whose gap is below this fraction of the coordinates' size are left out: their integrals
 // are of the order of its square, far below rounding.
 constexpr double NegligibleGap = 1e-14;

@@ -1,4 +1,4 @@
-#include "smLoopCrossings.h"
+#include "Detail/smLoopCrossings.h"
 
 #include "smTrimPolygons.h"
 #include "smVector.h"
@@ -13,8 +13,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-
 /// Largest distance of a chord from its curve, relative to the extent of the loops in u and v.
 constexpr double Flatness = 5e-4;
 /// Overlaps that are excused, relative to the longer side of the face: at least, and at most by the tolerance

@@ -1,5 +1,7 @@
 #include "smOverhang.h"
 
+#include "smVector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,8 +11,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-
 // A curve is divided into so many parts, whose control points bound its extent.
 constexpr int Parts = 16;
 

@@ -4,6 +4,7 @@
 #include "smUnitRoundoff.h"
 
 #include "smPolynomialCurve.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <vector>
@@ -12,8 +13,6 @@ namespace sm
 {
 namespace
 {
-using Point3 = std::array<double, 3>;
-
 }
 
 std::uint32_t AppendPatchPart(const FacePanels& from, std::uint32_t index, const std::array<double, 2>& low,

@@ -1,5 +1,7 @@
 #include "smTrimPolygons.h"
 
+#include "smVector.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +9,6 @@ namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-
 // 2^14 parts of a piece, each of up to 4 chords.
 constexpr int MaximumDepth = 14;
 constexpr double MaximumUniformChords = 4.0;

@@ -1,4 +1,4 @@
-#include "smBoundaryRows.h"
+#include "Detail/smBoundaryRows.h"
 
 #include <algorithm>
 #include <cmath>

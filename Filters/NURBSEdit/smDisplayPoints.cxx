@@ -1,4 +1,4 @@
-#include "smDisplayPoints.h"
+#include "Detail/smDisplayPoints.h"
 
 #include "smParallelFor.h"
 

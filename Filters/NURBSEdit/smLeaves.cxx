@@ -1,4 +1,4 @@
-#include "smLeaves.h"
+#include "Detail/smLeaves.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

@@ -1,4 +1,4 @@
-#include "smMapSlopes.h"
+#include "Detail/smMapSlopes.h"
 
 #include "vtkMath.h"
 

@@ -1,7 +1,7 @@
 #include "smModelEdit.h"
 
+#include "Detail/smNetChange.h"
 #include "smFormat.h"
-#include "smNetChange.h"
 
 #include <algorithm>
 #include <cmath>

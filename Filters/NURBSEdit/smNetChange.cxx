@@ -1,4 +1,4 @@
-#include "smNetChange.h"
+#include "Detail/smNetChange.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
+#include "Detail/smNetChange.h"
 #include "smModelEdit.h"
-#include "smNetChange.h"
 #include "smParallelFor.h"
 #include "smVector.h"
 

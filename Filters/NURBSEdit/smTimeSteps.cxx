@@ -1,4 +1,4 @@
-#include "smTimeSteps.h"
+#include "Detail/smTimeSteps.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"

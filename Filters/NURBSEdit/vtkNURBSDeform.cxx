@@ -1,13 +1,13 @@
 #include "vtkNURBSDeform.h"
 
+#include "Detail/smDisplayPoints.h"
+#include "Detail/smLeaves.h"
+#include "Detail/smTimeSteps.h"
 #include "smAbortFlag.h"
-#include "smDisplayPoints.h"
 #include "smFailureReason.h"
 #include "smFormat.h"
-#include "smLeaves.h"
 #include "smMeshDemand.h"
 #include "smModelEdit.h"
-#include "smTimeSteps.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkInformation.h"

@@ -1,11 +1,11 @@
 #include "vtkNURBSTransform.h"
 
+#include "Detail/smLeaves.h"
+#include "Detail/smTimeSteps.h"
 #include "smAbortFlag.h"
 #include "smFailureReason.h"
 #include "smFormat.h"
-#include "smLeaves.h"
 #include "smMeshDemand.h"
-#include "smTimeSteps.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,6 +1,6 @@
 #include "smChebyshev.h"
 
-#include "smWideEvaluation.h"
+#include "Detail/smWideEvaluation.h"
 
 #include <algorithm>
 #include <array>

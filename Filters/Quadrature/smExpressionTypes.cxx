@@ -1,127 +1,22 @@
-#include "smExpressionTypes.h"
+#include "Detail/smExpressionTypes.h"
+
+#include "Detail/smExpressionFunctions.h"
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace sm
 {
 namespace
 {
 using Type = ExpressionType;
+using Function = ExpressionFunction;
+using Signature = Function::Signature;
 constexpr Type Whole{ Type::Int, 1 };
 constexpr Type Truth{ Type::Bool, 1 };
 constexpr Type Real{ Type::Double, 1 };
 // Compilers have limits of their own, of at least 256.
 constexpr int DeepestNesting = 200;
-
-/// How a built-in function takes its arguments. A "gen" argument is a scalar or a vector of doubles.
-enum class Signature
-{
-  /// Functions of this program for doubles.
-  Scalars,
-  /// One or more gen arguments of one type.
-  Same,
-  /// Like Same; all but the first may be scalars.
-  LastScalar,
-  /// Like Same; all but the last may be scalars.
-  FirstScalar,
-  Mix,
-  /// Two arguments of one type, a number as result.
-  Product,
-  Cross,
-  Classify,
-  Compare,
-  Equal,
-  AnyAll,
-  Not,
-  /// Matrices as arguments.
-  Matrix,
-  /// The result, and arguments that differ from these, are not modelled.
-  Other
-};
-
-struct Function
-{
-  Signature Kind;
-  int Arguments;
-  /// There are versions for whole numbers.
-  bool HasIntegers = false;
-};
-
-const std::map<std::string, Function>& GetFunctions()
-{
-  static const std::map<std::string, Function> functions = {
-    { "sin", { Signature::Scalars, 1 } },
-    { "cos", { Signature::Scalars, 1 } },
-    { "tan", { Signature::Scalars, 1 } },
-    { "exp", { Signature::Scalars, 1 } },
-    { "log", { Signature::Scalars, 1 } },
-    { "pow", { Signature::Scalars, 2 } },
-    { "sqrt", { Signature::Same, 1 } },
-    { "inversesqrt", { Signature::Same, 1 } },
-    { "normalize", { Signature::Same, 1 } },
-    { "abs", { Signature::Same, 1, true } },
-    { "sign", { Signature::Same, 1, true } },
-    { "floor", { Signature::Same, 1 } },
-    { "trunc", { Signature::Same, 1 } },
-    { "round", { Signature::Same, 1 } },
-    { "roundEven", { Signature::Same, 1 } },
-    { "ceil", { Signature::Same, 1 } },
-    { "fract", { Signature::Same, 1 } },
-    { "fma", { Signature::Same, 3 } },
-    { "faceforward", { Signature::Same, 3 } },
-    { "reflect", { Signature::Same, 2 } },
-    { "mod", { Signature::LastScalar, 2 } },
-    { "min", { Signature::LastScalar, 2, true } },
-    { "max", { Signature::LastScalar, 2, true } },
-    { "clamp", { Signature::LastScalar, 3, true } },
-    { "step", { Signature::FirstScalar, 2 } },
-    { "smoothstep", { Signature::FirstScalar, 3 } },
-    { "mix", { Signature::Mix, 3 } },
-    { "length", { Signature::Product, 1 } },
-    { "distance", { Signature::Product, 2 } },
-    { "dot", { Signature::Product, 2 } },
-    { "cross", { Signature::Cross, 2 } },
-    { "isnan", { Signature::Classify, 1 } },
-    { "isinf", { Signature::Classify, 1 } },
-    { "lessThan", { Signature::Compare, 2 } },
-    { "lessThanEqual", { Signature::Compare, 2 } },
-    { "greaterThan", { Signature::Compare, 2 } },
-    { "greaterThanEqual", { Signature::Compare, 2 } },
-    { "equal", { Signature::Equal, 2 } },
-    { "notEqual", { Signature::Equal, 2 } },
-    { "any", { Signature::AnyAll, 1 } },
-    { "all", { Signature::AnyAll, 1 } },
-    { "not", { Signature::Not, 1 } },
-    { "refract", { Signature::Other, 3 } },
-    { "ldexp", { Signature::Other, 2 } },
-    { "matrixCompMult", { Signature::Matrix, 2 } },
-    { "outerProduct", { Signature::Other, 2 } },
-    { "transpose", { Signature::Matrix, 1 } },
-    { "determinant", { Signature::Matrix, 1 } },
-    { "inverse", { Signature::Matrix, 1 } },
-    { "packDouble2x32", { Signature::Other, 1 } },
-    { "bitfieldExtract", { Signature::Other, 3 } },
-    { "bitfieldInsert", { Signature::Other, 4 } },
-    { "bitfieldReverse", { Signature::Other, 1 } },
-    { "bitCount", { Signature::Other, 1 } },
-    { "findLSB", { Signature::Other, 1 } },
-    { "findMSB", { Signature::Other, 1 } },
-    { "floatBitsToInt", { Signature::Other, 1 } },
-    { "floatBitsToUint", { Signature::Other, 1 } },
-  };
-  return functions;
-}
-
-/// Functions that have no version for doubles. With a whole number as argument they would compute in single
-/// precision.
-bool HasSinglePrecisionOnly(const std::string& name)
-{
-  static const std::set<std::string> names = { "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh",
-    "acosh", "atanh", "exp2", "log2", "radians", "degrees" };
-  return names.count(name) > 0;
-}
 
 /// The type that a constructor makes; Unknown for other names.
 Type FindConstructor(const std::string& name)
@@ -456,7 +351,7 @@ private:
     {
       return token.Type;
     }
-    const bool isFunction = GetFunctions().count(token.Text) > 0 || isConstructor;
+    const bool isFunction = GetExpressionFunctions().count(token.Text) > 0 || isConstructor;
     return this->Fail(place,
       "'" + token.Text +
         (isFunction ? "' is a function and needs arguments in parentheses" : "' is not defined"));
@@ -482,9 +377,9 @@ private:
 
   Type ReadCall(const std::string& name, std::size_t place)
   {
-    const auto found = GetFunctions().find(name);
+    const auto found = GetExpressionFunctions().find(name);
     const Type made = FindConstructor(name);
-    const bool isKnown = found != GetFunctions().end() || made.IsKnown() || IsMatrix(name);
+    const bool isKnown = found != GetExpressionFunctions().end() || made.IsKnown() || IsMatrix(name);
     if (!isKnown)
     {
       return this->Fail(place,
@@ -497,7 +392,7 @@ private:
     {
       return {};
     }
-    if (found != GetFunctions().end() && static_cast<int>(types.size()) != found->second.Arguments)
+    if (found != GetExpressionFunctions().end() && static_cast<int>(types.size()) != found->second.Arguments)
     {
       return this->Fail(place,
         "'" + name + "' takes " + std::to_string(found->second.Arguments) +
@@ -510,7 +405,7 @@ private:
     {
       return this->Construct(made, types, areKnown, place);
     }
-    if (found == GetFunctions().end())
+    if (found == GetExpressionFunctions().end())
     {
       return {};
     }

@@ -1,6 +1,6 @@
-#include "smGapSeries.h"
+#include "Detail/smGapSeries.h"
 
-#include "smIntegerPower.h"
+#include "Detail/smIntegerPower.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 

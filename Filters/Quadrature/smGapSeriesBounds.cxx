@@ -1,6 +1,6 @@
 // Bounds that follow from the series of a ribbon: their differences from the curves, tangents of the patch,
 // and majorants on ellipses.
-#include "smGapSeries.h"
+#include "Detail/smGapSeries.h"
 
 #include "smUnitRoundoff.h"
 #include "smVector.h"

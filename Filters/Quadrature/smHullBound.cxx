@@ -1,7 +1,7 @@
-#include "smHullBound.h"
+#include "Detail/smHullBound.h"
 
+#include "Detail/smIntegerPower.h"
 #include "smBernstein.h"
-#include "smIntegerPower.h"
 #include "smVector.h"
 
 #include <algorithm>

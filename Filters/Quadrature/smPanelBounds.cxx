@@ -1,6 +1,6 @@
-#include "smPanelBounds.h"
+#include "Detail/smPanelBounds.h"
 
-#include "smIntegerPower.h"
+#include "Detail/smIntegerPower.h"
 #include "smVector.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "smPanelPlanner.h"
-#include "smHullBound.h"
-#include "smIntegerPower.h"
+#include "Detail/smPanelPlanner.h"
+#include "Detail/smHullBound.h"
+#include "Detail/smIntegerPower.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 

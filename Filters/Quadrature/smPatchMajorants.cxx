@@ -1,6 +1,6 @@
 #include "smPatchMajorants.h"
 
-#include "smIntegerPower.h"
+#include "Detail/smIntegerPower.h"
 
 #include <algorithm>
 #include <cmath>

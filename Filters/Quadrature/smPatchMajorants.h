@@ -14,10 +14,10 @@
 #ifndef smPatchMajorants_h
 #define smPatchMajorants_h
 
+#include "Detail/smPatchTraits.h"
 #include "smChebyshev.h"
 #include "smFacePanels.h"
 #include "smFiltersQuadratureModule.h"
-#include "smPatchTraits.h"
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "smPatchSeries.h"
+#include "Detail/smPatchSeries.h"
 
-#include "smIntegerPower.h"
-#include "smTrimSeries.h"
+#include "Detail/smIntegerPower.h"
+#include "Detail/smTrimSeries.h"
 #include "smVector.h"
 
 namespace sm

@@ -1,10 +1,10 @@
-#include "smPatchTraits.h"
+#include "Detail/smPatchTraits.h"
 
+#include "Detail/smWideEvaluation.h"
 #include "smChebyshev.h"
 #include "smPatchMajorants.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
-#include "smWideEvaluation.h"
 
 #include <algorithm>
 #include <cmath>

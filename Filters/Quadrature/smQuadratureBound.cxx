@@ -1,4 +1,4 @@
-#include "smQuadratureBound.h"
+#include "Detail/smQuadratureBound.h"
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
 #include "smQuadraturePlan.h"
 
-#include "smHullBound.h"
-#include "smPanelPlanner.h"
-#include "smPatchSeries.h"
-#include "smRibbonPlanner.h"
+#include "Detail/smHullBound.h"
+#include "Detail/smPanelPlanner.h"
+#include "Detail/smPatchSeries.h"
+#include "Detail/smRibbonPlanner.h"
 #include "smVector.h"
 
 #include <algorithm>

@@ -12,11 +12,11 @@
 #ifndef smQuadraturePlan_h
 #define smQuadraturePlan_h
 
+#include "Detail/smHullBound.h"
+#include "Detail/smReadingError.h"
 #include "smFacePanels.h"
 #include "smFiltersQuadratureModule.h"
-#include "smHullBound.h"
 #include "smPatchMajorants.h"
-#include "smReadingError.h"
 
 #include <array>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "smReadingError.h"
+#include "Detail/smReadingError.h"
 
 #include "smVector.h"
 

@@ -1,6 +1,6 @@
-#include "smRibbonPlanner.h"
-#include "smHullBound.h"
-#include "smIntegerPower.h"
+#include "Detail/smRibbonPlanner.h"
+#include "Detail/smHullBound.h"
+#include "Detail/smIntegerPower.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 

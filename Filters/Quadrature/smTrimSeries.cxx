@@ -1,4 +1,4 @@
-#include "smTrimSeries.h"
+#include "Detail/smTrimSeries.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #ifndef smUserExpression_h
 #define smUserExpression_h
 
-#include "smExpressionTypes.h"
+#include "Detail/smExpressionTypes.h"
 #include "smFiltersQuadratureModule.h"
 #include <map>
 #include <string>

@@ -1,4 +1,4 @@
-#include "smWideEvaluation.h"
+#include "Detail/smWideEvaluation.h"
 
 #include "smBernstein.h"
 #include "smChebyshev.h"

@@ -1,6 +1,7 @@
-#include "smSectionMesh.h"
+#include "Detail/smSectionMesh.h"
 
 #include "smSectionNames.h"
+#include "smVector.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -26,8 +27,6 @@ namespace sm
 {
 namespace
 {
-using Point = std::array<double, 3>;
-
 constexpr const char* ColorName = "Color";
 constexpr unsigned char CapColor[3] = { 224, 122, 60 };
 constexpr unsigned char PlainColor[3] = { 190, 190, 195 };
@@ -59,8 +58,8 @@ public:
     for (vtkIdType i = 0; i < count; ++i)
     {
       const vtkIdType ends[2] = { ids[i], ids[(i + 1) % count] };
-      Point a;
-      Point b;
+      Point3 a;
+      Point3 b;
       this->Mesh->GetPoint(ends[0], a.data());
       this->Mesh->GetPoint(ends[1], b.data());
       const bool falls = this->IsBelow(b);
@@ -116,15 +115,15 @@ public:
   }
 
 private:
-  bool IsBelow(const Point& p) const { return this->Plane->EvaluateFunction(p[0], p[1], p[2]) < 0.0; }
+  bool IsBelow(const Point3& p) const { return this->Plane->EvaluateFunction(p[0], p[1], p[2]) < 0.0; }
 
-  vtkIdType Insert(const Point& p, const double normal[3])
+  vtkIdType Insert(const Point3& p, const double normal[3])
   {
     this->CutNormals->InsertNextTuple(normal);
     return this->CutPoints->InsertNextPoint(p.data());
   }
 
-  vtkIdType Keep(vtkIdType id, const Point& p)
+  vtkIdType Keep(vtkIdType id, const Point3& p)
   {
     vtkIdType& kept = this->Kept[static_cast<std::size_t>(id)];
     if (kept < 0)
@@ -142,7 +141,7 @@ private:
   /// Returns a point of the polygon's own at the crossing, with the mean of the normals at the edge's ends.
   vtkIdType AddCutPoint(vtkIdType crossing, const vtkIdType ends[2])
   {
-    Point p;
+    Point3 p;
     this->Points->GetPoint(crossing, p.data());
     double normal[3] = { 0.0, 0.0, 0.0 };
     for (int end = 0; this->Normals && end < 2; ++end)
@@ -156,12 +155,12 @@ private:
     return this->Insert(p, normal);
   }
 
-  vtkIdType GetCrossing(const Point& a, const Point& b)
+  vtkIdType GetCrossing(const Point3& a, const Point3& b)
   {
     const double atA = this->Plane->EvaluateFunction(a[0], a[1], a[2]);
     const double atB = this->Plane->EvaluateFunction(b[0], b[1], b[2]);
     const double share = atA / (atA - atB);
-    Point p;
+    Point3 p;
     for (int c = 0; c < 3; ++c)
     {
       p[c] = atB == 0.0 ? b[c] : a[c] + share * (b[c] - a[c]);
@@ -182,7 +181,7 @@ private:
   vtkNew<vtkFloatArray> CutNormals;
   vtkNew<vtkCellArray> Polygons;
   std::vector<vtkIdType> Cells;
-  std::map<Point, vtkIdType> Places;
+  std::map<Point3, vtkIdType> Places;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Lines;
 };

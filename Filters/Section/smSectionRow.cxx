@@ -1,4 +1,4 @@
-#include "smSectionRow.h"
+#include "Detail/smSectionRow.h"
 
 #include "smSectionNames.h"
 #include "smUnitRoundoff.h"

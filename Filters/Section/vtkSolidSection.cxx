@@ -1,5 +1,7 @@
 #include "vtkSolidSection.h"
 
+#include "Detail/smSectionMesh.h"
+#include "Detail/smSectionRow.h"
 #include "smBodyMeshes.h"
 #include "smBodyScales.h"
 #include "smCoedgeGaps.h"
@@ -8,9 +10,7 @@
 #include "smIntegralEngine.h"
 #include "smLengthUnits.h"
 #include "smMeshDemand.h"
-#include "smSectionMesh.h"
 #include "smSectionNames.h"
-#include "smSectionRow.h"
 #include "smVector.h"
 
 #include "vtkAppendPolyData.h"

@@ -1,9 +1,9 @@
 #include "smBodyBox.h"
 
+#include "Detail/smGroundContact.h"
+#include "Detail/smSupportedBody.h"
 #include "smBodyIntegrals.h"
 #include "smBodyScales.h"
-#include "smGroundContact.h"
-#include "smSupportedBody.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkMath.h"

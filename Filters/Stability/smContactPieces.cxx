@@ -1,5 +1,5 @@
 // Finds the contacts of ContactSearch, face by face.
-#include "smContactSearchInternals.h"
+#include "Detail/smContactSearchInternals.h"
 
 namespace sm
 {

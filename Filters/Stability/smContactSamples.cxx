@@ -1,6 +1,6 @@
 // Computes the curvature samples of ContactSearch, and the directions in which the body continues around a
 // contact.
-#include "smContactSearchInternals.h"
+#include "Detail/smContactSearchInternals.h"
 
 #include "smUnitRoundoff.h"
 

@@ -1,6 +1,6 @@
-#include "smFaceContact.h"
+#include "Detail/smFaceContact.h"
 
-#include "smGroundTrim.h"
+#include "Detail/smGroundTrim.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "smGroundContact.h"
+#include "Detail/smGroundContact.h"
 
-#include "smContactSearchInternals.h"
-#include "smGroundTrim.h"
+#include "Detail/smContactSearchInternals.h"
+#include "Detail/smGroundTrim.h"
 
 namespace sm
 {

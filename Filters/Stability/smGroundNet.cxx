@@ -1,4 +1,4 @@
-#include "smGroundNet.h"
+#include "Detail/smGroundNet.h"
 
 #include "smBernstein.h"
 
@@ -57,8 +57,6 @@ bool KeepsSign(const Points& steps, const HeightRange& heights, double slack)
   }
   return low > slack || high < -slack;
 }
-
-using Vector = Vector3;
 
 /// Values, first and second derivatives of the Bernstein polynomials of a degree.
 void EvaluateBasis(int degree, double x, std::vector<double> (&basis)[3])
@@ -343,7 +341,7 @@ GroundPatch::Shape GroundPatch::GetShape(double s, double r) const
       }
     }
   }
-  Vector d[6];
+  Vector3 d[6];
   for (int c = 0; c < 3; ++c)
   {
     const double w = x[0][3];
@@ -354,7 +352,7 @@ GroundPatch::Shape GroundPatch::GetShape(double s, double r) const
     d[4][c] = (x[4][c] - x[1][3] * d[2][c] - x[2][3] * d[1][c] - x[4][3] * d[0][c]) / w;
     d[5][c] = (x[5][c] - 2.0 * x[2][3] * d[2][c] - x[5][3] * d[0][c]) / w;
   }
-  Vector normal = Cross(d[1], d[2]);
+  Vector3 normal = Cross(d[1], d[2]);
   const double length = std::sqrt(Dot(normal, normal));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Shape shape{ 0.0, nan, nan, { { d[1][0], d[1][1] }, { d[2][0], d[2][1] } } };

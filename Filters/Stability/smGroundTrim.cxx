@@ -1,4 +1,4 @@
-#include "smGroundTrim.h"
+#include "Detail/smGroundTrim.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "smMinimumTip.h"
+#include "Detail/smMinimumTip.h"
 
 #include "smUnitRoundoff.h"
 

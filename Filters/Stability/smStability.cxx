@@ -1,6 +1,6 @@
-#include "smStability.h"
+#include "Detail/smStability.h"
 
-#include "smMinimumTip.h"
+#include "Detail/smMinimumTip.h"
 #include "smUnitRoundoff.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "smSupportPolygon.h"
+#include "Detail/smSupportPolygon.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "smSupportedBody.h"
+#include "Detail/smSupportedBody.h"
 
 #include "smBodyScales.h"
 #include "smStabilityNames.h"

@@ -1,4 +1,4 @@
-#include "smTrimClassifier.h"
+#include "Detail/smTrimClassifier.h"
 
 #include "smTrimPolygons.h"
 

@@ -1,5 +1,6 @@
 #include "vtkSolidStability.h"
 
+#include "Detail/vtkSolidStabilityInternals.h"
 #include "smAbortFlag.h"
 #include "smColumns.h"
 #include "smFailureReason.h"
@@ -10,7 +11,6 @@
 #include "smMeshDemand.h"
 #include "smRunReport.h"
 #include "smStabilityNames.h"
-#include "vtkSolidStabilityInternals.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataSetAttributes.h"

@@ -1,5 +1,5 @@
+#include "Detail/vtkSolidStabilityInternals.h"
 #include "smFormat.h"
-#include "vtkSolidStabilityInternals.h"
 
 #include "smBodyScales.h"
 #include "smColumns.h"

@@ -5,8 +5,8 @@
 #ifndef smBodyIntegrals_h
 #define smBodyIntegrals_h
 
+#include "Engine/smFaceIntegrals.h"
 #include "smEdgeGaps.h"
-#include "smFaceIntegrals.h"
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "smIntegrand.h"
 #include "smStatus.h"

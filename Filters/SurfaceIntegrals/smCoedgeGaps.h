@@ -5,7 +5,7 @@
 #ifndef smCoedgeGaps_h
 #define smCoedgeGaps_h
 
-#include "smFaceIntegrals.h"
+#include "Engine/smFaceIntegrals.h"
 #include "smFiltersSurfaceIntegralsModule.h"
 
 #include <vector>

@@ -5,7 +5,7 @@
 #ifndef smSurfaceIntegrator_h
 #define smSurfaceIntegrator_h
 
-#include "smFaceIntegrals.h"
+#include "Engine/smFaceIntegrals.h"
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "smIntegrand.h"
 #include "smProgressCallback.h"

@@ -5,6 +5,7 @@
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMeshDemand.h"
+#include "smShaderFault.h"
 
 #include "vtkAutoInit.h"
 #include "vtkInformation.h"
@@ -327,7 +328,7 @@ sm::IntegralLimits vtkSurfaceIntegralBase::MakeLimits(double begin, double end)
   limits.MaximumEvaluations = this->MaximumEvaluations;
   limits.MaximumSeconds = this->MaximumSeconds;
   limits.CacheFaceResults = this->CacheFaceResults;
-  limits.Perturbation = this->ShaderPerturbation;
+  limits.Perturbation = sm::GetSampleFactor();
   limits.Progress = [this, begin, end](double fraction)
   {
     this->ReportProgress(begin + (end - begin) * fraction);

@@ -235,11 +235,6 @@ public:
   double GetEstimatedSeconds(int backend) const;
   ///@}
 
-  /** For tests: a factor by which every shader (also on the CPU) multiplies its samples, which proves that
-   * results come from them. Not clamped. Default 1. */
-  vtkSetMacro(ShaderPerturbation, double);
-  vtkGetMacro(ShaderPerturbation, double);
-
   ///@{
   /**
    * Updates a port. For a port with meshes this also requests them, as a connected view does: the reader
@@ -338,7 +333,6 @@ protected:
   vtkTypeInt64 MaximumEvaluations = 2000000000;
   double MaximumSeconds = 0.0;
   double GapLimit = 1e-3;
-  double ShaderPerturbation = 1.0;
 
 private:
   vtkSurfaceIntegralBase(const vtkSurfaceIntegralBase&) = delete;

@@ -1,13 +1,13 @@
 // The run of a filter: its input, its role among several processes, its outputs, and how it ends.
 #include "vtkSurfaceIntegralBase.h"
 
+#include "Engine/smBodySelection.h"
+#include "Outputs/smFlaggedPlaces.h"
 #include "smBodyMeshes.h"
 #include "smBodyScales.h"
-#include "smBodySelection.h"
 #include "smColumns.h"
 #include "smFailureReason.h"
 #include "smFileState.h"
-#include "smFlaggedPlaces.h"
 #include "smIntegralEngine.h"
 
 #include "vtkBoundingBox.h"

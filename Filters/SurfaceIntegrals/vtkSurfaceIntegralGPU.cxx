@@ -1,12 +1,12 @@
 #include "vtkSurfaceIntegralGPU.h"
 
+#include "Engine/vtkSurfaceIntegralGPUInternals.h"
 #include "smBodyMeshes.h"
 #include "smBodyScales.h"
 #include "smColumns.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smUnitRoundoff.h"
-#include "vtkSurfaceIntegralGPUInternals.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"

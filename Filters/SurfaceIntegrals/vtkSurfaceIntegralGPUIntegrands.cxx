@@ -2,13 +2,13 @@
 // of faces.
 #include "vtkSurfaceIntegralGPU.h"
 
+#include "Engine/vtkSurfaceIntegralGPUInternals.h"
 #include "smFormat.h"
 #include "smGaussLegendre.h"
 #include "smIntegralNames.h"
 #include "smTrimText.h"
 #include "smUserExpression.h"
 #include "vtkNURBSDataSet.h"
-#include "vtkSurfaceIntegralGPUInternals.h"
 
 #include <algorithm>
 #include <cmath>

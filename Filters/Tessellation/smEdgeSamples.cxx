@@ -1,4 +1,4 @@
-#include "smEdgeSamples.h"
+#include "Detail/smEdgeSamples.h"
 
 #include "smBernstein.h"
 #include "smVector.h"

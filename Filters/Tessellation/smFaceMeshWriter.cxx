@@ -1,4 +1,4 @@
-#include "smFaceMeshWriter.h"
+#include "Detail/smFaceMeshWriter.h"
 
 #include "smUnitRoundoff.h"
 

@@ -1,10 +1,10 @@
 #include "smFaceMesher.h"
 
-#include "smFaceMeshWriter.h"
-#include "smMeshRepair.h"
-#include "smMeshSteps.h"
-#include "smTriangleJudge.h"
-#include "smTriangulation.h"
+#include "Detail/smFaceMeshWriter.h"
+#include "Detail/smMeshRepair.h"
+#include "Detail/smMeshSteps.h"
+#include "Detail/smTriangleJudge.h"
+#include "Detail/smTriangulation.h"
 #include "smVector.h"
 
 #include <algorithm>

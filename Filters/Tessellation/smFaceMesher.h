@@ -5,11 +5,11 @@
 #ifndef smFaceMesher_h
 #define smFaceMesher_h
 
-#include "smBoundaryLoop.h"
-#include "smEdgeSamples.h"
+#include "Detail/smBoundaryLoop.h"
+#include "Detail/smEdgeSamples.h"
+#include "Detail/smSurfaceBlocks.h"
 #include "smFace.h"
 #include "smFiltersTessellationModule.h"
-#include "smSurfaceBlocks.h"
 
 #include <array>
 #include <string>

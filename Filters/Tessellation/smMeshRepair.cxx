@@ -1,4 +1,4 @@
-#include "smMeshRepair.h"
+#include "Detail/smMeshRepair.h"
 
 #include <algorithm>
 #include <iterator>

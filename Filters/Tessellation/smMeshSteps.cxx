@@ -1,4 +1,4 @@
-#include "smMeshSteps.h"
+#include "Detail/smMeshSteps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "smPatchCurvature.h"
+#include "Detail/smPatchCurvature.h"
 
+#include "Detail/smRationalBound.h"
 #include "smBernstein.h"
-#include "smRationalBound.h"
 
 #include <algorithm>
 #include <cmath>

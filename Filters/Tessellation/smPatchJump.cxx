@@ -1,4 +1,4 @@
-#include "smPatchJump.h"
+#include "Detail/smPatchJump.h"
 
 #include <algorithm>
 #include <cmath>

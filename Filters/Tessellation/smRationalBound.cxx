@@ -1,4 +1,4 @@
-#include "smRationalBound.h"
+#include "Detail/smRationalBound.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "smSurfaceBlocks.h"
+#include "Detail/smSurfaceBlocks.h"
 
+#include "Detail/smPatchCurvature.h"
+#include "Detail/smPatchJump.h"
 #include "smBernsteinNet.h"
-#include "smPatchCurvature.h"
-#include "smPatchJump.h"
 #include "smUnitRoundoff.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "smTriangleJudge.h"
+#include "Detail/smTriangleJudge.h"
 
 #include "smUnitRoundoff.h"
 

@@ -1,4 +1,4 @@
-#include "smTriangulation.h"
+#include "Detail/smTriangulation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -86,10 +86,18 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
     Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result. A result with another status
     than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
     """
+    file = os.fspath(file)
+    reader, mass = run_filter(file, density, content=content, unit=unit, input_unit=input_unit, tolerance=tolerance,
+                              density_tolerance=density_tolerance, materials=materials, backend=backend, max_seconds=max_seconds, repair=repair)
+    return make_result(file, (reader, mass), strict)
+
+
+def run_filter(file, density=None, *, content=None, unit="mm", input_unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(),
+               backend="auto", max_seconds=None, repair="needed"):
+    """The reader and the filter of mass_properties(), with its options, after their run."""
     from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
-    file = os.fspath(file)
     if repair not in ("needed", "always"):
         raise ValueError(f"repair is {repair!r}; it has to be 'needed' or 'always'")
     check_unit(unit, input_unit)
@@ -120,7 +128,7 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
     if reader.GetStatus() not in (reader.OK, reader.EMPTY):
         raise _no_result(file, "unreadable", _messages(reader))
     mass.Update()
-    return make_result(file, (reader, mass), strict)
+    return reader, mass
 
 
 def make_filter(density, tolerance, backend, density_tolerance=0.0, max_seconds=None):
@@ -144,7 +152,7 @@ def _silence(algorithm):
         algorithm.AddObserver(event, lambda *_: None)
 
 
-def make_result(file, algorithms, strict):
+def make_result(file, algorithms, strict, level=3):
     """The MassProperties of the filter, the last of the algorithms, after a run; errors and warnings as mass_properties() says."""
     mass, messages = algorithms[-1], _messages(*algorithms)
     if mass.GetStatus() not in _RESULTS:
@@ -156,7 +164,7 @@ def make_result(file, algorithms, strict):
         text = f"{file}: {result.status}" + "".join("\n" + message for message in messages)
         if strict:
             raise SolidMomentsError(text, result.status, messages, result)
-        warnings.warn(text, FlaggedResultWarning, stacklevel=3)
+        warnings.warn(text, FlaggedResultWarning, stacklevel=level)
     return result
 
 

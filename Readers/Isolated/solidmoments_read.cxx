@@ -3,9 +3,10 @@
  * @brief solidmoments-read: reads a file for a vtkCADReader in another process, which gives it its settings
  *
  * Its arguments are the format, "file" or "content" (of the standard input), and the words of
- * vtkCADReader::PackSettings(). It sends progress and output by the messages of smReadProgram.h to its
- * standard output, and ends with the process that started it.
+ * vtkCADReader::PackSettings(). It sends progress and output by the messages that smReadProgram.h names to
+ * its standard output, and ends with the process that started it.
  */
+#include "smHelperProcess.h"
 #include "smReadProgram.h"
 #include "vtkBREPReader.h"
 #include "vtkSTEPReader.h"
@@ -24,9 +25,14 @@ namespace
 {
 constexpr int NumberOfArguments = 2 + vtkCADReader::NumberOfSettings;
 
+bool SendProgress(int messages, double fraction)
+{
+  return sm::SendMessage(messages, sm::ReadProgress, &fraction, sizeof(fraction));
+}
+
 void OnProgress(vtkObject* caller, unsigned long, void* data, void*)
 {
-  if (!sm::SendProgress(*static_cast<int*>(data), static_cast<vtkAlgorithm*>(caller)->GetProgress()))
+  if (!SendProgress(*static_cast<int*>(data), static_cast<vtkAlgorithm*>(caller)->GetProgress()))
   {
     std::_Exit(1); // the other process has ended
   }
@@ -35,7 +41,7 @@ void OnProgress(vtkObject* caller, unsigned long, void* data, void*)
 bool ReadAndSend(char** arguments)
 {
   int messages = sm::OpenMessages();
-  if (!sm::SendProgress(messages, 0.0))
+  if (!SendProgress(messages, 0.0))
   {
     return false;
   }
@@ -57,7 +63,8 @@ bool ReadAndSend(char** arguments)
   observer->SetClientData(&messages);
   reader->AddObserver(vtkCommand::ProgressEvent, observer);
   reader->Update();
-  return sm::SendResult(messages, reader->PackOutput());
+  const sm::Bytes output = reader->PackOutput();
+  return sm::SendMessage(messages, sm::ReadResult, output.data(), output.size());
 }
 }
 

@@ -8,6 +8,7 @@
 #include "smSTEPAttributes.h"
 #include "smSTEPCensus.h"
 #include "smSTEPFrames.h"
+#include "smVector.h"
 
 #include <array>
 #include <set>
@@ -119,7 +120,6 @@ private:
   void FindUnused();
 
   // smSTEPLoops.cxx: the order of edges
-  using Point3 = std::array<double, 3>;
   /// An edge with its vertices.
   struct VertexPair
   {

@@ -3,6 +3,7 @@
 #include "smSTEPFrames.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <array>
@@ -33,23 +34,10 @@ constexpr double ClosedCurveLimit = 0.1;
 /// The same in units of the file's stated uncertainty, which is added.
 constexpr double UncertaintyLimit = 2.0;
 
-using Point = std::array<double, 3>;
-
-Point Subtract(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double GetLength(const Point& a)
+double GetLength(const Point3& a)
 {
   return std::hypot(a[0], a[1], a[2]);
 }
-
 }
 
 /// Reads the three numbers of a point or a direction; returns false if there are no such.
@@ -117,7 +105,7 @@ double STEPCensusTaker::GetConicDistance(Index conic, const Point3& point) const
   {
     return -1.0;
   }
-  const Point away = Subtract(point, frame.Origin);
+  const Point3 away = Subtract(point, frame.Origin);
   const double height = Dot(away, frame.Axes[2]);
   const double size = GetLength(away);
   const double radial = std::sqrt(std::max(0.0, (size - height) * (size + height)));
@@ -145,8 +133,8 @@ bool STEPCensusTaker::IsAgainstSpline(Index spline, bool isForward, const Point3
     last = this->Entities.Follow(value);
     first = first == None ? last : first;
   }
-  Point from;
-  Point to;
+  Point3 from;
+  Point3 to;
   if (!this->ReadNumbers(isForward ? first : last, CoordinatesOfPoint, from) ||
     !this->ReadNumbers(isForward ? last : first, CoordinatesOfPoint, to))
   {
@@ -164,15 +152,15 @@ void STEPCensusTaker::CheckEdge(Index edge, const Point3 ends[2], double limit)
   const bool isForward = this->Entities.Get(edge, SenseOfEdge).Text != "F";
   if (this->Entities.FindRecord(curve, "LINE", record))
   {
-    Point point;
-    Point direction;
+    Point3 point;
+    Point3 direction;
     if (!this->ReadLine(curve, point, direction))
     {
       return;
     }
     for (int k = 0; k < 2; ++k)
     {
-      const Point away = Subtract(ends[k], point);
+      const Point3 away = Subtract(ends[k], point);
       const double along = Dot(away, direction);
       const double size = GetLength(away);
       distance = std::max(distance, std::sqrt(std::max(0.0, (size - along) * (size + along))));
@@ -209,7 +197,7 @@ void STEPCensusTaker::CheckEdge(Index edge, const Point3 ends[2], double limit)
 /// Extends a box by the vertices of an edge, and by a circle or an ellipse that begins and ends at one.
 void STEPCensusTaker::AddEdgeExtent(const VertexPair& edge, Point3& low, Point3& high) const
 {
-  const auto add = [&low, &high](const Point& point, const Point& reach)
+  const auto add = [&low, &high](const Point3& point, const Point3& reach)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -223,7 +211,7 @@ void STEPCensusTaker::AddEdgeExtent(const VertexPair& edge, Point3& low, Point3&
   STEPFrame frame;
   if (this->IsClosedEdge(edge.Edge) && this->ReadConic(this->FindSpatialCurve(edge.Edge), frame, radii))
   {
-    Point reach;
+    Point3 reach;
     for (std::size_t c = 0; c < 3; ++c)
     {
       reach[c] = std::hypot(radii[0] * frame.Axes[0][c], radii[1] * frame.Axes[1][c]);
@@ -235,8 +223,8 @@ void STEPCensusTaker::AddEdgeExtent(const VertexPair& edge, Point3& low, Point3&
 /// Checks the edges of a body: those that its faces, but no faces before them, have.
 void STEPCensusTaker::CheckEdges(const CensusBody& body)
 {
-  Point low;
-  Point high;
+  Point3 low;
+  Point3 high;
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
   std::vector<std::size_t> found;

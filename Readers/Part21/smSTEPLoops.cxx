@@ -3,6 +3,7 @@
 #include "smSTEPFrames.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <array>
@@ -30,19 +31,12 @@ constexpr double SurfaceLimit = 4e-3;
 /// wider gap is detected by the integrals, too.
 constexpr double LoopTolerance = 1e-3;
 
-using Point = std::array<double, 3>;
-
-double GetDistance(const Point& a, const Point& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// An edge of a loop, as the loop runs along it.
 struct LoopEdge
 {
   std::uint64_t Id = 0;
-  Point Start{};
-  Point End{};
+  Point3 Start{};
+  Point3 End{};
   bool Straight = false;
 };
 
@@ -52,8 +46,8 @@ bool FindReversed(const std::vector<LoopEdge>& edges, double tolerance, bool isF
   std::vector<std::size_t>& reversed)
 {
   reversed.clear();
-  const Point& start = isFirstReversed ? edges[0].End : edges[0].Start;
-  Point at = start;
+  const Point3& start = isFirstReversed ? edges[0].End : edges[0].Start;
+  Point3 at = start;
   for (std::size_t k = 0; k < edges.size(); ++k)
   {
     const LoopEdge& edge = edges[k];
@@ -128,8 +122,8 @@ const STEPCensusTaker::VertexPair* STEPCensusTaker::ReadEdge(Index edge)
 void STEPCensusTaker::CheckLoop(Index face, Index loop)
 {
   std::vector<LoopEdge> edges;
-  Point low;
-  Point high;
+  Point3 low;
+  Point3 high;
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
   Part21Values values(this->Entities.Get(loop, EdgesOfLoop).Text);
@@ -155,7 +149,7 @@ void STEPCensusTaker::CheckLoop(Index face, Index loop)
     {
       std::swap(found.Start, found.End);
     }
-    for (const Point& point : { found.Start, found.End })
+    for (const Point3& point : { found.Start, found.End })
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
@@ -212,7 +206,7 @@ void STEPCensusTaker::CheckVertexLoop(Index face, Index loop)
   double major = 0.0;
   double minor = 0.0;
   STEPFrame frame;
-  Point point;
+  Point3 point;
   if ((!isSphere && !isTorus) || this->GeometricDamage[surface] || place == None ||
     this->GeometricDamage[place] || !this->ReadNumbers(place, CoordinatesOfPoint, point) ||
     !this->Entities.Get(surface, isSphere ? RadiusOfSphere : MinorRadiusOfTorus).GetNumber(minor) ||

@@ -12,9 +12,6 @@ namespace sm
 {
 namespace
 {
-using Point3 = std::array<double, 3>;
-using Point2 = TrimCurve::Point;
-
 constexpr double SmallestLag = 1e-7;
 constexpr double LagOverGap = 3.0;
 constexpr int FittedDegree = 9;

@@ -1,5 +1,7 @@
 #include "smExportTopology.h"
 
+#include "smVector.h"
+
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
@@ -10,8 +12,6 @@ namespace sm
 {
 namespace
 {
-using Vector3 = std::array<double, 3>;
-
 /// Ends of coedges that are farther apart than this, relative to the body's size, do not share a vertex; the
 /// reader's limit for closed loops.
 constexpr double SameVertex = 1e-5;
@@ -25,11 +25,6 @@ constexpr double JumpFraction = 0.005;
 constexpr int SamplesPerPiece = 4;
 constexpr int LeastSamples = 46;
 constexpr int JumpSamples = 16;
-
-double GetDistance(const Vector3& a, const Vector3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 }
 
 ExportTopology::ExportTopology(vtkTrimmedNURBSModel* model)

@@ -1,13 +1,13 @@
 #include "smSeamWay.h"
 
+#include "smVector.h"
+
 #include <cmath>
 
 namespace sm
 {
 namespace
 {
-using Point2 = std::array<double, 2>;
-
 /// Number of segments that approximate a coedge's trim curve.
 constexpr int TrimSegments = 8;
 

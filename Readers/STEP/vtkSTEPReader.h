@@ -21,6 +21,8 @@
 #include "smReadersSTEPModule.h"
 #include "vtkCADReader.h"
 
+class vtkTable;
+
 class SMREADERSSTEP_EXPORT vtkSTEPReader : public vtkCADReader
 {
 public:
@@ -33,6 +35,15 @@ public:
   static int CanReadFile(const char* fileName);
   /** 1 if the first 64 kB hold the header of a STEP file, otherwise 0. */
   static int CanReadContent(const std::string& content);
+  /**
+   * Adds a row to `table` for each product of the file, with what the file states of it: `Product` (its
+   * name), `Definition` (entity number), `Problem` (why the statements cannot be used; empty if they can),
+   * and the validation properties `Volume`, `Area` and `Centroid` (3 components) in millimetres and the
+   * product's own coordinates, NaN if not stated. Returns false, and adds no rows, if the file has no text of
+   * STEP.
+   */
+  static bool ReadStatedProducts(const char* fileName, vtkTable* table);
+
   static const char* GetFileExtensions() { return ".step .stp .p21"; }
   static const char* GetDescriptiveName() { return "STEP"; }
 

@@ -1,8 +1,8 @@
 #include "smComputeBuffer.h"
 
+#include "Detail/smOpenGL.h"
 #include "smContextResources.h"
 #include "smContextScope.h"
-#include "smOpenGL.h"
 #include "vtkComputeContext.h"
 
 #include <algorithm>

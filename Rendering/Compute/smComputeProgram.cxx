@@ -1,9 +1,9 @@
 #include "smComputeProgram.h"
 
+#include "Detail/smDispatchLog.h"
+#include "Detail/smOpenGL.h"
 #include "smContextResources.h"
 #include "smContextScope.h"
-#include "smDispatchLog.h"
-#include "smOpenGL.h"
 #include "smShaderSource.h"
 #include "vtkComputeContext.h"
 

@@ -1,6 +1,6 @@
 #include "smContextResources.h"
 
-#include "smOpenGL.h"
+#include "Detail/smOpenGL.h"
 #include "smWindowResources.h"
 
 #include <atomic>

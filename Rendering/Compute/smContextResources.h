@@ -8,7 +8,7 @@
 #ifndef smContextResources_h
 #define smContextResources_h
 
-#include "smTransferStage.h"
+#include "Detail/smTransferStage.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "smContextScope.h"
 
+#include "Detail/smCurrentContext.h"
+#include "Detail/smOpenGL.h"
 #include "smContextResources.h"
-#include "smCurrentContext.h"
-#include "smOpenGL.h"
 #include "smWindowResources.h"
 #include "vtkComputeContext.h"
 

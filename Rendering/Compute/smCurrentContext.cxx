@@ -1,6 +1,6 @@
-#include "smCurrentContext.h"
+#include "Detail/smCurrentContext.h"
 
-#include "smOpenGL.h"
+#include "Detail/smOpenGL.h"
 
 #include "vtkObjectFactory.h"
 

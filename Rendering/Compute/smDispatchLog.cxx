@@ -1,4 +1,4 @@
-#include "smDispatchLog.h"
+#include "Detail/smDispatchLog.h"
 
 #include "vtkComputeContext.h"
 

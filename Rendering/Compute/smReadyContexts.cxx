@@ -1,6 +1,6 @@
-#include "smReadyContexts.h"
+#include "Detail/smReadyContexts.h"
 
-#include "smCurrentContext.h"
+#include "Detail/smCurrentContext.h"
 #include "vtkComputeContext.h"
 
 #include <cstdlib>

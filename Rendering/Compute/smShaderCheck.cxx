@@ -1,4 +1,4 @@
-#include "smShaderCheck.h"
+#include "Detail/smShaderCheck.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,9 @@
 #include "smShaderSource.h"
 
+#include "Detail/smShaderCheck.h"
 #include "smErrorFree.h"
 #include "smInvocation.h"
 #include "smPortable.h"
-#include "smShaderCheck.h"
 #include "smShaderFault.h"
 #include "smTrimText.h"
 
@@ -182,6 +182,12 @@ std::set<std::string>& GetFaultyShaders()
 {
   static std::set<std::string> shaders;
   return shaders;
+}
+
+double& GetSampleFactor()
+{
+  static double factor = 1.0;
+  return factor;
 }
 
 std::string ShaderSource::NumberLines(const std::string& source)

@@ -1,6 +1,6 @@
-#include "smTransferStage.h"
+#include "Detail/smTransferStage.h"
 
-#include "smOpenGL.h"
+#include "Detail/smOpenGL.h"
 
 namespace sm
 {

@@ -1,9 +1,9 @@
 #include "vtkComputeContext.h"
 
+#include "Detail/smCurrentContext.h"
+#include "Detail/vtkComputeContextInternals.h"
 #include "smContextResources.h"
-#include "smCurrentContext.h"
 #include "smWindowResources.h"
-#include "vtkComputeContextInternals.h"
 #include "vtkEGLSurfacelessRenderWindow.h"
 
 #include "vtkObjectFactory.h"

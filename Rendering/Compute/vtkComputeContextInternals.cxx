@@ -1,10 +1,10 @@
-#include "vtkComputeContextInternals.h"
+#include "Detail/vtkComputeContextInternals.h"
 
+#include "Detail/smCurrentContext.h"
+#include "Detail/smOpenGL.h"
+#include "Detail/smReadyContexts.h"
 #include "smContextResources.h"
-#include "smCurrentContext.h"
-#include "smOpenGL.h"
 #include "smProbe.h"
-#include "smReadyContexts.h"
 #include "smWindowResources.h"
 #include "vtkEGLSurfacelessRenderWindow.h"
 

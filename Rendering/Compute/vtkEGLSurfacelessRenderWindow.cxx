@@ -1,7 +1,7 @@
 #include "vtkEGLSurfacelessRenderWindow.h"
 
-#include "smCurrentContext.h"
-#include "smOpenGL.h"
+#include "Detail/smCurrentContext.h"
+#include "Detail/smOpenGL.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"

@@ -1,7 +1,7 @@
 #include "smResidentFaces.h"
 
+#include "Detail/smResidentStore.h"
 #include "smContextResources.h"
-#include "smResidentStore.h"
 
 #include "smBernstein.h"
 #include "smDisplayPoint.h"

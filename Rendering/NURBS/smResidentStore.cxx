@@ -1,4 +1,4 @@
-#include "smResidentStore.h"
+#include "Detail/smResidentStore.h"
 
 #include "smContextResources.h"
 #include "smContextScope.h"

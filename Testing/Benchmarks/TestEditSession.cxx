@@ -1,4 +1,4 @@
-// TestEditSession opengl|cpu: every case of EditBenchmark once, and what it costs, counted; times are the
+// TestEditSession opengl|cpu: every case of `Benchmark edit` once, and what it costs, counted; times are the
 // benchmark's.
 #include "smEditSession.h"
 #include "smFreeFormBody.h"

@@ -7,8 +7,8 @@
 
 namespace smtest
 {
-/// Bytes that the program that links smAllocatedBytes.cxx and its libraries have allocated by `new` so far,
-/// freed or not.
+/// Bytes that the program that links smAllocatedBytes.cxx and its libraries have allocated by `new` since the
+/// first call, freed or not.
 long long GetAllocatedBytes();
 }
 

@@ -43,9 +43,9 @@ void CheckDocuments(const sm::FileResult& file, const sm::ScalarQuantity& found)
 /// The bytes of the result give the same document, and all that is cut off from them is noticed.
 void CheckPipe(const sm::JobOptions& options, sm::FileResult& file)
 {
-  sm::ByteWriter writer;
+  sm::ByteFieldWriter writer;
   file.Visit(writer);
-  sm::ByteReader reader(writer.Get());
+  sm::ByteFieldReader reader(writer.Get());
   sm::FileResult copy(options);
   copy.Visit(reader);
   CheckTrue("all bytes are read", reader.IsWhole());
@@ -53,7 +53,8 @@ void CheckPipe(const sm::JobOptions& options, sm::FileResult& file)
   int whole = 0;
   for (std::size_t size = 0; size < writer.Get().size(); size += 7)
   {
-    sm::ByteReader cut(writer.Get().substr(0, size));
+    sm::ByteFieldReader cut(
+      { writer.Get().begin(), writer.Get().begin() + static_cast<std::ptrdiff_t>(size) });
     sm::FileResult part(options);
     part.Visit(cut);
     whole += cut.IsWhole() ? 1 : 0;

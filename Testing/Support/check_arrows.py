@@ -1,5 +1,5 @@
 """Proves by the compiler that a module includes headers of the rooms below it and none of those above or next to it, and that vtk.module
-files and the table of Documentation/DeveloperGuide.md name the same rooms.
+files and the table of Documentation/DeveloperGuide.md name the same rooms. Checks that the path of a header says who includes it.
 
     check_arrows.py --compiler C++ --modules FILE --source FOLDER
 
@@ -22,6 +22,7 @@ ROOMS = {
     "FiltersQuadrature": ("Filters/Quadrature", ["FiltersNURBS"]),
     "FiltersSurfaceIntegrals": ("Filters/SurfaceIntegrals", ["FiltersQuadrature", "RenderingCompute", "RenderingNURBS"]),
     "FiltersMassProperties": ("Filters/MassProperties", ["FiltersSurfaceIntegrals"]),
+    "FiltersProducts": ("Filters/Products", ["FiltersMassProperties"]),
     "FiltersStability": ("Filters/Stability", ["FiltersMassProperties"]),
     "FiltersBuoyancy": ("Filters/Buoyancy", ["FiltersSurfaceIntegrals"]),
     "FiltersSection": ("Filters/Section", ["FiltersBuoyancy"]),
@@ -97,6 +98,41 @@ def check_statements(source):
     return problems
 
 
+def list_installed(folder):
+    """The headers that the CMakeLists.txt of a module installs."""
+    with open(os.path.join(folder, "CMakeLists.txt"), encoding="utf-8") as file:
+        text = file.read()
+    listed = " ".join(re.findall(r"set\((?:nowrap_)?headers([^)]*)\)", text)).split()
+    return listed + [name + ".h" for name in " ".join(re.findall(r"set\(classes([^)]*)\)", text)).split()]
+
+
+def check_header_kinds(source):
+    """Problems in words: the path of a header says who includes it. Those in a folder below the one of their module are the module's own (and
+    its tests'); others are installed, or another module or program includes them."""
+    problems = []
+    users = {}
+    for room in ("Filters", "Rendering", "Readers", "ParaViewPlugin", "Examples"):
+        for path in glob.glob(os.path.join(source, room, "**", "*.*"), recursive=True):
+            if path.endswith((".h", ".cxx")):
+                with open(path, encoding="utf-8") as file:
+                    for name in re.findall(r'#include "(?:.*/)?([^"/]+)"', file.read()):
+                        users.setdefault(name, []).append(os.path.relpath(path, source))
+    for folder, _ in ROOMS.values():
+        # The rooms of the readers are not parted yet.
+        if folder.startswith("Readers/"):
+            continue
+        root = os.path.join(source, folder)
+        installed = list_installed(root)
+        for path in glob.glob(os.path.join(root, "**", "*.h"), recursive=True):
+            name = os.path.relpath(path, root)
+            others = [user for user in users.get(os.path.basename(path), []) if not user.startswith(folder + "/")]
+            if "/" in name and (others or name in installed):
+                problems.append(f"{folder}/{name} is not its module's own: {', '.join(others) or 'it is installed'}")
+            elif "/" not in name and not others and name not in installed:
+                problems.append(f"{folder}/{name} is its module's own and belongs into a folder below, Detail/ for example")
+    return problems
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for name in ("--compiler", "--modules", "--source"):
@@ -108,6 +144,7 @@ def main():
             name, includes, definitions = line.rstrip("\n").split("|")
             modules[name] = ([word for word in includes.split(";") if word], [word for word in definitions.split(";") if word])
     problems = [f"{name} is not a room of the table" for name in modules if name not in ROOMS] + check_statements(options.source)
+    problems += check_header_kinds(options.source)
     with tempfile.TemporaryDirectory() as folder:
         for room in set(modules) & set(ROOMS):
             problems += check_room(options, modules, room, folder)

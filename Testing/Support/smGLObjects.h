@@ -8,7 +8,7 @@
 #ifndef smGLObjects_h
 #define smGLObjects_h
 
-#include "smOpenGL.h"
+#include "Detail/smOpenGL.h"
 
 #include <algorithm>
 #include <array>

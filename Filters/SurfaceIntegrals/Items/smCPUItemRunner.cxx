@@ -1,7 +1,7 @@
 #include "smCPUItemRunner.h"
 
+#include "Engine/smFaceIntegrals.h"
 #include "smBatchParameters.h"
-#include "smFaceIntegrals.h"
 #include "smFormat.h"
 #include "smItemKernels.h"
 #include "smParallelFor.h"

@@ -1,36 +1,20 @@
-#include "smGPUItemRunner.h"
+#include "smGPUItemRunnerInternals.h"
 
-#include "smBatchParameters.h"
-#include "smComputeBuffer.h"
-#include "smContextResources.h"
+#include "Engine/smFaceIntegrals.h"
 #include "smContextScope.h"
-#include "smFaceIntegrals.h"
-#include "smIntegrationPrograms.h"
 #include "smParallelFor.h"
-#include "smResidentFaces.h"
-#include "smUnitRoundoff.h"
-#include "smWorkList.h"
 
-#include "vtkComputeContext.h"
-#include "vtkSmartPointer.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 
 namespace sm
 {
 namespace
 {
-// Numbers of invocations per work group, as in the shaders.
-constexpr unsigned int LocalSize = 32;
-constexpr unsigned int LocalSizeOfBlocks = 64;
-// Rows of a block that one invocation adds up. A constant of the results' bits.
-constexpr std::uint32_t RowsOfBlock = 64;
 // Largest number of rows at a time, which limits the memory of rows and lists.
 constexpr std::size_t MaximumRows = 262144;
 // Estimated cost (evaluations times a factor for the degree) and lines of a portion: for a software renderer
@@ -41,162 +25,7 @@ constexpr PortionLimits DeviceLimits = { 400000000, 131072, false };
 
 // Records that a thread makes at a time.
 constexpr std::size_t RecordsOfTask = 4096;
-
-constexpr ProgramKey FinishProgram = { ProgramKind::Finish, 0, 0 };
-constexpr ProgramKey RowBlockProgram = { ProgramKind::RowBlocks, 0, 0 };
-constexpr ProgramKey FaceSumProgram = { ProgramKind::FaceSums, 0, 0 };
-
-/// A block of rows and a part of a face, in the layouts of glsl/smRowBlockCS.glsl and glsl/smFaceSumCS.glsl.
-using BlockRecord = std::array<std::uint32_t, 2>;
-using PartRecord = std::array<std::uint32_t, 4>;
-
-std::uint32_t GetPartKind(const RowPart& part)
-{
-  return part.Kind == ItemKind::Panel ? 0u : part.Coedge < 0 ? 1u : 2u;
 }
-}
-
-struct GPUItemRunner::Internals
-{
-  explicit Internals(vtkComputeContext* context)
-    : Context(context)
-    , Resident(context)
-    , Programs(context)
-    , Work(context)
-    , Shapes(context)
-    , Parameters(context)
-    , Rows(context)
-    , StatusFlags(context)
-    , LineSums(context)
-    , Blocks(context)
-    , BlockSums(context)
-    , Parts(context)
-    , Faces(context)
-    , Totals(context)
-  {
-  }
-
-  vtkSmartPointer<vtkComputeContext> Context;
-  ResidentFaces Resident;
-  IntegrationPrograms Programs;
-  ComputeBuffer Work;
-  ComputeBuffer Shapes;
-  ComputeBuffer Parameters;
-  ComputeBuffer Rows;
-  ComputeBuffer StatusFlags;
-  /// The sums of the lines of a portion.
-  ComputeBuffer LineSums;
-  /// Tables of AddUp(), and its results.
-  ComputeBuffer Blocks;
-  ComputeBuffer BlockSums;
-  ComputeBuffer Parts;
-  ComputeBuffer Faces;
-  ComputeBuffer Totals;
-
-  /// Places of the faces of the last Acquire().
-  std::vector<ResidentFace> Places;
-  /// Places of the faces of the last BeginBatch(), by slot; all are on one page.
-  std::vector<const ResidentFace*> Slots;
-  BatchParameters Batch;
-  /// The order of evaluation of the last Run(), and whether an item of it was compared.
-  std::vector<std::uint32_t> Order;
-  bool HasComparisons = false;
-  /// Programs whose results were compared with those of the CPU, in which generation of the context.
-  std::set<ProgramKey> Proved;
-  std::uint64_t ProvedGeneration = 0;
-
-  std::string GetBufferErrors() const
-  {
-    std::string errors;
-    for (const ComputeBuffer* buffer :
-      { &this->Work, &this->Shapes, &this->Parameters, &this->Rows, &this->StatusFlags, &this->LineSums,
-        &this->Blocks, &this->BlockSums, &this->Parts, &this->Faces, &this->Totals })
-    {
-      errors += buffer->GetError();
-    }
-    return errors;
-  }
-
-  bool Bind(const ProgramKey& key, int page)
-  {
-    switch (std::get<0>(key))
-    {
-      case ProgramKind::Panels:
-      case ProgramKind::Ribbons:
-        return this->Resident.Bind(page) && this->BindLines();
-      case ProgramKind::Caps:
-        return this->Resident.BindCaps(page) && this->BindLines();
-      case ProgramKind::Finish:
-        return this->StatusFlags.Bind(0) && this->Rows.Bind(5) && this->BindLines();
-      case ProgramKind::RowBlocks:
-        return this->Rows.Bind(5) && this->Blocks.Bind(6) && this->BlockSums.Bind(7);
-      default:
-        return this->Faces.Bind(3) && this->Parts.Bind(4) && this->Totals.Bind(6) && this->BlockSums.Bind(7);
-    }
-  }
-  bool BindLines()
-  {
-    return this->Work.Bind(3) && this->Parameters.Bind(4) && this->Shapes.Bind(6) && this->LineSums.Bind(7);
-  }
-
-  bool IsSoftware() const { return this->Context->GetResources()->IsSoftware; }
-  ProgramKey ChooseProgram(const WorkItem& item) const
-  {
-    return IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1], this->IsSoftware());
-  }
-  PortionLimits GetLimits(const RowLayout& layout) const
-  {
-    PortionLimits limits = this->IsSoftware() ? SoftwareLimits : DeviceLimits;
-    const auto block = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize());
-    // A portion has one item at least, which has at most 255 lines.
-    limits.Lines = std::clamp<std::size_t>(block / GetLineBytes(layout), 255, limits.Lines);
-    return limits;
-  }
-  static std::size_t GetLineBytes(const RowLayout& layout)
-  {
-    return static_cast<std::size_t>(layout.GetNumberOfIntegrands() + layout.GetNumberOfRoundings() + 3) *
-      sizeof(double);
-  }
-  /// Bytes of the sums of a block: all columns but the differences, and their rounding errors.
-  static std::size_t GetBlockBytes(const RowLayout& layout)
-  {
-    return 2 * static_cast<std::size_t>(layout.GetDifference(0)) * sizeof(double);
-  }
-
-  /// Returns the record with indices into the page's data of its face.
-  WorkRecord MakeRecord(const WorkItem& item) const
-  {
-    const ResidentFace& place = *this->Slots[item.GetSlot()];
-    WorkRecord record = item.Work;
-    if (item.Kind == ItemKind::Cap)
-    {
-      record.Item[1] += 9 * place.FirstCap;
-      return record;
-    }
-    record.Item[0] += place.FirstPatch;
-    record.Item[1] += place.FirstCoefficient;
-    if (item.Kind == ItemKind::Ribbon)
-    {
-      record.Detail[1] += place.FirstCoefficient;
-    }
-    return record;
-  }
-
-  /// Makes the buffers for as many items as the faces have, since a new store takes a GPU's driver up to a
-  /// millisecond; the plan may have more.
-  bool Reserve(const RowLayout& layout, const std::vector<CutFacePointer>& faces, std::size_t maximumRows);
-  /// Builds the programs that the faces need and runs each once, as drivers finish compilation at the first
-  /// dispatch.
-  bool WarmUp(const std::vector<CutFacePointer>& faces, const ProgressCallback& progress, std::string& error);
-  /// Runs a program for a range of a portion's lines, or the program that finishes the portion's items.
-  bool DispatchLines(const RowLayout& layout, const WorkPortion& portion, const LineRange& range);
-  bool DispatchFinish(const RowLayout& layout, const WorkPortion& portion);
-  bool RunPortion(const RowLayout& layout, const WorkPortion& portion, std::string& error);
-  /// Uploads the tables of AddUp().
-  bool UploadParts(const RowLayout& layout, const std::vector<RowPart>& parts, std::uint32_t& blocks,
-    std::uint32_t& coedges);
-  bool DispatchSums(const RowLayout& layout, std::uint32_t blocks, std::uint32_t faces, std::string& error);
-};
 
 GPUItemRunner::GPUItemRunner(vtkComputeContext* context)
   : Implementation(new Internals(context))
@@ -208,6 +37,15 @@ GPUItemRunner::~GPUItemRunner() = default;
 std::string GPUItemRunner::GetObstacle(const Integrand& integrand) const
 {
   return this->Implementation->Programs.FindError(integrand);
+}
+
+PortionLimits GPUItemRunner::Internals::GetLimits(const RowLayout& layout) const
+{
+  PortionLimits limits = this->IsSoftware() ? SoftwareLimits : DeviceLimits;
+  const auto block = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize());
+  // A portion has one item at least, which has at most 255 lines.
+  limits.Lines = std::clamp<std::size_t>(block / GetLineBytes(layout), 255, limits.Lines);
+  return limits;
 }
 
 void GPUItemRunner::OnConfigure()
@@ -527,121 +365,5 @@ void GPUItemRunner::Release()
   this->Implementation->Slots.clear();
   this->Implementation->Places.clear();
   this->Implementation->Resident.EndRun();
-}
-
-bool GPUItemRunner::Internals::UploadParts(
-  const RowLayout& layout, const std::vector<RowPart>& parts, std::uint32_t& blocks, std::uint32_t& coedges)
-{
-  std::vector<BlockRecord> blockRecords;
-  std::vector<PartRecord> partRecords;
-  std::vector<std::uint32_t> firstParts;
-  partRecords.reserve(parts.size());
-  coedges = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    const RowPart& part = parts[i];
-    if (i == 0 || part.Slot != parts[i - 1].Slot)
-    {
-      firstParts.push_back(static_cast<std::uint32_t>(i));
-    }
-    const auto first = static_cast<std::uint32_t>(blockRecords.size());
-    for (std::uint32_t row = part.Begin; row < part.End; row += RowsOfBlock)
-    {
-      blockRecords.push_back({ row, std::min(RowsOfBlock, part.End - row) });
-    }
-    const std::uint32_t kind = GetPartKind(part);
-    partRecords.push_back({ first, static_cast<std::uint32_t>(blockRecords.size()) - first, kind, coedges });
-    coedges += kind == 2u ? 1u : 0u;
-  }
-  const std::size_t faces = firstParts.size();
-  firstParts.push_back(static_cast<std::uint32_t>(parts.size()));
-  blocks = static_cast<std::uint32_t>(blockRecords.size());
-  const std::size_t totals = faces * (4 * layout.GetNumberOfIntegrands() + 3) + 3 * coedges;
-  return this->Blocks.Upload(blockRecords) && this->Parts.Upload(partRecords) &&
-    this->Faces.Upload(firstParts) && this->BlockSums.Allocate(blocks * GetBlockBytes(layout)) &&
-    this->Totals.Allocate(totals * sizeof(double));
-}
-
-bool GPUItemRunner::Internals::DispatchSums(
-  const RowLayout& layout, std::uint32_t blocks, std::uint32_t faces, std::string& error)
-{
-  ComputeProgram* rows = this->Programs.Get(RowBlockProgram);
-  ComputeProgram* sums = this->Programs.Get(FaceSumProgram);
-  if (!rows || !sums)
-  {
-    error = this->Programs.GetError();
-    return false;
-  }
-  // A dispatch of portions, so that the number of invocations is within 32 bits for any number of integrands.
-  const auto columns = static_cast<std::uint32_t>(layout.GetDifference(0));
-  const std::uint32_t maximum = 0x40000000u / columns;
-  bool done = this->Bind(RowBlockProgram, 0);
-  for (std::uint32_t first = 0; first < blocks && done; first += maximum)
-  {
-    const std::uint32_t count = std::min(maximum, blocks - first);
-    done = rows->SetUniform("smFirstBlock", first) && rows->SetUniform("smBlockCount", count) &&
-      rows->Dispatch(count * columns, LocalSizeOfBlocks);
-  }
-  const auto integrands = static_cast<std::uint32_t>(layout.GetNumberOfIntegrands());
-  done = done && this->Bind(FaceSumProgram, 0) && sums->SetUniform("smFaceCount", faces) &&
-    sums->Dispatch(faces * (integrands + 1u), LocalSize);
-  error = done ? "" : rows->GetError() + sums->GetError() + this->GetBufferErrors();
-  return done;
-}
-
-bool GPUItemRunner::AddUp(const std::vector<RowPart>& parts, FaceTotals& totals, std::vector<RowGaps>& gaps)
-{
-  Internals& self = *this->Implementation;
-  gaps.clear();
-  if (parts.empty())
-  {
-    return true;
-  }
-  const ContextScope scope(self.Context);
-  std::uint32_t blocks = 0;
-  std::uint32_t coedges = 0;
-  std::string error;
-  if (!scope || !self.UploadParts(this->Layout, parts, blocks, coedges) ||
-    !self.DispatchSums(this->Layout, blocks, static_cast<std::uint32_t>(totals.GetNumberOfFaces()), error))
-  {
-    return this->Fail("the sums of faces failed: " + error + self.GetBufferErrors());
-  }
-  const auto integrands = static_cast<std::size_t>(this->Layout.GetNumberOfIntegrands());
-  const std::size_t faces = totals.GetNumberOfFaces();
-  std::vector<double> sums(faces * (4 * integrands + 3) + 3 * coedges);
-  if (!self.Totals.Read(sums.data(), sums.size() * sizeof(double)))
-  {
-    return this->Fail("the sums of faces failed: " + self.Totals.GetError());
-  }
-  const double* from = sums.data();
-  const auto takeGaps = [&from]
-  {
-    const RowGaps own = { from[0], from[1], from[2] };
-    from += 3;
-    return own;
-  };
-  for (std::size_t face = 0; face < faces; ++face)
-  {
-    for (std::size_t k = 0; k < integrands; ++k, from += 4)
-    {
-      RowTotal& total = totals.At(face, k);
-      const auto add = [&](double& sum, double value)
-      {
-        const double before = sum;
-        sum += value;
-        total.Rounding += before != 0.0 ? UnitRoundoff * std::abs(sum) : 0.0;
-      };
-      add(total.Face, from[0]);
-      add(total.Chain, from[1]);
-      total.Error += from[2];
-      total.Rounding += from[3];
-    }
-    totals.Gaps[face].Add(takeGaps());
-  }
-  for (std::uint32_t i = 0; i < coedges; ++i)
-  {
-    gaps.push_back(takeGaps());
-  }
-  return true;
 }
 }

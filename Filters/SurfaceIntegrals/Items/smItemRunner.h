@@ -6,7 +6,7 @@
 #ifndef smItemRunner_h
 #define smItemRunner_h
 
-#include "smFaceIntegrals.h"
+#include "Engine/smFaceIntegrals.h"
 #include "smFacePanelsCache.h"
 #include "smIntegrand.h"
 #include "smProgressCallback.h"

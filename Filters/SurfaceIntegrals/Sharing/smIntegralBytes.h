@@ -5,8 +5,8 @@
 #ifndef smIntegralBytes_h
 #define smIntegralBytes_h
 
+#include "Engine/smFaceIntegrals.h"
 #include "smBytes.h"
-#include "smFaceIntegrals.h"
 #include "smFiltersSurfaceIntegralsModule.h"
 
 namespace sm

@@ -5,6 +5,7 @@
 //   of backend
 #include "smBackendComparison.h"
 #include "smTestManifest.h"
+#include "smWrongSamples.h"
 
 #include <vtkSMPTools.h>
 #include <vtkSurfaceIntegralGPU.h>
@@ -165,7 +166,7 @@ void CheckBudgetAndAbort(const std::string& ring)
   pipeline.Mass->Update();
   CheckTrue("and back: the same bits", GetAll(pipeline.Mass) == GetAll(exact.Mass));
 
-  pipeline.Mass->SetShaderPerturbation(1.0 + 1.0 / 1024);
+  const WrongSamples wrong(pipeline.Mass, 1.0 + 1.0 / 1024);
   pipeline.Mass->Update();
   Check("perturbed samples", exact.Mass->GetVolume() * (1.0 + 1.0 / 1024), pipeline.Mass->GetVolume(),
     1e-12 * exact.Mass->GetVolume());

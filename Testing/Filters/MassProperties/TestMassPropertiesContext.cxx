@@ -6,6 +6,7 @@
 #include "smResidentFaces.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
+#include "smWrongSamples.h"
 
 #include <vtkComputeContext.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -13,6 +14,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <memory>
 
 namespace
 {
@@ -72,7 +74,7 @@ void CheckPerturbation(const Expected& part)
 {
   const double factor = 1.0 + 1e-3;
   Pipeline pipeline(part.Path);
-  pipeline.Mass->SetShaderPerturbation(factor);
+  auto wrong = std::make_unique<WrongSamples>(pipeline.Mass, factor);
   pipeline.Mass->Update();
   Check(
     "volume of the perturbed shader", factor * part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
@@ -84,7 +86,7 @@ void CheckPerturbation(const Expected& part)
   {
     Check("centre of the perturbed shader", part.Center[i], center[i], 1e-9 * part.Size);
   }
-  pipeline.Mass->SetShaderPerturbation(1.0);
+  wrong.reset();
   pipeline.Mass->Update();
   Check("volume without it", part.Volume, pipeline.Mass->GetVolume(), 1e-9 * part.Volume);
 }

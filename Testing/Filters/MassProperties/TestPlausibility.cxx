@@ -1,6 +1,6 @@
 // Facts that hold for every body: each is violated once, by the moments of boxes added and taken away, and
 // keeps quiet where the bound allows it.
-#include "smPlausibility.h"
+#include "Detail/smPlausibility.h"
 #include "smTesting.h"
 
 #include "vtkNew.h"

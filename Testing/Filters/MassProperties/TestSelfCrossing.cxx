@@ -1,9 +1,9 @@
 // Boundaries that cross themselves are distinguished from those that touch, are thin, have voids, or are
 // coarsely meshed; with any number of threads; and an edit is not checked again.
+#include "Detail/smSelfCrossing.h"
 #include "smBoxBodies.h"
 #include "smMassIntegrands.h"
 #include "smMeshTriangles.h"
-#include "smSelfCrossing.h"
 #include "smTesting.h"
 #include "smVector.h"
 

@@ -5,6 +5,7 @@
 #include "smShaderFault.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
+#include "smWrongSamples.h"
 
 #include <vtkComputeContext.h>
 
@@ -91,7 +92,7 @@ void CheckValues(const Expected& expected)
   CheckVolume("its volume", fields, expected);
   // The programs are proved now, and built again for another factor of every sample.
   const Fault fault(Integration);
-  pipeline.Mass->SetShaderPerturbation(1.0 + std::numeric_limits<double>::epsilon());
+  const WrongSamples wrong(pipeline.Mass, 1.0 + std::numeric_limits<double>::epsilon());
   fields = Run(pipeline);
   const double error = std::abs(GetField(fields, names::Volume) - expected.Volume);
   CheckTrue("a test of values sees it", error > 100.0 * GetFieldBound(fields, names::Volume),

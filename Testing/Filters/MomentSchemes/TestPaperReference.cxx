@@ -1,8 +1,8 @@
 // The paper's schemes by their reference: exact to the degree they claim, Eq. 36 and the trim texture by
 // hand, the shape of Fig. 7.
+#include "Detail/smSubPatches.h"
 #include "smPaperReference.h"
 #include "smSchemeFaces.h"
-#include "smSubPatches.h"
 #include "smTesting.h"
 
 #include <vtkMath.h>

@@ -1,7 +1,7 @@
 // Planes by triangles of their trim polygons: polyhedra to rounding, both orientations, curved trims to the
 // chord tolerance.
+#include "Detail/smPlaneMoments.h"
 #include "smPaperReference.h"
-#include "smPlaneMoments.h"
 #include "smSchemeFaces.h"
 #include "smTesting.h"
 

@@ -1,8 +1,8 @@
 // Sub-patches of the paper's schemes: their grid, K bounded above and below, and what a face gives the
 // schemes.
+#include "Detail/smSubPatches.h"
 #include "smPaperReference.h"
 #include "smSchemeFaces.h"
-#include "smSubPatches.h"
 #include "smTesting.h"
 
 #include <algorithm>

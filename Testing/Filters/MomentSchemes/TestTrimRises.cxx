@@ -1,9 +1,9 @@
 // Loops cut where they turn in v: every part monotone, nothing lost, and few parts whatever rounding makes of
 // a level curve.
+#include "Detail/smTrimRises.h"
 #include "smPaperReference.h"
 #include "smSchemeFaces.h"
 #include "smTesting.h"
-#include "smTrimRises.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,10 +7,10 @@
 
 #include "smSchemeFaces.h"
 
-#include "smCPUSchemeRunner.h"
-#include "smGPUSchemeRunner.h"
-#include "smMassTolerance.h"
-#include "smSchemeIntegrator.h"
+#include "Detail/smCPUSchemeRunner.h"
+#include "Detail/smGPUSchemeRunner.h"
+#include "Detail/smMassTolerance.h"
+#include "Detail/smSchemeIntegrator.h"
 #include "smTesting.h"
 
 #include <vtkComputeContext.h>

@@ -1,6 +1,6 @@
 // Loops that cross themselves or each other are distinguished from loops that touch, and from overlaps below
 // the tolerances.
-#include "smLoopCrossings.h"
+#include "Detail/smLoopCrossings.h"
 #include "smTesting.h"
 
 #include <cmath>

@@ -1,8 +1,9 @@
 // TestSolidSectionRuns FOLDER MODE BACKEND: outputs of a run, planes that touch, shells inside out, open
 // bodies, spline solids
+#include "Detail/smSectionRow.h"
 #include "smSectionNames.h"
-#include "smSectionRow.h"
 #include "smSectionTesting.h"
+#include "smWrongSamples.h"
 
 #include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
@@ -253,7 +254,7 @@ void CheckLimits(const Manifest& manifest)
     few.Filter->GetVolumeAbove(), few.Filter->GetVolumeAboveBound(), "the bound");
   // The shaders are what the numbers come from.
   few.Filter->SetMaximumEvaluations(2000000000);
-  few.Filter->SetShaderPerturbation(1.0 + 1e-4);
+  const WrongSamples wrong(few.Filter, 1.0 + 1e-4);
   few.Filter->Update();
   CheckRange("perturbed shaders", 1e-5 * exact, std::abs(few.Filter->GetSectionArea() - exact), 1e-3 * exact);
 }

@@ -1,9 +1,9 @@
 // Minimum heights of random trimmed rational faces, against dense samples; hulls and margins against
 // formulas.
-#include "smGroundContact.h"
-#include "smSupportPolygon.h"
+#include "Detail/smGroundContact.h"
+#include "Detail/smSupportPolygon.h"
+#include "Detail/smTrimClassifier.h"
 #include "smTesting.h"
-#include "smTrimClassifier.h"
 
 #include <vtkMath.h>
 

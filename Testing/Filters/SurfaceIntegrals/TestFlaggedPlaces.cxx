@@ -1,7 +1,7 @@
 // Open edges, wide gaps and faces that count wrongly are drawn where they are, with the figures that they put
 // in doubt.
+#include "Outputs/smFlaggedPlaces.h"
 #include "smBoxBodies.h"
-#include "smFlaggedPlaces.h"
 #include "smIntegralNames.h"
 #include "smMessageTrap.h"
 #include "smTesting.h"

@@ -1,5 +1,5 @@
 // The repair of a mesh: a fan in which every exchange of a diagonal makes a deviation 1.4 times as large.
-#include "smMeshRepair.h"
+#include "Detail/smMeshRepair.h"
 #include "smTesting.h"
 
 namespace

@@ -1,6 +1,6 @@
 // The bound of a triangle's distance from its surface: never below what is sampled, and not far above it.
+#include "Detail/smSurfaceBlocks.h"
 #include "smMeshMeasures.h"
-#include "smSurfaceBlocks.h"
 #include "smTesting.h"
 
 #include <random>

@@ -1,7 +1,7 @@
 // The constrained triangulation against exact areas: polygons with holes, lines through vertices, and lines
 // that cross.
+#include "Detail/smTriangulation.h"
 #include "smTesting.h"
-#include "smTriangulation.h"
 
 #include <algorithm>
 #include <random>

@@ -1,5 +1,5 @@
 // Threads that ask for the X display at the same time get one connection.
-#include "smCurrentContext.h"
+#include "Detail/smCurrentContext.h"
 #include "smTesting.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // The check of assembled shaders refuses every form in which NVIDIA's compiler keeps doubles as floats or
 // does not link, with name and line, and nothing else.
-#include "smShaderCheck.h"
+#include "Detail/smShaderCheck.h"
 #include "smShaderSource.h"
 #include "smTesting.h"
 

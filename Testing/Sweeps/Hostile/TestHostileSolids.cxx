@@ -7,6 +7,7 @@
 #include "smHostileSolid.h"
 
 #include "smMassPropertyNames.h"
+#include "smWrongSamples.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkDataArray.h>
@@ -370,7 +371,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkMassPropertiesGPU> mass;
   // Edges lie off their faces on purpose.
   mass->SetGapLimit(1.0);
-  mass->SetShaderPerturbation(options.Perturbation);
+  const smtest::WrongSamples wrong(mass, options.Perturbation);
   Summary summary;
   std::vector<HostileSolid> batch;
   const std::uint64_t end = options.First + options.Count;

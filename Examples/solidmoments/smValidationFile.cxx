@@ -1,0 +1,80 @@
+#include "smValidationFile.h"
+
+#include "smProductResults.h"
+#include "smResults.h"
+#include "smSafeFile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sm
+{
+StatedFile::StatedFile(const std::string& name)
+  : HasText(this->File.Read(name))
+{
+  if (this->HasText)
+  {
+    this->Products = ReadSTEPProducts(this->File);
+  }
+}
+
+std::vector<StatedProduct> StatedFile::List() const
+{
+  std::vector<StatedProduct> list;
+  for (const STEPProduct& product : this->Products)
+  {
+    list.push_back({ product.Name, static_cast<long long>(product.Definition), product.Problem,
+      product.Stated.Volume, product.Stated.Area, product.Stated.Centroid });
+  }
+  return list;
+}
+
+std::string WriteValidation(const std::string& fileName, const ProductTreeNode& tree,
+  const ProductResults& results, const std::string& target)
+{
+  const StatedFile file(fileName);
+  if (!file.IsRead())
+  {
+    return fileName + " is not a STEP file that can be written again with validation properties";
+  }
+  const ProductSums sums(file.List(), tree, results);
+  const bool isFileSound = IsFileSound(results);
+  std::vector<STEPStatement> statements;
+  for (const STEPProduct& product : file.GetProducts())
+  {
+    const ComputedProduct computed = sums.Find(product.Name);
+    const STEPValidation& stated = product.Stated;
+    if (!computed.Reason.empty() || !product.Problem.empty() || product.Context == 0)
+    {
+      continue;
+    }
+    STEPStatement statement;
+    statement.Product = product;
+    // A property that the file states already is not written a second time, and none of which this program
+    // says that it may be wrong.
+    const bool isSound = isFileSound && computed.IsSound;
+    statement.Values.Volume = std::isfinite(stated.Volume) || !isSound ? std::nan("") : computed.Volume;
+    statement.Values.Area = std::isfinite(stated.Area) || !isSound ? std::nan("") : computed.Area;
+    if (computed.NoCenter.empty() && isSound && !std::isfinite(stated.Centroid[0]))
+    {
+      statement.Values.Centroid = computed.Center;
+    }
+    if (!std::isnan(computed.Density) && !product.HasDensity)
+    {
+      statement.Density = computed.Density;
+      statement.Material = computed.Material;
+    }
+    statements.push_back(statement);
+  }
+  const std::string text = AppendSTEPValidation(file.GetFile(), statements);
+  const std::string problem = text.empty() ? "it has no entities" : SaveFile(target, text);
+  return problem.empty() ? problem : target + " cannot be written: " + problem;
+}
+
+long long CountValidation(const FileResult& file, const std::string& result)
+{
+  const std::vector<ValidationEntry> list = file.Validation.value_or(std::vector<ValidationEntry>());
+  return std::count_if(
+    list.begin(), list.end(), [&result](const ValidationEntry& entry) { return entry.Result == result; });
+}
+}

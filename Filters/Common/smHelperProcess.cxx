@@ -1,0 +1,386 @@
+#include "smHelperProcess.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <new>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+/// Head of a message in the pipe: its kind, and the number of bytes that follow.
+constexpr std::size_t HeadSize = 1 + sizeof(std::uint64_t);
+
+bool Send(int descriptor, const void* from, std::size_t size)
+{
+  const char* bytes = static_cast<const char*>(from);
+  while (size > 0)
+  {
+    const ssize_t count = write(descriptor, bytes, size);
+    if (count < 0 && errno != EINTR)
+    {
+      return false;
+    }
+    bytes += std::max<ssize_t>(count, 0);
+    size -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+  }
+  return true;
+}
+
+/// Makes a nameless file in memory with these bytes, positioned at its start, which no other program
+/// inherits. Returns -1, with errno, if that fails.
+int MakeInput(const std::string& bytes)
+{
+  const int file = memfd_create("solidmoments", MFD_CLOEXEC);
+  if (file >= 0 && (!Send(file, bytes.data(), bytes.size()) || lseek(file, 0, SEEK_SET) != 0))
+  {
+    const int error = errno;
+    close(file);
+    errno = error;
+    return -1;
+  }
+  return file;
+}
+
+/// Starts the program and returns errno; 0 if it runs. Its standard input is `input`, or empty if that is -1.
+int Spawn(
+  const std::string& program, const std::vector<std::string>& arguments, int input, int output, pid_t& id)
+{
+  std::vector<char*> words{ const_cast<char*>(program.c_str()) };
+  for (const std::string& argument : arguments)
+  {
+    words.push_back(const_cast<char*>(argument.c_str()));
+  }
+  words.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (input >= 0)
+  {
+    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  }
+  else
+  {
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  }
+  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  const int error = posix_spawn(&id, program.c_str(), &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return error;
+}
+
+/// Set to 1 when a child of Fork() has no memory left; shared with the process that started it.
+volatile std::sig_atomic_t* OutOfMemory = nullptr;
+
+void OnNoMemory()
+{
+  *OutOfMemory = 1;
+  throw std::bad_alloc();
+}
+
+/// Handles a fatal signal: a driver without memory aborts or uses a null pointer. The cause is taken to be
+/// memory if an allocation fails here.
+void OnFatalSignal(int number)
+{
+  constexpr std::size_t little = std::size_t(64) << 20;
+  if (mmap(nullptr, little, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED)
+  {
+    *OutOfMemory = 1;
+  }
+  std::signal(number, SIG_DFL);
+  raise(number);
+}
+
+/// Lets the child report that it has run out of memory. Signal handlers are installed only if its memory is
+/// limited (ulimit -v).
+void WatchMemory()
+{
+  if (!OutOfMemory)
+  {
+    return;
+  }
+  std::set_new_handler(OnNoMemory);
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+  {
+    for (const int number : { SIGSEGV, SIGBUS, SIGABRT })
+    {
+      std::signal(number, OnFatalSignal);
+    }
+  }
+}
+
+/// Returns how many processes of this machine the system has ended for want of memory; -1 if it does not
+/// report that.
+long CountMemoryKills()
+{
+  std::ifstream counters("/proc/vmstat");
+  std::string name;
+  for (long value = 0; counters >> name >> value;)
+  {
+    if (name == "oom_kill")
+    {
+      return value;
+    }
+  }
+  return -1;
+}
+
+/// Returns true if a process with these resources may have reached its hard limit of processor time, at which
+/// the system sends SIGKILL: the shell's ulimit -t sets the hard limit, too.
+bool HasUsedProcessorLimit(const rusage& used)
+{
+  rlimit limit{};
+  const double seconds = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+    1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+  return getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_max != RLIM_INFINITY &&
+    seconds > static_cast<double>(limit.rlim_max) - 0.5;
+}
+}
+
+int ProcessEnd::GetSignal() const
+{
+  return WIFSIGNALED(this->Status) ? WTERMSIG(this->Status) : 0;
+}
+
+bool ProcessEnd::IsForced() const
+{
+  return this->IsTimeOver || this->IsOutOfMemory || this->GetSignal() == SIGKILL ||
+    this->GetSignal() == SIGXCPU;
+}
+
+std::string ProcessEnd::Describe() const
+{
+  const int number = this->GetSignal();
+  std::string end;
+  if (number == SIGXCPU)
+  {
+    end = "used all the processor time that the system allows it (ulimit -t) and was ended";
+  }
+  else if (number != 0)
+  {
+    end = "ended by signal " + std::to_string(number) + " (" + strsignal(number) +
+      (number == SIGKILL && !this->IsOutOfMemory ? ", from outside, as the system does when memory runs out)"
+                                                 : ")");
+  }
+  else if (WEXITSTATUS(this->Status) != 0)
+  {
+    end = "ended with exit status " + std::to_string(WEXITSTATUS(this->Status));
+  }
+  return !end.empty() && this->IsOutOfMemory ? "ran out of memory and " + end : end;
+}
+
+HelperProcess::HelperProcess(Listener take)
+  : Take(std::move(take))
+{
+}
+
+HelperProcess::~HelperProcess()
+{
+  if (this->IsRunning())
+  {
+    kill(this->Id, SIGKILL);
+    this->TakeEnd();
+  }
+  if (this->OutOfMemory)
+  {
+    munmap(const_cast<std::sig_atomic_t*>(this->OutOfMemory), sizeof(*this->OutOfMemory));
+  }
+}
+
+std::string HelperProcess::Start(
+  const std::string& program, const std::vector<std::string>& arguments, const std::string* input)
+{
+  int ends[2];
+  const int file = input ? MakeInput(*input) : -1;
+  if (input && file < 0)
+  {
+    return std::string("could not be given the content: ") + std::strerror(errno);
+  }
+  int error = pipe2(ends, O_CLOEXEC) != 0 ? errno : 0;
+  if (error == 0)
+  {
+    this->MemoryKills = CountMemoryKills();
+    error = Spawn(program, arguments, file, ends[1], this->Id);
+    close(ends[1]);
+    this->Pipe = error == 0 ? ends[0] : (close(ends[0]), -1);
+  }
+  if (file >= 0)
+  {
+    close(file);
+  }
+  return error == 0 ? "" : std::string("could not be started: ") + std::strerror(error);
+}
+
+std::string HelperProcess::Fork(const std::function<void(int descriptor)>& work)
+{
+  void* shared =
+    mmap(nullptr, sizeof(*this->OutOfMemory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  this->OutOfMemory = shared != MAP_FAILED ? static_cast<volatile std::sig_atomic_t*>(shared) : nullptr;
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+  {
+    return std::string("no pipe to a child process: ") + std::strerror(errno);
+  }
+  const pid_t parent = getpid();
+  this->MemoryKills = CountMemoryKills();
+  this->Id = fork();
+  if (this->Id == 0)
+  {
+    for (const int number : { SIGINT, SIGTERM, SIGHUP })
+    {
+      std::signal(number, SIG_DFL);
+    }
+    dup2(ends[1], STDOUT_FILENO);
+    close(ends[0]);
+    close(ends[1]);
+    const int messages = OpenMessages();
+    if (messages < 0 || getppid() != parent)
+    {
+      _exit(1); // the parent has ended already
+    }
+    sm::OutOfMemory = this->OutOfMemory;
+    WatchMemory();
+    work(messages);
+    // _exit() skips the destructors of static objects in third-party libraries, which might fail.
+    _exit(0);
+  }
+  const int error = errno;
+  close(ends[1]);
+  this->Pipe = this->Id > 0 ? ends[0] : (close(ends[0]), -1);
+  return this->Id > 0 ? "" : std::string("no child process: ") + std::strerror(error);
+}
+
+void HelperProcess::Kill()
+{
+  if (!this->IsKilled)
+  {
+    kill(this->Id, SIGKILL);
+    this->IsKilled = true;
+  }
+}
+
+void HelperProcess::TakeEnd()
+{
+  close(this->Pipe);
+  this->Pipe = -1;
+  rusage used{};
+  while (wait4(this->Id, &this->End.Status, 0, &used) < 0 && errno == EINTR)
+  {
+  }
+  const bool wasKilled = this->End.GetSignal() == SIGKILL;
+  this->End.PeakMegabytes = static_cast<double>(used.ru_maxrss) / 1024.0;
+  this->End.IsOutOfMemory = (this->OutOfMemory && *this->OutOfMemory) ||
+    (wasKilled && !this->IsKilled && CountMemoryKills() > this->MemoryKills);
+  if (wasKilled && HasUsedProcessorLimit(used))
+  {
+    this->End.Status = SIGXCPU;
+  }
+}
+
+void HelperProcess::TakeMessages()
+{
+  std::size_t at = 0;
+  std::uint64_t size = 0;
+  for (; this->Pending.size() - at >= HeadSize; at += HeadSize + size)
+  {
+    std::memcpy(&size, this->Pending.data() + at + 1, sizeof(size));
+    if (size > this->Pending.size() - at - HeadSize)
+    {
+      break;
+    }
+    const char kind = this->Pending[at];
+    const auto first = this->Pending.begin() + static_cast<std::ptrdiff_t>(at + HeadSize);
+    if (size == this->Pending.size() - at - HeadSize)
+    {
+      // The last message, which may be large, is moved.
+      this->Pending.erase(this->Pending.begin(), first);
+      this->Take(kind, std::exchange(this->Pending, {}));
+      return;
+    }
+    this->Take(kind, Bytes(first, first + static_cast<std::ptrdiff_t>(size)));
+  }
+  this->Pending.erase(this->Pending.begin(), this->Pending.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+void HelperProcess::Receive()
+{
+  std::array<char, 65536> buffer;
+  const ssize_t count = read(this->Pipe, buffer.data(), buffer.size());
+  if (count > 0)
+  {
+    this->Pending.insert(this->Pending.end(), buffer.begin(), buffer.begin() + count);
+    this->TakeMessages();
+  }
+  else if (count == 0 || errno != EINTR)
+  {
+    this->TakeEnd();
+  }
+}
+
+void HelperProcess::Wait(const std::vector<HelperProcess*>& helpers, double seconds)
+{
+  std::vector<struct pollfd> waiting;
+  for (HelperProcess* helper : helpers)
+  {
+    if (!helper->IsKilled && helper->SecondsLeft <= 0.0)
+    {
+      helper->Kill();
+      helper->End.IsTimeOver = true;
+    }
+    seconds = helper->IsKilled ? seconds : std::min(helper->SecondsLeft, seconds);
+    waiting.push_back({ helper->Pipe, POLLIN, 0 });
+  }
+  const auto start = Clock::now();
+  const int ready = poll(waiting.data(), waiting.size(), static_cast<int>(std::ceil(1e3 * seconds)));
+  const double waited = std::chrono::duration<double>(Clock::now() - start).count();
+  for (HelperProcess* helper : helpers)
+  {
+    helper->SecondsLeft -= waited;
+  }
+  for (std::size_t i = 0; ready > 0 && i < helpers.size(); ++i)
+  {
+    if (waiting[i].revents != 0)
+    {
+      helpers[i]->Receive();
+    }
+  }
+}
+
+int OpenMessages()
+{
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int messages = dup(STDOUT_FILENO);
+  const int null = open("/dev/null", O_WRONLY);
+  if (messages >= 0 && null >= 0)
+  {
+    dup2(null, STDOUT_FILENO);
+    close(null);
+  }
+  return messages;
+}
+
+bool SendMessage(int descriptor, char kind, const void* bytes, std::size_t size)
+{
+  const std::uint64_t length = size;
+  return Send(descriptor, &kind, 1) && Send(descriptor, &length, sizeof(length)) &&
+    Send(descriptor, bytes, size);
+}
+}

@@ -1,0 +1,98 @@
+/**
+ * @file smHelperProcess.h
+ * @brief Child processes, a program or a function of this one, that send messages through a pipe; not
+ * installed
+ *
+ * A message is its kind, one byte, and any number of bytes. A child ends with the thread that started it,
+ * and its other output to the standard output is discarded.
+ */
+#ifndef smHelperProcess_h
+#define smHelperProcess_h
+
+#include "smBytes.h"
+#include "smFiltersCommonModule.h"
+
+#include <csignal>
+#include <functional>
+#include <limits>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace sm
+{
+/// How a child ended.
+struct SMFILTERSCOMMON_EXPORT ProcessEnd
+{
+  int Status = 0;          ///< of waitpid(); SIGXCPU at a limit of processor time, soft or hard
+  bool IsTimeOver = false; ///< killed after the time of SetSecondsLeft()
+  bool IsOutOfMemory = false;
+  double PeakMegabytes = 0.0;
+
+  /// Returns true if the cause is not in the child's work: a limit of time or memory, or SIGKILL.
+  bool IsForced() const;
+  /// Returns the number of the signal that ended the child; 0 if none did.
+  int GetSignal() const;
+  /// Returns the predicate of a sentence about the child, "ended by signal 11 (Segmentation fault)"; empty if
+  /// it ended with exit status 0.
+  std::string Describe() const;
+};
+
+class SMFILTERSCOMMON_EXPORT HelperProcess
+{
+public:
+  using Listener = std::function<void(char kind, Bytes content)>;
+
+  /// `take` gets every message in Wait().
+  explicit HelperProcess(Listener take);
+  /// Kills the child if it still runs.
+  ~HelperProcess();
+  HelperProcess(const HelperProcess&) = delete;
+  HelperProcess& operator=(const HelperProcess&) = delete;
+
+  /// Starts a program, with `input`, unless it is null, as its standard input; its standard error is
+  /// discarded. Returns the predicate of a sentence about the program, "could not be started: ..."; empty if
+  /// it runs.
+  std::string Start(
+    const std::string& program, const std::vector<std::string>& arguments, const std::string* input);
+  /// Starts a copy of this process, which calls `work` with the descriptor for its messages and ends with
+  /// exit status 0. Call from a process with one thread. Signal handlers that report a lack of memory are
+  /// installed only if the memory is limited (ulimit -v). Returns why there is no child; empty if there is
+  /// one.
+  std::string Fork(const std::function<void(int descriptor)>& work);
+
+  /// Limits the time in Wait(); other time does not count, because a full pipe stops the child.
+  void SetSecondsLeft(double seconds) { this->SecondsLeft = seconds; }
+  bool IsRunning() const { return this->Pipe >= 0; }
+  /// Ends the child, which runs until Wait() sees its end.
+  void Kill();
+  /// Waits at most `seconds` until one of the children, all of which must be running, sends bytes or ends.
+  /// Kills those whose time has elapsed.
+  static void Wait(const std::vector<HelperProcess*>& helpers, double seconds);
+  /// Returns how the child ended. Call when it no longer runs.
+  const ProcessEnd& GetEnd() const { return this->End; }
+
+private:
+  void Receive();
+  void TakeMessages();
+  void TakeEnd();
+
+  Listener Take;
+  Bytes Pending;
+  ProcessEnd End;
+  pid_t Id = -1;
+  int Pipe = -1; ///< -1: there is no child, or it has ended
+  double SecondsLeft = std::numeric_limits<double>::infinity();
+  bool IsKilled = false;
+  volatile std::sig_atomic_t* OutOfMemory = nullptr; ///< shared with the child of Fork(), which sets it
+  long MemoryKills = 0;                              ///< of the system, before the child
+};
+
+/// For a program that a HelperProcess started: returns the descriptor for its messages, -1 if there is none.
+/// The standard output is /dev/null afterwards. The process ends with the one that started it.
+SMFILTERSCOMMON_EXPORT int OpenMessages();
+/// Sends a message to the other process; returns false if it has ended.
+SMFILTERSCOMMON_EXPORT bool SendMessage(int descriptor, char kind, const void* bytes, std::size_t size);
+}
+
+#endif

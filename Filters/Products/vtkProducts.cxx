@@ -1,0 +1,83 @@
+#include "vtkProducts.h"
+
+#include "Detail/smJsonText.h"
+#include "smComparison.h"
+#include "smFormat.h"
+#include "smMaterials.h"
+#include "smPartsFields.h"
+#include "smProducts.h"
+#include "smValidation.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkMassPropertiesBase.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkProducts);
+
+namespace
+{
+std::string FormatNumber(double value)
+{
+  return sm::FormatDigits(value, 17);
+}
+
+template <typename Type, typename Use>
+std::string WriteList(std::vector<Type> entries, const Use& use)
+{
+  sm::JsonText text;
+  text.List(nullptr, entries, [&](Type& entry) { use(text, entry); });
+  return text.Get();
+}
+}
+
+std::string vtkProducts::GetMaterials()
+{
+  return WriteList(sm::GetCommonMaterials(),
+    [](sm::Fields& fields, sm::Material& material)
+    {
+      fields.Text("name", material.Name);
+      fields.Number("density", material.Density);
+    });
+}
+
+std::string vtkProducts::GetPartsList(vtkMassPropertiesBase* filter)
+{
+  return WriteList(filter->GetPartsList(), sm::VisitPart);
+}
+
+std::string vtkProducts::Compare(vtkMassPropertiesBase* before, vtkMassPropertiesBase* after, double limit)
+{
+  const sm::ProductResults results[2] = { sm::ReadProductResults(before), sm::ReadProductResults(after) };
+  if (results[0].LengthUnit != results[1].LengthUnit)
+  {
+    return {};
+  }
+  const auto measure = [](vtkMassPropertiesBase* filter, const sm::ProductResults& product)
+  { return sm::MeasureProduct(filter->GetInputDataObject(0, 0), product, filter->GetMaximumSeconds()); };
+  auto difference = sm::CompareProducts(results[0], measure(before, results[0]), results[1],
+    measure(after, results[1]), limit, FormatNumber, []() { return true; });
+  sm::JsonText text;
+  text.Begin(nullptr);
+  difference->Visit(text);
+  text.End();
+  return text.Get();
+}
+
+std::string vtkProducts::CompareValidation(vtkMassPropertiesBase* filter, vtkTable* stated, double limit)
+{
+  vtkDataSetAttributes* columns = stated->GetRowData();
+  std::vector<sm::StatedProduct> products;
+  for (vtkIdType row = 0; row < stated->GetNumberOfRows(); ++row)
+  {
+    products.push_back({ sm::GetText(columns, row, "Product"), sm::GetCount(columns, row, "Definition"),
+      sm::GetText(columns, row, "Problem"), sm::GetNumber(columns, row, "Volume"),
+      sm::GetNumber(columns, row, "Area"), sm::GetPoint(columns, row, "Centroid") });
+  }
+  const sm::ProductTreeNode tree = sm::MakeProductTree(filter->GetInputDataObject(0, 0));
+  return WriteList(sm::CompareValidation(products, tree, sm::ReadProductResults(filter), limit),
+    [](sm::Fields& fields, sm::ValidationEntry& entry) { entry.Visit(fields); });
+}

@@ -1,0 +1,58 @@
+/**
+ * @class vtkProducts
+ * @brief Products as JSON texts, for scripts: parts list, materials, comparison, validation properties
+ *
+ * The filters are vtkMassPropertiesBase's, with their inputs connected and after their last run. The keys and
+ * units are those of the program `solidmoments` (Documentation/Reference.md); L is the length unit of the
+ * filter's input. A value that is not known is null. Texts are UTF-8 if the names in the file are.
+ */
+#ifndef vtkProducts_h
+#define vtkProducts_h
+
+#include "smFiltersProductsModule.h"
+
+#include "vtkObject.h"
+
+#include <string>
+
+class vtkMassPropertiesBase;
+class vtkTable;
+
+class SMFILTERSPRODUCTS_EXPORT vtkProducts : public vtkObject
+{
+public:
+  static vtkProducts* New();
+  vtkTypeMacro(vtkProducts, vtkObject);
+
+  /** Returns the common materials, a list of objects with the keys `name` and
+   * `density` (kg/m^3). */
+  static std::string GetMaterials();
+
+  /** Returns the parts list, as the key `parts` of the program. */
+  static std::string GetPartsList(vtkMassPropertiesBase* filter);
+
+  /**
+   * Compares two products by the geometry of their solids, as the key `comparison` of the program. `limit` is
+   * the largest relative difference, in addition to the bounds, that counts as equal; it is not clamped.
+   * Measures the shapes of all models on the CPU. Empty if the length units differ.
+   */
+  static std::string Compare(vtkMassPropertiesBase* before, vtkMassPropertiesBase* after, double limit);
+
+  /**
+   * Compares the validation properties that a file states with the results, as the key `validation` of the
+   * program. `stated` has a row for each product of the file (vtkSTEPReader::ReadStatedProducts()). Volume
+   * and area may differ by `limit` of the stated value, the centroid by `limit` of the cube root of the
+   * volume, and all by their bounds.
+   */
+  static std::string CompareValidation(vtkMassPropertiesBase* filter, vtkTable* stated, double limit);
+
+protected:
+  vtkProducts() = default;
+  ~vtkProducts() override = default;
+
+private:
+  vtkProducts(const vtkProducts&) = delete;
+  void operator=(const vtkProducts&) = delete;
+};
+
+#endif

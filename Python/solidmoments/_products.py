@@ -1,0 +1,76 @@
+"""Products as plain values: parts list, materials, comparison of two files, validation properties."""
+import json
+import os
+
+from ._run import make_result, run_filter
+
+
+def _run(file, density, options):
+    """Reader and filter after their run. Errors and warnings are those of mass_properties()."""
+    strict = options.pop("strict", False)
+    file = os.fspath(file)
+    reader, mass = run_filter(file, density, **options)
+    make_result(file, (reader, mass), strict, level=4)
+    return reader, mass
+
+
+def materials():
+    """The densities of common materials in kg/m^3 by their names: a dict."""
+    from .smFiltersProducts import vtkProducts
+
+    return {entry["name"]: entry["density"] for entry in json.loads(vtkProducts.GetMaterials())}
+
+
+def parts_list(file, density=None, **options):
+    """The parts list of a STEP or BREP file: a list of dicts, each of which has its children below `children`.
+
+    Keys are those of `parts` in the JSON of the program `solidmoments`: name, kind (part or assembly), count and count_in_all, solids,
+    status, material, density, and the sums `each` and `in_all` of volume, area and mass with their bounds. A value that is not known is
+    None. density and options are those of `mass_properties`, and so are errors and warnings.
+    """
+    from .smFiltersProducts import vtkProducts
+
+    reader, mass = _run(file, density, options)
+    return json.loads(vtkProducts.GetPartsList(mass))
+
+
+def compare(old, new, density=None, *, limit=1e-9, **options):
+    """The differences of the solids of two files by their geometry: a dict.
+
+    Keys are those of `comparison` in the JSON of the program `solidmoments`: equal, limit, length_unit, counts (solids by their state:
+    unchanged, moved, changed, added, removed), total, and parts, a list of dicts with state, name, count, notes, difference and bodies.
+    limit: largest relative difference, in addition to the bounds, that counts as equal. density and options are those of
+    `mass_properties`, for both files, and so are errors and warnings.
+    """
+    from .smFiltersProducts import vtkProducts
+
+    if not 0.0 <= limit < 1.0:
+        raise ValueError(f"limit is {limit}; it has to be from 0 to below 1")
+    before = _run(old, density, dict(options))
+    after = _run(new, density, dict(options))
+    text = vtkProducts.Compare(before[1], after[1], limit)
+    if not text:
+        raise ValueError(f"{old} and {new} have different length units; give one by unit")
+    return json.loads(text)
+
+
+def validation(file, density=None, *, limit=1e-3, **options):
+    """The validation properties that a STEP file states, compared with the results: a list of dicts, empty if it states none.
+
+    Keys are those of `validation` in the JSON of the program `solidmoments`: product, definition (entity number), quantity (volume, area
+    or centroid), stated, computed, bound, difference, limit, result (pass, fail or not-comparable) and reason. Volume and area may differ
+    by `limit` of the stated value, the centroid by `limit` of the cube root of the volume, and all by their bounds. density and options
+    are those of `mass_properties`, and so are errors and warnings.
+    """
+    from vtkmodules.vtkCommonDataModel import vtkTable
+
+    from .smFiltersProducts import vtkProducts
+    from .smReadersSTEP import vtkSTEPReader
+
+    if not 0.0 <= limit < 1.0:
+        raise ValueError(f"limit is {limit}; it has to be from 0 to below 1")
+    reader, mass = _run(file, density, options)
+    stated = vtkTable()
+    if not vtkSTEPReader.ReadStatedProducts(os.fspath(file), stated):
+        return []
+    return json.loads(vtkProducts.CompareValidation(mass, stated, limit))
