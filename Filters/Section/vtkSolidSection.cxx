@@ -433,9 +433,11 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
       "  " + sm::FormatNumber(section.Principal[1], section.PrincipalBound) + " " + unit + "^4" +
       sm::FormatBoundNote(section.PrincipalBound) + "\n";
   }
-  const auto addSide = [&text, &unit](const std::string& label, const sm::SectionSide& side)
+  const double gaps = sm::SumClosing(bodies, 0);
+  const auto addSide = [&text, &unit, gaps](const std::string& label, const sm::SectionSide& side)
   {
-    text += "Volume " + label + ": " + sm::FormatWithBound(side.Volume, side.VolumeBound, unit + "^3") + "\n";
+    text +=
+      "Volume " + label + ": " + sm::FormatWithBound(side.Volume, side.VolumeBound, unit + "^3", gaps) + "\n";
     if (std::isfinite(side.Mass))
     {
       text += "Mass " + label + ": " + sm::FormatWithBound(side.Mass, side.MassBound, "kg") + "\n";

@@ -196,11 +196,13 @@ private:
     vtkNew<Entities> entities;
     if (shown)
     {
+      entities->SetBefore(this->Picked.Solids, this->Picked.Faces);
       if (!GatherMeshes(filter, *entities))
       {
         return false;
       }
       this->Picked.Remember(*entities);
+      this->ShowWholeFaces(filter, *entities);
       std::set<vtkIdType> solids = entities->GetSolids();
       for (const auto& faces : entities->GetFaces())
       {
@@ -225,8 +227,25 @@ private:
     {
       this->Clear(filter, table);
     }
+    this->Picked = Pick();
     Describe(filter, *entities);
     return true;
+  }
+
+  /// Replaces picked cells by all cells of their faces. The new selection counts as the user's.
+  static void ShowWholeFaces(vtkSMSourceProxy* filter, Entities& entities)
+  {
+    const Entities::Highlight& highlight = entities.GetHighlight();
+    // Where there are too many cells, those that were picked stay.
+    if (!entities.GetFaces().empty() && !(highlight == Entities::Highlight()))
+    {
+      filter->SetSelectionInput(Entities::MeshesPort,
+        MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells), 0);
+    }
+    else if (entities.GetFaces().empty() && entities.GetSolids().empty())
+    {
+      filter->CleanSelectionInputs(Entities::MeshesPort);
+    }
   }
 
   /// Returns false for a selection whose cells and blocks are not known.

@@ -1,6 +1,7 @@
 #include "vtkSMSolidMomentsSourceProxy.h"
 
 #include "smEscapeKey.h"
+#include "smLivePlane.h"
 #include "smPlotSeries.h"
 #include "smSolidHighlight.h"
 
@@ -139,6 +140,10 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   {
     sm::HighlightSelectedEntities(this);
     sm::ChoosePlotSeries();
+  }
+  if (this->GetHints() && this->GetHints()->FindNestedElementByName("LivePlane"))
+  {
+    sm::FollowPlane(this, vtkAlgorithm::SafeDownCast(this->GetClientSideObject()));
   }
   // The text of the status bar, also for a run on a server; the default is the name of the class.
   vtkClientServerStream stream;

@@ -11,6 +11,7 @@
  * enables its own button beside the progress bar. During such a run the status bar shows "Mass Properties,
  * Esc stops it". A run on a server cannot be stopped by the client: limit it by the property MaximumSeconds.
  * - the choice of series with which new plots of such filters begin (smPlotSeries.h);
+ * - a plane that the filter follows while it is dragged (smLivePlane.h), where the hints have `<LivePlane/>`;
  * - the text "Mass Properties: compiling shaders" in the status bar during the seconds that a first run may
  * take for it.
  */

@@ -163,7 +163,7 @@ for name, property_name in (("Buoyancy", "Point"), ("Section", "Point"), ("NURBS
         check_equal(f"{name}, input has run: {has_run}: 0 0 0 is kept", [0.0, 0.0, 0.0], list(getattr(given, property_name)))
         check_equal(f"{name}: and is in traces and states", 0, given.SMProxy.GetProperty(property_name).IsValueDefault())
         values.append(list(getattr(make(Input=input_of_both), property_name)))
-    check_true(f"{name}: the same default", not make or (values[0] == values[1] != [0.0, 0.0, 0.0]), str(values))
+    check_true(f"{name}: the same default", not make or (values[0] == values[1] and (values[0] != [0.0, 0.0, 0.0] or name == "NURBSDeform")), str(values))
 
 # ParaView's filters call Modified() on the points that they read (Clip does): their input stays what it is.
 for name in ("Clip", "Cut", "Threshold", "PolyDataNormals", "CleanPolyData", "ExtractEdges", "FeatureEdges", "ElevationFilter",
