@@ -110,17 +110,22 @@ void KeepAssembly(
 }
 }
 
-void MakeBodyMeshes(const std::vector<BodyIntegrals>& bodies, const std::vector<MeshArray>& arrays,
-  vtkDataObject* input, vtkPartitionedDataSetCollection* output)
+std::vector<std::string> NameBlocks(const std::vector<BodyIntegrals>& bodies)
 {
-  ArrayPool pool;
   std::vector<std::string> blocks;
   blocks.reserve(bodies.size());
   for (const BodyIntegrals& body : bodies)
   {
     blocks.push_back(body.Block);
   }
-  blocks = NumberNames(blocks, {});
+  return NumberNames(blocks, {});
+}
+
+void MakeBodyMeshes(const std::vector<BodyIntegrals>& bodies, const std::vector<MeshArray>& arrays,
+  vtkDataObject* input, vtkPartitionedDataSetCollection* output)
+{
+  ArrayPool pool;
+  const std::vector<std::string> blocks = NameBlocks(bodies);
   output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(bodies.size()));
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {

@@ -333,6 +333,11 @@ protected:
   void ChangeSetting(double& setting, double value, bool isValid, const char* name, const char* advice);
   /** Changes a setting that is a density in kg/m^3: finite, not negative, 0 for none. */
   void ChangeDensity(double& setting, double density);
+
+  /** Gives the collection on a port the same blocks on all ranks that run together; collective, called by
+   * RequestData() for each such port. */
+  void ShareBlocks(vtkInformation* request, vtkInformationVector* outputVector, int port);
+
   /** Option of subclasses that can keep results of faces. */
   bool CacheFaceResults = true;
   bool TotalRow = false;

@@ -373,13 +373,19 @@ int vtkSurfaceIntegralBase::RequestData(
   {
     this->Fail(failure, outputVector);
   }
-  this->Engine->ShareStructure(
-    GetNumberOfPieces(request, outputVector), vtkPartitionedDataSetCollection::GetData(outputVector, 5));
+  this->ShareBlocks(request, outputVector, 5);
   if (this->GetReleaseDataFlag())
   {
     this->ReleaseMemory();
   }
   return result;
+}
+
+void vtkSurfaceIntegralBase::ShareBlocks(
+  vtkInformation* request, vtkInformationVector* outputVector, int port)
+{
+  this->Engine->ShareStructure(
+    GetNumberOfPieces(request, outputVector), vtkPartitionedDataSetCollection::GetData(outputVector, port));
 }
 
 void vtkSurfaceIntegralBase::Fail(const std::exception_ptr& failure, vtkInformationVector* outputVector)
