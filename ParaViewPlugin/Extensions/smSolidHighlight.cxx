@@ -202,7 +202,11 @@ private:
         return false;
       }
       this->Picked.Remember(*entities);
-      this->ShowWholeFaces(filter, *entities);
+      // ParaView clears the rows after each change of this selection, which leads here again.
+      if (shown != this->Whole)
+      {
+        this->ShowWholeFaces(filter, *entities);
+      }
       std::set<vtkIdType> solids = entities->GetSolids();
       for (const auto& faces : entities->GetFaces())
       {
@@ -233,14 +237,16 @@ private:
   }
 
   /// Replaces picked cells by all cells of their faces. The new selection counts as the user's.
-  static void ShowWholeFaces(vtkSMSourceProxy* filter, Entities& entities)
+  void ShowWholeFaces(vtkSMSourceProxy* filter, Entities& entities)
   {
     const Entities::Highlight& highlight = entities.GetHighlight();
     // Where there are too many cells, those that were picked stay.
     if (!entities.GetFaces().empty() && !(highlight == Entities::Highlight()))
     {
-      filter->SetSelectionInput(Entities::MeshesPort,
-        MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells), 0);
+      const auto whole =
+        MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells);
+      this->Whole = whole;
+      filter->SetSelectionInput(Entities::MeshesPort, whole, 0);
     }
     else if (entities.GetFaces().empty() && entities.GetSolids().empty())
     {
@@ -427,6 +433,8 @@ private:
   /// The elements that are highlighted for these rows in the views.
   Entities::Highlight Highlighted;
   Pick Picked;
+  /// The selection that ShowWholeFaces() made last.
+  vtkWeakPointer<vtkSMSourceProxy> Whole;
   /// The selections that this object made last, by their ports.
   std::map<unsigned int, vtkWeakPointer<vtkSMSourceProxy>> Own;
 };
