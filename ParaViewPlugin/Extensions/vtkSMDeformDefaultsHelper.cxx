@@ -37,12 +37,15 @@ void vtkSMDeformDefaultsHelper::PostInitializeProxy(
   }
   // A script that says what moves says also where.
   const vtkBoundingBox box = sm::ComputeInputBounds(proxy);
+  double center[] = { 0.0, 0.0, 0.0 };
   if (isUntouched("Displacement") && isUntouched("Radius") && isUntouched("Center") && box.IsValid())
   {
-    double center[3];
     box.GetCenter(center);
-    vtkSMPropertyHelper(proxy, "Center").Set(center, 3);
     vtkSMPropertyHelper(proxy, "Radius").Set(0.25 * box.GetDiagonalLength());
+  }
+  if (isUntouched("Center"))
+  {
+    vtkSMPropertyHelper(proxy, "Center").Set(center, 3);
   }
   if (isUntouched("Displacement"))
   {

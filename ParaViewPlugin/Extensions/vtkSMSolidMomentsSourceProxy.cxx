@@ -14,6 +14,7 @@
 #include "vtkPVProgressHandler.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSurfaceIntegralBase.h"
 #include "vtkWeakPointer.h"
 
@@ -128,9 +129,29 @@ void vtkSMSolidMomentsSourceProxy::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
+void vtkSMSolidMomentsSourceProxy::TakeFirstName()
+{
+  vtkPVXMLElement* second =
+    this->GetHints() ? this->GetHints()->FindNestedElementByName("SecondNameOf") : nullptr;
+  vtkSMProxy* named = second
+    ? this->GetSessionProxyManager()->GetPrototypeProxy(this->GetXMLGroup(), second->GetAttribute("name"))
+    : nullptr;
+  // A prototype has no location: it keeps the name by which the menu finds the filter.
+  if (named && this->GetLocation() != 0)
+  {
+    this->SetXMLName(named->GetXMLName());
+    this->SetXMLLabel(named->GetXMLLabel());
+    this->SetHints(named->GetHints());
+  }
+}
+
 void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
 {
   const bool first = !this->ObjectsCreated;
+  if (first)
+  {
+    this->TakeFirstName();
+  }
   this->Superclass::CreateVTKObjects();
   if (!first || !this->ObjectsCreated)
   {

@@ -144,10 +144,9 @@ if has("SolidSection"):
     check("second moment", math.pi * radius ** 4 / 4, vector(cut, "SectionSecondMoments")[0], 1e-7 * radius ** 4)
     check("half of the mass, kg", 0.5e-6 * sphere["volume"], total(cut, "MassBelow"), 1e-14 * sphere["volume"])
     check("the other half", 0.5e-6 * sphere["volume"], total(cut, "MassAbove"), 1e-14 * sphere["volume"])
-    clipped = servermanager.Fetch(cut, idx=7)
-    check("the clipped mesh ends at the plane", center[2], clipped.GetBounds()[5], 1e-6 * radius)
-    caps = clipped.GetCellData().GetArray("Cap")
-    check_equal("it has a section", (0.0, 1.0), caps.GetRange())
+    clipped = servermanager.OutputPort(cut, 7)
+    check("the clipped mesh ends at the plane", center[2], clipped.GetDataInformation().GetBounds()[5], 1e-6 * radius)
+    check_equal("it has a section", (0.0, 1.0), clipped.CellData["Cap"].GetRange())
     check_true("the summary has it", "Section area: " in servermanager.Fetch(cut, idx=2).GetValueByName(0, "Text").ToString())
     check_equal("and the volume of the input stays", total(MassProperties(Input=source), "Volume"), plain_volume)  # noqa: F821
 
