@@ -276,8 +276,10 @@ void vtkSelectedEntitiesInformation::AddFacesOfCells(
   const auto before = this->FacesBefore.find(solid);
   for (const auto& [face, count] : counts)
   {
-    const bool wasSelected = this->SolidsBefore.count(solid) > 0 ||
-      (before != this->FacesBefore.end() && before->second.count(face) > 0);
+    // A single set is a new selection, which takes the place of what was selected before.
+    const bool wasSelected = this->Terms.Sets.size() > 1 &&
+      (this->SolidsBefore.count(solid) > 0 ||
+        (before != this->FacesBefore.end() && before->second.count(face) > 0));
     if (count == all[face] || !wasSelected)
     {
       this->Faces[solid].insert(face);

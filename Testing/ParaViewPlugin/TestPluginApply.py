@@ -77,9 +77,9 @@ bodies = display(mass, 5)
 check_true("the bodies are translucent", 0.2 < bodies.Opacity < 0.7, str(bodies.Opacity))
 check_equal("the input keeps its own opacity", 1.0, float(simple.GetRepresentation(reader, view).Opacity))
 marked = count_pixels(is_cyan)
-mass.GlyphScale = 0.0
+mass.MarkerSize = 0.0
 check_true("cyan pixels of marker and axes", marked > count_pixels(is_cyan) + 20 and marked > 300, str(marked))
-mass.GlyphScale = 0.02
+mass.MarkerSize = 0.02
 check_equal("red pixels", 0, count_pixels(is_red))
 white = count_pixels(is_white)
 check_true("white pixels of the text", white > 300, str(white))
@@ -161,7 +161,7 @@ check_equal("with the rows of all solids", list(range(COUNT)), get_selected_rows
 # Two cells of the third solid and one of the tenth; composite indices count every partitioned dataset before its partition.
 many.SMProxy.SetSelectionInput(5, pick("CompositeDataIDSelectionSource", "IDs", [6, 0, 1, 6, 0, 2, 20, 0, 0]), 0)
 check_equal("rows of picked faces", [2, 9], get_selected_rows(many, 1))
-check_equal("the picked cells stay", 3, count_selected_cells(many, 5))
+check_true("their faces light up as a whole", 3 < count_selected_cells(many, 5) < 24, str(count_selected_cells(many, 5)))
 faces = servermanager.Fetch(many, idx=3)
 picked = get_selected_rows(many, 3)
 check_equal("rows of their faces", [2, 9], sorted({faces.GetValueByName(row, "Solid").ToInt() for row in picked}))
@@ -288,9 +288,11 @@ shown = display(opened, 6)
 check_equal("not coloured by an array", "", shown.ColorArrayName[1] or "")
 marked = count_pixels(is_red)
 check_true("red pixels of lines and number", marked > 400, str(marked))
+check_true("the number is white", count_pixels(is_white) > 10)
+shown.NumberColor = [0.0, 1.0, 1.0]
+check_equal("a colour of the number", 0, count_pixels(is_white))
 shown.NumberColor = [1.0, 1.0, 1.0]
 lines = count_pixels(is_red)
-check_true("red pixels of lines alone", 300 < lines < marked - 10, f"{lines} of {marked}")
 simple.Hide(flagged, view)
 check_equal("hidden", 0, count_pixels(is_red))
 check_equal("hidden, with the number", 0, count_pixels(is_white))
