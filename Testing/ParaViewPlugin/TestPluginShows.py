@@ -138,7 +138,8 @@ narrow, _ = count_text(1, 0)
 beyond = int((picture()[:, -1:] > 120).all(axis=2).sum())
 check_true("lines of a narrow view are broken, not cut", abs(narrow - one) < 0.05 * one and beyond == 0, f"{narrow}, {one}; {beyond} at the border")
 view.ViewSize = [640, 480]
-check_true("two summaries do not overlap", one > 300 and other > 300 and abs(both - one - other) < 0.02 * both, f"{one} + {other}, {both}")
+# Both have a heading then; where they overlapped, fewer pixels would be lit.
+check_true("two summaries do not overlap", one > 300 and other > 300 and both > one + other, f"{one} + {other}, {both}")
 check_true("the second is at the top when the first is hidden", abs(top_of_other - top_of_one) <= 4, f"{top_of_one} {top_of_other}")
 
 # --- the button that runs a filter again
