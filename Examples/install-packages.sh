@@ -1,8 +1,10 @@
-# The packages with which SolidMoments is built and tested on Debian 12 and 13, and their installation. To be sourced, POSIX sh:
+# The packages with which SolidMoments is built and tested on Debian 12 and 13, and their installation. To be
+# sourced, POSIX sh:
 #   solidmoments_packages                      prints the names
 #   solidmoments_library_packages              prints those that a program that links SolidMoments needs, too
 #   solidmoments_install LOG                   installs those that are missing; says what it does
-#   solidmoments_step LOG TITLE COMMAND...     runs a command quietly; on failure shows the end of the log and exits
+#   solidmoments_step LOG TITLE COMMAND...     runs a command quietly; on failure shows the end of the log and
+#                                              exits
 
 solidmoments_library_packages() {
   # ParaView's VTK and what its CMake files ask for

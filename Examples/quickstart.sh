@@ -2,8 +2,9 @@
 # From a fresh Debian 12 or 13 to the mass properties of a part:
 #   sh Examples/quickstart.sh [FILE.step]
 # Installs what is missing, builds in build/, prints volume, area, centre of mass and inertia of the file (by
-# default of a sample part) and draws it in build/quickstart.png. Needs no display and no GPU. SOLIDMOMENTS_JOBS
-# sets the number of parallel compilations. The exit status is that of solidmoments, 1 when something before it fails.
+# default of a sample part) and draws it in build/quickstart.png. Needs no display and no GPU.
+# SOLIDMOMENTS_JOBS sets the number of parallel compilations. The exit status is that of solidmoments, 1 when
+# something before it fails.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 file=${1:-$root/Examples/Models/sample_part.step}

@@ -1,7 +1,8 @@
 #!/bin/sh
-# cycles.sh BUILD [CYCLES]: counts OpenGL objects, memory, threads and open files over CYCLES (1000) runs of a pipeline, in C++ and in
-# ParaView, on a virtual display. CTest runs the same with fewer cycles where one takes long; this takes half an hour. The counts are
-# printed; the exit status is 1 where something grows or an OpenGL error is pending.
+# cycles.sh BUILD [CYCLES]: counts OpenGL objects, memory, threads and open files over CYCLES (1000) runs of a
+# pipeline, in C++ and in ParaView, on a virtual display. CTest runs the same with fewer cycles where one
+# takes long; this takes half an hour. The counts are printed; the exit status is 1 where something grows or
+# an OpenGL error is pending.
 set -u
 if [ "$#" -lt 1 ]; then
   echo "usage: cycles.sh BUILD [CYCLES]" >&2

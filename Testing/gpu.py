@@ -10,13 +10,13 @@ OpenGL, of which only the loader is added for machines that lack it), the tracke
 that open a window or import this machine's Python modules are left out; the report names the latter. Tests that read real files from
 ../shared need that folder on the other machine, too: run --shared DIR.
 
-`run` unpacks the archive beside itself, or takes the unpacked folder, which has this script, too. It prints
+`run` unpacks the archive next to itself, or takes the unpacked folder, which has this script, too. It prints
  - the driver, and the table of the program's own probe (solidmoments --opengl-probe);
  - for the sample parts, the certified solids and the models: whether --backend opengl prints the same bits twice, and how far its volumes are
    from those of --backend cpu: --relative is allowed, and the measured rounding error where that is much larger (solids like a long wire);
  - the tests, on all cores, each with an output folder of its own: what failed with its last lines, then what was skipped or not run, then
    the counts. A test has reached a shader when a process of it dispatched a compute program (SOLIDMOMENTS_DISPATCH_LOG);
- - alone on the machine, for each model and sample part the least seconds of three runs, evaluations a second, and with --peak the share
+ - alone on the machine, for each model and sample part the smallest seconds of three runs, evaluations a second, and with --peak the share
    of the GPU's rate of double precision, at --operations floating-point operations for an evaluation. Behind a slash is what --backend auto
    estimates; "with start" adds context, shaders and upload.
 --seconds ends all of it in that time: what was not run is listed. --json FILE takes everything (default: report.json in the output folder).
@@ -45,20 +45,22 @@ import time
 SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader", "software rasterizer")
 # The other machine's own: the C library, and OpenGL with what its driver brings.
 SYSTEM = re.compile(r"^(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|nsl|GL|GLX|EGL|OpenGL|GLdispatch|GLESv2|drm|gbm)\.so.*)$")
-# Libraries that drivers may use, too, so that the machine's own are taken where they are as new as the packed ones: all but these.
+# Libraries that drivers may use, too, so that the machine's own are taken where they are as new as the packed
+# ones: all but these.
 OWN = re.compile(r"^lib(sm|vtk|TK)")
 # The loader of OpenGL (libglvnd), used only where the machine has none.
 LOADER = ("libEGL.so.1", "libGL.so.1", "libOpenGL.so.0", "libGLX.so.0", "libGLdispatch.so.0")
-# An evaluation of a bicubic rational patch with ten moments and the area, counted in smPanel.glsl: an estimate.
+# An evaluation of a bicubic rational patch with ten moments and the area, counted in smPanel.glsl: an
+# estimate.
 OPERATIONS = 300
 # Seconds, names of files and estimates differ from run to run; everything else has to be the same.
 NO_RESULT = {"seconds", "file", "process_start", "backend_reason", "estimate"}
 SKIPPED = 77
-# Above this share of the volume the rounding error that a run measures says that the volume is a small difference of large terms: there both
-# backends only have to agree within what they measure.
+# Above this share of the volume the rounding error that a run measures says that the volume is a small
+# difference of large terms: there both backends only have to agree within what they measure.
 ILL_CONDITIONED = 1e-12
-# Replaced by libraries whose functions end the process when they are called: OpenCASCADE's viewer and VTK would read pictures with them, which no
-# test does. They bring 25 others.
+# Replaced by libraries whose functions end the process when they are called: OpenCASCADE's viewer and VTK
+# would read pictures with them, which no test does. They bring 25 others.
 EMPTY = ("libfreeimage.so.3", "libtiff.so.6")
 LAUNCHER = """#!/bin/sh
 here=${0%%/*}/..
@@ -68,7 +70,8 @@ exec "$here/programs/%s" "$@"
 """
 
 
-# Finding tests -------------------------------------------------------------------------------------------------------------------------------
+# Finding tests
+# ----------------------------------------------------------------------------------------------------
 
 def get_source(build):
     with open(os.path.join(build, "CMakeCache.txt"), encoding="utf-8") as cache:
@@ -163,7 +166,8 @@ def fill(word, places):
     return word
 
 
-# Packing -------------------------------------------------------------------------------------------------------------------------------------
+# Packing
+# ----------------------------------------------------------------------------------------------------
 
 def find_libraries(program, found, needed):
     """Adds the paths of the shared libraries that a program loads to `found`, by name, without those that only EMPTY libraries need;
@@ -185,7 +189,7 @@ def find_libraries(program, found, needed):
             if name in paths and name not in seen:
                 seen.add(name)
                 found[name] = paths[name]
-                # What the C library and OpenGL need is the other machine's, too, but for the loader.
+                # What the C library and OpenGL need is the other machine's, too, except for the loader.
                 if name not in EMPTY and (name in LOADER or not SYSTEM.match(name)):
                     waiting.append(paths[name])
 
@@ -256,7 +260,7 @@ def copy_named(catalogue, folder):
 
 
 def copy_beside(catalogue, folder):
-    """What tests and edit_part look for beside the programs."""
+    """What tests and edit_part look for next to the programs."""
     for path, target in ((os.path.join(catalogue.build, "Examples/solidmoments/solidmoments.1"), "Examples/solidmoments/solidmoments.1"),
                          (os.path.join(catalogue.source, "Examples/Models/free_form_part.step"), "share/solidmoments/free_form_part.step")):
         os.makedirs(os.path.dirname(os.path.join(folder, target)))
@@ -336,7 +340,8 @@ def pack(options):
     return 1 if size > 1e6 * options.limit or catalogue.missing else 0
 
 
-# The other machine ---------------------------------------------------------------------------------------------------------------------------
+# The other machine
+# ----------------------------------------------------------------------------------------------------
 
 def can_load(name):
     try:
@@ -417,7 +422,8 @@ class Jobs:
             return list(pool.map(function, items))
 
 
-# Tests ---------------------------------------------------------------------------------------------------------------------------------------
+# Tests
+# ----------------------------------------------------------------------------------------------------
 
 def run_test(test, jobs, places, output):
     own = os.path.join(output, "tests", test["name"])
@@ -486,7 +492,8 @@ def run_tests(tests, setups, jobs, places, output, lines):
     return results
 
 
-# Models --------------------------------------------------------------------------------------------------------------------------------------
+# Models
+# ----------------------------------------------------------------------------------------------------
 
 def integrate(jobs, program, backend, paths, timeout=300):
     """The entries of the program's JSON, one for each path; none where there is no result."""
@@ -639,7 +646,8 @@ def measure_models(paths, program, jobs, options):
     return rows
 
 
-# Running -------------------------------------------------------------------------------------------------------------------------------------
+# Running
+# ----------------------------------------------------------------------------------------------------
 
 def probe(program, jobs):
     """The program's table of what the driver computes right."""
@@ -654,7 +662,7 @@ def probe(program, jobs):
 
 
 def unpack(archive):
-    """Unpacks beside the archive, or where one can write."""
+    """Unpacks next to the archive, or where one can write."""
     near = os.path.dirname(os.path.realpath(archive))
     target = near if os.access(near, os.W_OK) else tempfile.mkdtemp()
     shutil.rmtree(os.path.join(target, "solidmoments-gpu"), ignore_errors=True)

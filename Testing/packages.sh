@@ -1,10 +1,10 @@
 #!/bin/sh
-# Debian packages of the last commit: builds them in a bare Debian, installs them on another one with apt, uses what they bring, and
-# removes them without a trace.
+# Debian packages of the last commit: builds them in a bare Debian, installs them on another one with apt,
+# uses what they bring, and removes them without a trace.
 #   sudo sh Testing/packages.sh SUITE [build | check]      for example: sudo sh Testing/packages.sh trixie
-# SUITE, root and disk as in Testing/debian.sh, which makes the systems: that of SOLIDMOMENTS_DEBIAN for building, and one with
-# `-packages` after its name. The packages are left in build-packages-SUITE/ (or the folder that SOLIDMOMENTS_PACKAGES names); `build`
-# only makes them, `check` only tries those that are there.
+# SUITE, root and disk as in Testing/debian.sh, which makes the systems: that of SOLIDMOMENTS_DEBIAN for
+# building, and one with `-packages` after its name. The packages are left in build-packages-SUITE/ (or the
+# folder that SOLIDMOMENTS_PACKAGES names); `build` only makes them, `check` only tries those that are there.
 set -eu
 project=$(cd "$(dirname "$0")/.." && pwd)
 
@@ -73,7 +73,7 @@ from paraview.simple import *
 mass = MassProperties(Input=OpenDataFile("$part"))
 print(servermanager.Fetch(mass, idx=0).GetFieldData().GetArray("Volume").GetValue(0))
 END
-  expect "pvpython has the plugin without being told" has_volume "$volume" pvpython /tmp/packages.py
+  expect "pvpython finds the plugin by itself" has_volume "$volume" pvpython /tmp/packages.py
   expect "a program of one's own is built" sh -c 'rm -rf /tmp/consumer && cmake -S Examples/Consumer -B /tmp/consumer &&
     cmake --build /tmp/consumer'
   expect "it runs" has_volume "$volume" /tmp/consumer/consumer "$part"
@@ -87,7 +87,7 @@ case ${1:-} in
   build-here) build_here ;;
   check-here) check_here ;;
   '' | -*)
-    sed -n 2,8p "$0" >&2
+    sed -n 2,7p "$0" >&2
     exit 1
     ;;
   *)

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Installs what is missing, builds in build-dev/ with warnings as errors, and runs all tests:
 #   sh Testing/run.sh [ctest arguments, for example -R Sphere]
-# Needs no display and no GPU. SOLIDMOMENTS_JOBS sets the number of parallel compilations; one test more runs at a time. What ctest
-# says comes last; the exit status is its own.
+# Needs no display and no GPU. SOLIDMOMENTS_JOBS sets the number of parallel compilations; one test more runs
+# at a time. What ctest says comes last; the exit status is its own.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 jobs=${SOLIDMOMENTS_JOBS:-$(nproc 2>/dev/null || echo 2)}

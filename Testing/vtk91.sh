@@ -1,10 +1,10 @@
 #!/bin/sh
 # Builds the tree, without the plugin, against Debian's plain VTK 9.1 and runs the tests with it:
 #   sh Testing/vtk91.sh [ctest arguments, for example -R Sphere]
-# libvtk9-dev and python3-paraview exclude each other on one system: VTK 9.1 is only unpacked, into build-vtk91-root/ or
-# the folder that SOLIDMOMENTS_VTK91 names, which needs no root. What lies there already is used again. The build folder
-# is build-vtk91/. SOLIDMOMENTS_JOBS sets the number of parallel compilations and tests. What ctest says comes last; the
-# exit status is its own.
+# libvtk9-dev and python3-paraview exclude each other on one system: VTK 9.1 is only unpacked, into
+# build-vtk91-root/ or the folder that SOLIDMOMENTS_VTK91 names, which needs no root. What lies there already
+# is used again. The build folder is build-vtk91/. SOLIDMOMENTS_JOBS sets the number of parallel compilations
+# and tests. What ctest says comes last; the exit status is its own.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 jobs=${SOLIDMOMENTS_JOBS:-$(nproc 2>/dev/null || echo 2)}
@@ -29,7 +29,8 @@ has_file() {
   [ -e "$1" ]
 }
 
-# download PACKAGE...: into $packages, by the system's lists, or by lists of our own where those are missing or old.
+# download PACKAGE...: into $packages, by the system's lists, or by lists of our own where those are missing
+# or old.
 download() {
   command -v apt-get >/dev/null 2>&1 || {
     echo "This machine has no apt-get. Build against a VTK 9.1 of your own: configure with" >&2
@@ -117,7 +118,8 @@ packages=$prefix/packages
 solidmoments_install "$log"
 solidmoments_step "$log" "Unpacking VTK 9.1 in $prefix" unpack_vtk
 cd "$root"
-# Presets know nothing of this build: it is the one for development, in a folder of its own and with another VTK.
+# Presets know nothing of this build: it is the one for development, in a folder of its own and with another
+# VTK.
 solidmoments_step "$log" "Configuring" cmake --preset dev -B "$build" \
   -DSOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN=OFF -DVTK_DIR="$(vtk_libraries)/cmake/vtk-9.1"
 solidmoments_step "$log" "Building with $jobs jobs (a few minutes)" cmake --build "$build" --parallel "$jobs"

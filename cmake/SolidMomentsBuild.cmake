@@ -15,8 +15,9 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN:$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(SOLIDMOMENTS_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/SolidMoments")
 
-# Several sources of a target are compiled as one, since headers and templates take more than half of the time. A file with macros of its
-# own is left out (SKIP_UNITY_BUILD_INCLUSION); names in anonymous namespaces are unique in their module.
+# Several sources of a target are compiled as one, since headers and templates take more than half of the
+# time. A file with macros of its own is left out (SKIP_UNITY_BUILD_INCLUSION); names in anonymous namespaces
+# are unique in their module.
 option(SOLIDMOMENTS_UNITY_BUILD "Compile several sources together: half the time for the whole tree, more for one changed file" ON)
 mark_as_advanced(SOLIDMOMENTS_UNITY_BUILD)
 set(CMAKE_UNITY_BUILD ${SOLIDMOMENTS_UNITY_BUILD})
@@ -25,8 +26,8 @@ set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 # Results are compared bit for bit between runs and backends: no contraction into fused operations.
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
 
-# Warnings for our own sources; generated wrapping code is VTK's. In a file of several sources GCC takes types of anonymous namespaces
-# for those of a header.
+# Warnings for our own sources; generated wrapping code is VTK's. In a file of several sources GCC takes types
+# of anonymous namespaces for those of a header.
 function(solidmoments_warnings target)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage> $<$<BOOL:${SOLIDMOMENTS_WARNINGS_AS_ERRORS}>:-Werror>>)

@@ -1,5 +1,5 @@
-# Finds OpenCASCADE, and names the libraries that differ between its versions. Every folder that links it includes this: its package
-# adds definitions to the folder.
+# Finds OpenCASCADE, and names the libraries that differ between its versions. Every folder that links it
+# includes this: its package adds definitions to the folder.
 find_package(OpenCASCADE QUIET)
 if (NOT OpenCASCADE_FOUND)
   message(FATAL_ERROR

@@ -26,9 +26,9 @@ if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
   set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's own VTK" FORCE)
 endif ()
 solidmoments_accept_python_modules(VTK)
-# The loader of OpenGL is GLEW before VTK 9.4, and glad from then on. Only tests need MPI itself (ParallelMPI) and a filter that
-# communicates between ranks (FiltersParallel). If VTK has its own JSON library, the example programs must use it, because another one
-# cannot be loaded beside it.
+# The loader of OpenGL is GLEW before VTK 9.4, and glad from then on. Only tests need MPI itself (ParallelMPI)
+# and a filter that communicates between ranks (FiltersParallel). If VTK has its own JSON library, the example
+# programs must use it, because another one cannot be loaded in addition to it.
 find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI FiltersParallel nlohmannjson
   glad glew opengl)
 if (NOT VTK_FOUND)

@@ -1,5 +1,5 @@
-# Debian packages, made by `cpack` in a build that was configured by the preset `package`: libraries, what builds on them, Python,
-# programs, plugin. Testing/packages.sh builds, installs, tries and removes them.
+# Debian packages, made by `cpack` in a build that was configured by the preset `package`: libraries, what
+# builds on them, Python, programs, plugin. Testing/packages.sh builds, installs, tries and removes them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME solidmoments)
 set(CPACK_PACKAGE_CONTACT "The SolidMoments authors")
@@ -11,7 +11,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
-# The Debian release of a package is part of its version, because each release has its own ParaView and OpenCASCADE.
+# The Debian release of a package is part of its version, because each release has its own ParaView and
+# OpenCASCADE.
 set(release 1)
 if (EXISTS /etc/os-release)
   file(STRINGS /etc/os-release line REGEX "^VERSION_ID=")

@@ -4,8 +4,9 @@ set(solidmoments_plugin_destination "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_S
 install(TARGETS SolidMoments LIBRARY DESTINATION "${solidmoments_plugin_destination}/SolidMoments" COMPONENT Plugin)
 install(FILES "${CMAKE_BINARY_DIR}/${solidmoments_plugin_destination}/solidmoments.xml"
   DESTINATION "${solidmoments_plugin_destination}" COMPONENT Plugin)
-# A list of plugins makes ParaView load it, in the Debian package only. Debian 13's ParaView names, in its paraview.conf, a list of plugins
-# that other packages bring; that of Debian 12 has no such file, and reads one beside its programs.
+# A list of plugins makes ParaView load it, in the Debian package only. Debian 13's ParaView names, in its
+# paraview.conf, a list of plugins that other packages bring; that of Debian 12 has no such file, and reads
+# one next to its programs.
 get_filename_component(libraries "${ParaView_DIR}/../.." ABSOLUTE)
 set(list)
 if (EXISTS "${libraries}/${PARAVIEW_PLUGIN_SUBDIR}/../paraview.conf")

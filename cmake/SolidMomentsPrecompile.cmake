@@ -1,11 +1,11 @@
-# Precompiled headers of the modules, one for those that are mostly mathematics and one for those that are mostly VTK. A precompiled header
-# for each module would take longer than it saves. Every file includes the headers it uses and compiles without precompiled ones, too
-# (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
+# Precompiled headers of the modules, one for those that are mostly mathematics and one for those that are
+# mostly VTK. A precompiled header for each module would take longer than it saves. Every file includes the
+# headers it uses and compiles without precompiled ones, too (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
 set(solidmoments_standard_headers
   <algorithm> <array> <cmath> <functional> <limits> <map> <memory> <string> <utility> <vector>)
 
-# solidmoments_precompile(<owner> HEADERS <header>... LIBRARIES <target>... TARGETS <target>...): the owner must be compiled with the
-# same options as the targets.
+# solidmoments_precompile(<owner> HEADERS <header>... LIBRARIES <target>... TARGETS <target>...): the owner
+# must be compiled with the same options as the targets.
 function(solidmoments_precompile owner)
   cmake_parse_arguments(precompile "" "" "HEADERS;LIBRARIES;TARGETS" ${ARGN})
   add_library(${owner} OBJECT "${PROJECT_SOURCE_DIR}/cmake/smPrecompiled.cxx")

@@ -22,7 +22,8 @@ vtk_module_wrap_python(
 set(CMAKE_INSTALL_RPATH "${solidmoments_install_rpath}")
 # The pure Python part of the package: mass_properties() and others, which use those modules.
 set(solidmoments_vtk_folder "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
-# The name of the interpreter with its version is used if it exists, because the name without it may be another Python later.
+# The name of the interpreter with its version is used if it exists, because the name without it may be
+# another Python later.
 set(solidmoments_python "${Python3_EXECUTABLE}")
 get_filename_component(solidmoments_python_bin "${Python3_EXECUTABLE}" DIRECTORY)
 set(solidmoments_versioned_python "${solidmoments_python_bin}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}")

@@ -1,8 +1,10 @@
-# solidmoments_accept_python_modules(<package>), to be called before find_package(<package>), which is ParaView or VTK.
+# solidmoments_accept_python_modules(<package>), to be called before find_package(<package>), which is
+# ParaView or VTK.
 #
-# Debian 13's ParaView says that its Python modules are files `NAME.so`, but they are `NAME.cpython-313-<machine>.so`, and
-# find_package stops when it checks that all files exist. Nothing here links them. This leaves out the check of those modules that
-# exist under such a longer name, in the caller's scope: CMake skips it for a target whose framework is a folder.
+# Debian 13's ParaView says that its Python modules are files `NAME.so`, but they are
+# `NAME.cpython-313-<machine>.so`, and find_package stops when it checks that all files exist. Nothing here
+# links them. This leaves out the check of those modules that exist under such a longer name, in the caller's
+# scope: CMake skips it for a target whose framework is a folder.
 function(solidmoments_accept_python_modules package)
   set(folders "${${package}_DIR}")
   if (NOT folders)

@@ -1,8 +1,9 @@
 # solidmoments_encode_shaders(<library> <file.glsl>...)
 #
-# Embeds each file as a C string of the file's name: glsl/smReduceCS.glsl becomes `extern const char* smReduceCS`
-# in smReduceCS.h, exported from <library> (a vtk.module's LIBRARY_NAME) so that other modules can use the text.
-# Sets shader_headers and shader_sources for PRIVATE_HEADERS and SOURCES of vtk_module_add_module.
+# Embeds each file as a C string of the file's name: glsl/smReduceCS.glsl becomes `extern const char*
+# smReduceCS` in smReduceCS.h, exported from <library> (a vtk.module's LIBRARY_NAME) so that other modules can
+# use the text. Sets shader_headers and shader_sources for PRIVATE_HEADERS and SOURCES of
+# vtk_module_add_module.
 function(solidmoments_encode_shaders library)
   string(TOUPPER "${library}_EXPORT" export_symbol)
   set(headers)

@@ -89,10 +89,10 @@ private:
     const sm::ScalarQuantity& volume = body.Volume;
     const sm::ScalarQuantity& area = body.Area;
     const double value = evaluate(volume.Get(), area.Get());
-    const double most = evaluate(volume.Get() + volume.Bound, area.Get() - area.Bound);
-    const double least = evaluate(std::max(volume.Get() - volume.Bound, 0.0), area.Get() + area.Bound);
+    const double maximum = evaluate(volume.Get() + volume.Bound, area.Get() - area.Bound);
+    const double minimum = evaluate(std::max(volume.Get() - volume.Bound, 0.0), area.Get() + area.Bound);
     result.Compactness.Value = { value };
-    result.Compactness.Bound = area.Get() > area.Bound ? most - least + 4e-15 * most : sm::Unknown;
+    result.Compactness.Bound = area.Get() > area.Bound ? maximum - minimum + 4e-15 * maximum : sm::Unknown;
   }
 
   bool Wanted = false;

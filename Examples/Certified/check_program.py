@@ -14,7 +14,7 @@ with the negative products off the diagonal. "bounds" are the errors that the pr
 "claimed" is a relative one of the volume. What `solidmoments --json -` and occt_mass_properties print is understood as it is.
 
 The true error is the distance to the interval, in exact arithmetic: a violation, an error above the stated one, is certain. "In gaps" are
-violations that a program covers by gaps between faces that it states beside its bounds ("gap_area", "gap_squared"). "Flagged" are
+violations that a program covers by gaps between faces that it states in addition to its bounds ("gap_area", "gap_squared"). "Flagged" are
 results whose status is not ok; they are judged like all others. Exit status: 0; 1 wrong usage; 2 a program that gave no result at all;
 3 a violation that no gap covers.
 """

@@ -73,7 +73,8 @@ def get_oblique_cylinder_moments(r, s, h):
 def write_bicylinder(file, r):
     """Writes the intersection of two cylinders of radius r about x and y; its edges are ellipses in the planes x = y and x = -y."""
     half, pole, foot = round_to_decimal(r * sqrt(2)), (0, 0, r), (0, 0, -r)
-    # Half ellipses from the upper pole to the lower one, at the corners (1,1), (-1,1), (-1,-1), (1,-1) of the square.
+    # Half ellipses from the upper pole to the lower one, at the corners (1,1), (-1,1), (-1,-1), (1,-1) of the
+    # square.
     corners = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
     edges = [file.edge(pole, foot, file.ellipse((0, 0, 0), (-y, x, 0), (x, y, 0), half, r)) for x, y in corners]
     # Downward from the pole over (x, y): the ellipse's second direction is z.

@@ -23,7 +23,7 @@ class Interval:
 
     def __init__(self, lo, hi=None):
         if isinstance(lo, float) or isinstance(hi, float):
-            raise TypeError("a floating-point number is no end of an interval")
+            raise TypeError("a floating-point number is not an end of an interval")
         self.lo = _trim(Fraction(lo), False)
         self.hi = _trim(Fraction(lo if hi is None else hi), True)
         if self.lo > self.hi:

@@ -25,7 +25,7 @@ from splines import Block, get_block_moments, write_block
 WIDENING = F(1, 10 ** 30)
 TETRAHEDRA = "sum of tetrahedra, exact; faces' areas by roots of rationals"
 GREEN = "Green's theorem over the profile; angles by alternating series"
-PAPPUS = "Green's theorem over the half plane's profile, turned (Pappus)"
+PAPPUS = "Green's theorem over the half plane's profile, revolved (Pappus)"
 DIVERGENCE = "divergence theorem over polynomial patches, exact; area by Gauss' rule with a proved remainder"
 
 # Rotations with exact decimals, by angles of the triangle 3, 4, 5.
@@ -95,7 +95,7 @@ def list_polyhedra():
     yield "box", "a box", box, {}
     yield "box_inch", "a box in inches", box, {"unit": "inch"}
     yield "box_metre", "a box in metres", box, {"unit": "m"}
-    yield "box_turned", "a box, turned about two axes", box, {"frame": TURNED}
+    yield "box_turned", "a box, rotated about two axes", box, {"frame": TURNED}
     yield "box_far_1e5", "a box at 1e5", box, {"frame": Frame(1, shift=corner)}
     yield "box_far_1e7", "a box at 1e7, on binary fractions", box, {"frame": Frame(1, shift=tuple(100 * x for x in corner))}
     yield "box_far_1e7_decimal", "a box at 1e7, on tenths", box, {
@@ -104,10 +104,10 @@ def list_polyhedra():
     yield "box_1e-3", "a box of micrometres, in mm", box, {"frame": Frame(F(1, 1000), ABOUT_Z)}
     yield "box_1e-6", "a box of nanometres, in mm", box, {"frame": Frame(F(1, 10 ** 6))}
     yield "box_1e6", "a box of kilometres, in mm", box, {"frame": Frame(10 ** 6, ABOUT_Z)}
-    yield "plate", "a plate, 100 x 80 x 0.001, turned", polyhedron(make_box(100, 80, F(1, 1000))), {"frame": TURNED}
-    yield "bar_1e6", "a bar a million times as long as wide, turned", polyhedron(make_box(10 ** 6, 1, 1)), {"frame": TURNED}
+    yield "plate", "a plate, 100 x 80 x 0.001, rotated", polyhedron(make_box(100, 80, F(1, 1000))), {"frame": TURNED}
+    yield "bar_1e6", "a bar a million times as long as wide, rotated", polyhedron(make_box(10 ** 6, 1, 1)), {"frame": TURNED}
     yield "tetrahedron", "a tetrahedron", polyhedron(tetrahedron), {}
-    yield "octahedron", "a double pyramid, turned", polyhedron(octahedron), {"frame": TURNED}
+    yield "octahedron", "a double pyramid, rotated", polyhedron(octahedron), {"frame": TURNED}
     yield "needle", "a pyramid of height 1000 over a base of 0.01", polyhedron((
         [(0, 0, 0), (F(1, 100), 0, 0), (0, F(1, 100), 0), (0, 0, 1000)], tetrahedron[1])), {}
     yield "wedge", "a wedge", polyhedron(make_prism([(0, 0), (8, 0), (0, 1)], 5)), {}
@@ -131,15 +131,15 @@ def list_revolved():
     groove = [line((4, 0), (10, 0)), line((10, 0), (10, 4)), Arc((10, 6), 2, (0, -1), (-1, 0), -1), line((8, 6), (4, 6)),
               line((4, 6), (4, 0))]
     yield "cylinder", "a cylinder", cylinder, {}
-    yield "cylinder_turned", "a cylinder, turned", cylinder, {"frame": TURNED}
-    yield "cylinder_inch", "a cylinder in inches, turned", cylinder, {"frame": TURNED, "unit": "inch"}
+    yield "cylinder_turned", "a cylinder, rotated", cylinder, {"frame": TURNED}
+    yield "cylinder_inch", "a cylinder in inches, rotated", cylinder, {"frame": TURNED, "unit": "inch"}
     yield "cylinder_1e-3", "a cylinder of micrometres", cylinder, {"frame": Frame(F(1, 1000))}
     yield "wire", "a cylinder a million times as long as thick", revolved(
         make_polygon((0, 0), (F(1, 2), 0), (F(1, 2), 10 ** 6), (0, 10 ** 6))), {}
     yield "disc", "a disc of thickness 0.001", revolved(
         make_polygon((0, 0), (50, 0), (50, F(1, 1000)), (0, F(1, 1000)))), {"frame": TURNED}
     yield "frustum", "a frustum of a cone", revolved(make_polygon((0, 0), (5, 0), (2, 7), (0, 7))), {}
-    yield "cone", "a cone with its apex, turned", revolved(make_polygon((0, 0), (3, 0), (0, 7))), {"frame": TURNED}
+    yield "cone", "a cone with its apex, rotated", revolved(make_polygon((0, 0), (3, 0), (0, 7))), {"frame": TURNED}
     yield "cone_revolved", "the same cone as a surface of revolution of a line", revolved(
         make_polygon((0, 0), (3, 0), (0, 7)), "revolution"), {"frame": TURNED}
     yield "tube", "a tube", revolved(make_polygon((4, 0), (5, 0), (5, 20), (4, 20))), {"frame": TURNED}
@@ -147,10 +147,10 @@ def list_revolved():
         (0, 0), (3, 0), (4, 1), (4, 10), (6, 10), (6, 12), (2, 12), (2, 19), (1, 20), (0, 20))), {}
     yield "sphere", "a sphere", revolved(ball(5)), {}
     yield "sphere_far_1e7", "a sphere at 1e7", revolved(ball(5)), {"frame": Frame(1, shift=(10 ** 7 + F(1, 2), 10 ** 7, -10 ** 7))}
-    yield "hemisphere", "half a ball, turned", revolved(
+    yield "hemisphere", "half a ball, rotated", revolved(
         [Arc((0, 0), 5, (1, 0), (0, 1)), line((0, 5), (0, 0)), line((0, 0), (5, 0))]), {"frame": TURNED}
     yield "capsule", "a capsule", revolved(capsule), {}
-    yield "lens", "a lens between two spheres, turned", revolved(lens), {"frame": TURNED}
+    yield "lens", "a lens between two spheres, rotated", revolved(lens), {"frame": TURNED}
     yield "bored_sphere", "a sphere of radius 5 with a bore of radius 3", revolved(ring), {}
     yield "hollow_sphere", "a sphere with an eccentric hollow", hollow(*balls, write_revolved), {}
     yield "thin_sphere", "a hollow sphere of radius 100 and wall 0.001", hollow(*skins, write_revolved), {}
@@ -171,7 +171,7 @@ def list_prisms():
     wing = [line((-4, 0), (4, 0)), Bezier((4, 0), (6, 4), (-1, 6), (-4, 0))]
     parabola = [line((-2, 0), (2, 0)), Bezier((2, 0), (0, 8), (-2, 0))]
     yield "box_with_hole", "a box with a round hole", prism([rectangle, make_circle((1, -1), 2, -1)], 5), {}
-    yield "plate_with_holes", "a thin plate with three holes, turned", prism(
+    yield "plate_with_holes", "a thin plate with three holes, rotated", prism(
         [rectangle, make_circle((-4, 2), 1, -1), make_circle((0, 0), 2, -1), make_circle((4, -2), F(1, 2), -1)], F(1, 100)), {
             "frame": TURNED}
     yield "slot", "a prism with round ends", prism([slot], 4), {"frame": TURNED}
@@ -202,14 +202,14 @@ def list_splines():
     knotted = block((6, 5, 2), lambda i, j, k: (2 * i, 3 * j, k * heights[i][j]),
                     ([0, 0, 0, 0, 1, 3, 4, 4, 4, 4], [0, 0, 0, 2, 3, 5, 5, 5], None))
     yield "dome", "a block under a bicubic graph", dome, {}
-    yield "dome_turned", "the same, turned", dome, {"frame": TURNED}
+    yield "dome_turned", "the same, rotated", dome, {"frame": TURNED}
     yield "dome_inch", "the same in inches, of 1/1000", dome, {"frame": Frame(F(1, 1000)), "unit": "inch"}
     yield "dome_far_1e5", "the same at 1e5", dome, {"frame": Frame(1, shift=(10 ** 5, 10 ** 5, -10 ** 5))}
     yield "saddle", "a block under a biquadratic saddle, all faces B-splines", block(
         (3, 3, 2), lambda i, j, k: (3 * i, 3 * j, k * (4 + (i - 1) ** 2 - (j - 1) ** 2)), flat="bspline"), {}
     yield "knots", "a block under a B-spline with inner knots, cubic by quadratic", knotted, {}
     yield "twisted", "a twisted block, bilinear faces", block((2, 2, 2), lambda i, j, k: (4 * i - j * k, 4 * j + i * k, 6 * k)), {}
-    yield "bent_bar", "a bar bent along a parabola, turned", block(
+    yield "bent_bar", "a bar bent along a parabola, rotated", block(
         (3, 2, 2), lambda i, j, k: (5 * i + k * (1 - i), 2 * j, 2 * k + 4 * i * (2 - i))), {"frame": TURNED}
     yield "pillow", "six biquadratic faces", block((3, 3, 3), lambda i, j, k: tuple(
         3 * a + (a - 1) * (b % 2 + c % 2) * F(1, 2) for a, b, c in ((i, j, k), (j, k, i), (k, i, j)))), {"frame": TURNED}

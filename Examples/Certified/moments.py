@@ -16,7 +16,7 @@ class Moments:
         self.second = [[as_interval(x) for x in row] for row in second]
 
     def combine(self, other, sign=1):
-        """Adds a solid beside it or, with the sign -1, a hole of that shape. Areas are added in either case."""
+        """Adds a separate solid or, with the sign -1, a hole of that shape. Areas are added in either case."""
         return Moments(self.volume + sign * other.volume, self.area + other.area,
                        [a + sign * b for a, b in zip(self.first, other.first)],
                        [[a + sign * b for a, b in zip(*rows)] for rows in zip(self.second, other.second)])

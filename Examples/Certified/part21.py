@@ -20,7 +20,7 @@ def format_number(x):
     while (x * 10 ** places).denominator != 1:
         places += 1
         if places > 60:
-            raise ValueError(f"{x} is no decimal")
+            raise ValueError(f"{x} is not a decimal")
     digits = str(abs(int(x * 10 ** places)))
     sign = "-" if x < 0 else ""
     if places:

@@ -1,4 +1,4 @@
-"""Solids with plane faces: exact rationals but for roots in the area."""
+"""Solids with plane faces: exact rationals except for roots in the area."""
 from fractions import Fraction
 
 from intervals import Interval, sqrt

@@ -127,7 +127,7 @@ def integrate_root(radicand, factor=None):
 
     A cell is halved until the radicand, on the polydisc of REACH half widths about its centre, differs from its value at the centre by
     less than 9/10 of that: there the root is analytic and at most M. Cauchy's estimate bounds its Taylor coefficients by
-    M / REACH^(j + k). The product rule is exact but for `error` for j, k < 2 ORDER; the others, of which rule and integral are at
+    M / REACH^(j + k). The product rule is exact except for `error` for j, k < 2 ORDER; the others, of which rule and integral are at
     most 4 each, add up to at most 16 M REACH^(-2 ORDER) / (1 - 1/REACH)^2.
     """
     if not _RULE:

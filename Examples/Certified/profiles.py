@@ -1,6 +1,6 @@
 """Solids over plane profiles of lines, arcs and Bezier curves: prisms, and solids of revolution about the z axis.
 
-A profile is a list of segments, end to end, counter-clockwise. Integrals of x^a y^b over it are exact but for angles (Green's theorem).
+A profile is a list of segments, end to end, counter-clockwise. Integrals of x^a y^b over it are exact except for angles (Green's theorem).
 """
 from fractions import Fraction
 from math import comb

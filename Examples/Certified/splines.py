@@ -8,7 +8,8 @@ from part21 import cross, dot, shorten, subtract
 from polynomials import (add, differentiate, get_bernstein_coefficients, integrate, integrate_root, make_basis, multiply,
                          scale)
 
-# A face of the cube: the direction that is fixed, its end, and the two that run, so that their cross product points outward.
+# A face of the cube: the direction that is fixed, its end, and the two that run, so that their cross product
+# points outward.
 SIDES = [(0, 1, 1, 2), (0, 0, 2, 1), (1, 1, 2, 0), (1, 0, 0, 2), (2, 1, 0, 1), (2, 0, 1, 0)]
 
 

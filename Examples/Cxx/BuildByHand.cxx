@@ -1,6 +1,6 @@
 // A solid built by hand, without a file: half a ball, from a rational B-spline hemisphere and a plane trimmed
 // by a circle.
-//   BuildByHand [RADIUS]    prints volume and area with their bounds beside the closed forms; the radius is
+//   BuildByHand [RADIUS]    prints volume and area with their bounds next to the closed forms; the radius is
 //   10 unless given
 // Exit status: 0 when the status is ok and both closed forms are within the bounds, 1 for a wrong argument, 3
 // otherwise.

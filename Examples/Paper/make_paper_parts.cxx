@@ -98,7 +98,7 @@ int MakeParts(const std::filesystem::path& folder, const std::vector<std::string
   }
   if (found < wanted.size())
   {
-    Complain("some name is no part's");
+    Complain("some name is not a part's");
     allMade = false;
   }
   const std::string list = (folder / "parts.json").string();

@@ -1,11 +1,12 @@
 #!/bin/sh
 # Makes the paper's parts, draws all figures and draws up the table:
 #   sh Examples/Paper/regenerate.sh [--build DIR] [--folder [TITLE=]DIR]... [--docs] OUTDIR
-# OUTDIR gets parts/ (STEP), figures/ (PNG, SVG, CSV) and table.md, table.csv. --folder adds a table of the STEP files in a
-# folder, with a reference.jsonl beside them if there is one. --build: where the programs are built, or are already (default
-# build/ of this tree); what they need is what Examples/quickstart.sh installs. Needs no display and no GPU. SOLIDMOMENTS_JOBS
-# sets the number of parallel compilations. --docs writes pictures, numbers and tables into this folder's page as well, and with
-# --folder "Real files=DIR" into real_files.md; the sentences about them are to be read again then.
+# OUTDIR gets parts/ (STEP), figures/ (PNG, SVG, CSV) and table.md, table.csv. --folder adds a table of the
+# STEP files in a folder, with a reference.jsonl next to them if there is one. --build: where the programs are
+# built, or are already (default build/ of this tree); what they need is what Examples/quickstart.sh installs.
+# Needs no display and no GPU. SOLIDMOMENTS_JOBS sets the number of parallel compilations. --docs writes
+# pictures, numbers and tables into this folder's page as well, and with --folder "Real files=DIR" into
+# real_files.md; the sentences about them are to be read again then.
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 build=$root/build

@@ -84,7 +84,7 @@ void CheckSolid(const std::string& name, const TopoDS_Shape& solid)
 {
   if (solid.IsNull() || solid.ShapeType() != TopAbs_SOLID)
   {
-    throw std::runtime_error(name + " is no solid");
+    throw std::runtime_error(name + " is not a solid");
   }
   if (!BRepCheck_Analyzer(solid).IsValid())
   {

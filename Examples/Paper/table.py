@@ -6,8 +6,8 @@
 For every .step, .stp or .step.gz of a folder: GAUSS2 with two sub-patches a knot interval each way, its paper's error
 estimate, ADAPTIVE with its bound, and OpenCASCADE's BRepGProp in its default way, volume and centre of mass, each volume
 against a reference:
-- `formula`: the volume that parts.json beside the files gives;
-- `file`: the volume and its uncertainty that reference.jsonl beside the files gives;
+- `formula`: the volume that parts.json next to the files gives;
+- `file`: the volume and its uncertainty that reference.jsonl next to the files gives;
 - `ADAPTIVE 1e-12`: else, ADAPTIVE at that tolerance, with its bound.
 Times are the JSON's own seconds: of solidmoments preparing, and integrating, of the faster of two runs; of OpenCASCADE
 VolumeProperties; reading the file, making the context and compiling shaders are in neither. A run that fails leaves its
@@ -152,7 +152,7 @@ def run_json(command, seconds):
 
 
 def choose_message(messages):
-    """The message that says why there is no volume, if there is one."""
+    """The message that reports why there is no volume, if there is one."""
     for word in ("no volume", "surface"):
         for message in messages:
             if word in message:
@@ -249,7 +249,7 @@ def read_references(folder):
 
 
 def find_models(folder, unpacked):
-    """The folder's models, unpacked: first those of the lists beside them, in that order, then the others by name."""
+    """The folder's models, unpacked: first those of the lists next to them, in that order, then the others by name."""
     exact, references = read_exact(folder), read_references(folder)
     order = list(exact) + list(references)
     models = []

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """
 A solid built by hand, without a file: half a ball, from a rational B-spline hemisphere and a plane trimmed by a circle. Prints volume,
-area and height of the centre with their bounds beside the closed forms.
+area and height of the centre with their bounds next to the closed forms.
 
   PYTHONPATH=PREFIX/lib/python3.11/site-packages python3 build_by_hand.py [RADIUS]
 
@@ -61,15 +61,16 @@ def get_arc_residual(radius):
 
 def make_half_ball(r):
     # [half a ball]
-    # The hemisphere: u runs around the axis, one unit for a quarter, v from the equator to the pole. Homogeneous coordinates.
+    # The hemisphere: u runs around the axis, one unit for a quarter, v from the equator to the
+    # pole. Homogeneous coordinates.
     model, h = vtkTrimmedNURBSModel(), math.sqrt(0.5)
     corners = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0)]
     weights = [1, h, 1, h, 1, h, 1, h, 1]
     points = [(w * v * rho * x, w * v * rho * y, w * v * z, w * v)
               for rho, z, v in ((r, 0, 1), (r, r, h), (0, r, 1)) for (x, y), w in zip(corners, weights)]
     dome = model.AddFace(2, array([0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4]), 2, array([0, 0, 0, 1, 1, 1]), array(points))
-    # The plane z = 0 with x and y as parameters, larger than the disc that is trimmed out of it. Its outward normal is -z, against
-    # Su x Sv: it is reversed.
+    # The plane z = 0 with x and y as parameters, larger than the disc that is trimmed out of it. Its outward
+    # normal is -z, against Su x Sv: it is reversed.
     a = 1.5 * r
     knots = array([-a, -a, a, a])
     disc = model.AddFace(1, knots, 1, knots, array([(-a, -a, 0), (a, -a, 0), (-a, a, 0), (a, a, 0)]), True)

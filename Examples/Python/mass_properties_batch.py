@@ -199,7 +199,7 @@ def parse(arguments):
     parser.add_argument("--backend", choices=("auto", "opengl", "cpu"), default="auto")
     options = parser.parse_args(arguments)
     if not os.path.isdir(options.folder):
-        parser.error(f"{options.folder} is no folder")
+        parser.error(f"{options.folder} is not a folder")
     return options
 
 

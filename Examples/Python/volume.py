@@ -11,7 +11,6 @@ pictures.
 import sys
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU
 from solidmoments.smReadersSTEP import vtkSTEPReader
-
 reader = vtkSTEPReader()
 reader.SetFileName(sys.argv[1])
 mass = vtkMassPropertiesGPU()

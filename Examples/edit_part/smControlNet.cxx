@@ -157,7 +157,7 @@ int ControlNet::FindNear(double x, double y, double radius) const
     double Depth;
   };
   std::vector<Candidate> candidates;
-  double least = radius;
+  double minimum = radius;
   for (int i = 0; this->IsShown() && i < this->Columns * this->Rows; ++i)
   {
     double world[4] = { 0.0, 0.0, 0.0, 1.0 };
@@ -170,14 +170,14 @@ int ControlNet::FindNear(double x, double y, double radius) const
     if (distance <= radius && display[2] < 1.0)
     {
       candidates.push_back({ i, distance, display[2] });
-      least = std::min(least, distance);
+      minimum = std::min(minimum, distance);
     }
   }
   int nearest = -1;
   double front = 1.0;
   for (const Candidate& candidate : candidates)
   {
-    if (candidate.Distance <= least + SamePixels && candidate.Depth < front)
+    if (candidate.Distance <= minimum + SamePixels && candidate.Depth < front)
     {
       nearest = candidate.Point;
       front = candidate.Depth;

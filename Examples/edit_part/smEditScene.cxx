@@ -250,7 +250,7 @@ void EditScene::Update()
   this->Times.back().Draw = vtkTimerLog::GetUniversalTime() - computed;
   if (times.Edit == 0.0 && this->Times.size() > 1)
   {
-    this->Times.pop_back(); // an undo is no edit
+    this->Times.pop_back(); // an undo is not an edit
   }
 }
 

@@ -55,7 +55,7 @@ public:
   /// Gets the position of a control point. Returns false, without a change of `world`, if it does not exist.
   bool GetPosition(const Grip& grip, std::array<double, 3>& world) const;
   bool GetWeight(const Grip& grip, double& weight) const;
-  /// Returns the outward unit normal of the face where the control point has most influence, in world
+  /// Returns the outward unit normal of the face where the control point has the largest influence, in world
   /// coordinates; zero if there is none.
   std::array<double, 3> GetNormal(const Grip& grip) const;
 

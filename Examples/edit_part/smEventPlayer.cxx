@@ -45,7 +45,7 @@ std::string DescribeSize(const int* size)
   return std::to_string(size[0]) + " x " + std::to_string(size[1]);
 }
 
-/// Returns an error message if a line is no event in a window of this size; empty otherwise.
+/// Returns an error message if a line is not an event in a window of this size; empty otherwise.
 std::string CheckLine(const std::string& line, const int* size)
 {
   std::istringstream words(line);

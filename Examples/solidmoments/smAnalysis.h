@@ -68,7 +68,7 @@ struct AnalysisRun
   MessageList& Messages;
   /// What the picture shows in addition; null: nothing.
   vtkSmartPointer<vtkPolyData>& Drawing;
-  /// Of the analysis in the list, and of its results.
+  /// Index of the analysis in the list, and of its results.
   std::size_t Index;
 };
 

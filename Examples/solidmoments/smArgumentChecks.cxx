@@ -62,13 +62,13 @@ std::string CheckQuantityTolerance(const std::string& text)
     : text + " is not the tolerance of a quantity; write for example volume=1e-6 or center=0,1e-3";
 }
 
-/// Checks that a text is a whole number from 1 to `most`.
-std::string CheckFactor(const std::string& what, int most, const std::string& text)
+/// Checks that a text is a whole number from 1 to `maximum`.
+std::string CheckFactor(const std::string& what, int maximum, const std::string& text)
 {
   const double value = ParseNumber(text);
-  return value >= 1.0 && value <= most && value == std::floor(value)
+  return value >= 1.0 && value <= maximum && value == std::floor(value)
     ? ""
-    : "the number of " + what + " must be a whole number from 1 to " + std::to_string(most);
+    : "the number of " + what + " must be a whole number from 1 to " + std::to_string(maximum);
 }
 
 std::string CheckEvaluations(const std::string& text)
@@ -100,7 +100,7 @@ std::string CheckFrame(const std::string& text)
   std::vector<double> frame;
   return ParseFrame(text, frame)
     ? ""
-    : text + " is no frame; write origin, a point X,Y,Z, or nine numbers: origin, z axis and x axis";
+    : text + " is not a frame; write origin, a point X,Y,Z, or nine numbers: origin, z axis and x axis";
 }
 
 std::vector<std::string> Split(const std::string& text)

@@ -19,7 +19,7 @@ std::string CheckTolerance(const std::string& text);
 std::string CheckGapLimit(const std::string& text);
 std::string CheckValidationLimit(const std::string& text);
 std::string CheckQuantityTolerance(const std::string& text);
-std::string CheckFactor(const std::string& what, int most, const std::string& text);
+std::string CheckFactor(const std::string& what, int maximum, const std::string& text);
 std::string CheckEvaluations(const std::string& text);
 std::string CheckSeconds(const std::string& text);
 std::string CheckDensity(const std::string& text);

@@ -81,7 +81,7 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->allow_extra_args(false);
   sm::AddNumberOption(app, "--max-evaluations", job.MaximumEvaluations,
     "Budget of surface evaluations of a file (default 2e9); where that is too\n"
-    "few, the tolerance is loosened and the bounds say by how much; every face\n"
+    "few, the tolerance is loosened and the bounds show by how much; every face\n"
     "gets its coarsest rule at least")
     ->check(sm::CheckEvaluations);
   sm::AddNumberOption(app, "--max-seconds", job.MaximumSeconds,
@@ -107,9 +107,16 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->type_name("UNIT")
     ->check(sm::CheckInputUnit);
   app
+    .add_option("--reader", job.Reader,
+      "What makes bodies of a STEP file's entities: direct (default): this program,\n"
+      "and OpenCASCADE's reader for files with damage or with something that it does\n"
+      "not read yet; or kernel: OpenCASCADE's reader for all files")
+    ->type_name("READER")
+    ->check(CLI::IsMember({ "direct", "kernel" }));
+  app
     .add_option("--repair", job.Repair,
       "Which solids and shells OpenCASCADE repairs: needed (default): those that are\n"
-      "not sound as the file has them, which a message tells; the others are read\n"
+      "not sound as the file has them, as a message reports; the others are read\n"
       "faster, with trim curves that follow the edges; or always: all")
     ->type_name("WHEN")
     ->check(sm::CheckRepair);
@@ -179,7 +186,7 @@ void DeclareComparison(CLI::App& app, sm::Arguments& arguments)
     "by their names, and the differences of the results with bounds; in JSON the key\n"
     "comparison. The exit status is 4 if the products differ");
   sm::AddNumberOption(app, "--compare-limit", arguments.CompareLimit,
-    "Largest difference that counts as equal beside the bounds, relative to the\n"
+    "Largest difference that is beyond the bounds and counts as equal, relative to the\n"
     "face, of places to the product (default 1e-9); 1e-6 for files of two systems")
     ->check(sm::CheckValidationLimit);
 }
@@ -194,7 +201,7 @@ void DeclareValidation(CLI::App& app, sm::Arguments& arguments)
     "the results: pass, fail or not comparable; in JSON the key validation");
   sm::AddNumberOption(app, "--validation-limit", job.ValidationLimit,
     "Largest difference that passes, relative to the stated value, for the centroid\n"
-    "to the cube root of the volume, beside the error bounds (default 1e-3)")
+    "to the cube root of the volume, beyond the error bounds (default 1e-3)")
     ->check(sm::CheckValidationLimit);
   sm::AddFileOption(app, "--write-validation", job.ValidationTarget,
     "Write the STEP file again with volume, area, centroid and density of its\n"

@@ -32,8 +32,8 @@ const char* BoxAnalysis::GetMissingModule() const
 void BoxAnalysis::Run(const AnalysisRun& run) const
 {
   const std::vector<BodyBox> boxes = ComputeBodyBoxes(run.Reader->GetOutputDataObject(0));
-  const double most = std::numeric_limits<double>::infinity();
-  BodyBox total{ { most, -most, most, -most, most, -most }, 0.0 };
+  const double maximum = std::numeric_limits<double>::infinity();
+  BodyBox total{ { maximum, -maximum, maximum, -maximum, maximum, -maximum }, 0.0 };
   for (SolidResult& solid : run.File.Solids)
   {
     const BodyBox& box = boxes.at(std::stoul(solid.Id) - 1);

@@ -6,6 +6,8 @@
 #include "smReportRows.h"
 #include "smTableText.h"
 
+#include <cmath>
+
 namespace sm
 {
 namespace

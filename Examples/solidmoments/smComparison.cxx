@@ -125,7 +125,7 @@ void Visit(Fields& fields, ComparedPart& part)
 }
 
 /// Returns true if material, density or mass of two equal shapes differ: the mass by more than the bounds and
-/// the limit. Densities are no results and have no bounds.
+/// the limit. Densities are not results and have no bounds.
 bool HasOtherMaterial(const Quantities& before, const Quantities& after, double limit)
 {
   const double a = before.Density;
@@ -261,9 +261,9 @@ private:
       {
         continue;
       }
-      const double least = before.Center[0] - slack;
+      const double minimum = before.Center[0] - slack;
       auto next = std::partition_point(
-        sorted.begin(), sorted.end(), [least](const Body* body) { return body->Center[0] < least; });
+        sorted.begin(), sorted.end(), [minimum](const Body* body) { return body->Center[0] < minimum; });
       for (; next != sorted.end() && (*next)->Center[0] <= before.Center[0] + slack; ++next)
       {
         Body& after = **next;
@@ -299,14 +299,14 @@ private:
   Body* FindNearest(const Body& before, const Fits& fits)
   {
     Body* nearest = nullptr;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (Body& after : this->New)
     {
-      const double distance = after.IsDone ? least : GetDistance(before, after);
-      if (distance < least && fits(after))
+      const double distance = after.IsDone ? minimum : GetDistance(before, after);
+      if (distance < minimum && fits(after))
       {
         nearest = &after;
-        least = distance;
+        minimum = distance;
       }
     }
     return nearest;

@@ -16,7 +16,7 @@ namespace sm
 {
 namespace
 {
-constexpr size_t MostParts = 40;
+constexpr size_t MaxParts = 40;
 constexpr size_t NameWidth = 32;
 
 /// Returns the number itself, the length of a vector, or the largest entry of a matrix.
@@ -43,15 +43,15 @@ std::string FormatDifference(
 /// Returns "by 12.5 mm", or "by 3 to 12.5 mm"; empty if all values would be shown as 0.
 std::string FormatRange(const ComparedPart& part, double ComparedBody::*member, const std::string& unit)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   double largest = 0.0;
   for (const ComparedBody& body : part.Bodies)
   {
     const double value = body.*member;
-    least = std::min(least, value);
+    minimum = std::min(minimum, value);
     largest = std::max(largest, value);
   }
-  const std::string low = FormatDigits(least, 6);
+  const std::string low = FormatDigits(minimum, 6);
   const std::string high = FormatDigits(largest, 6);
   return largest < 1e-9 ? std::string() : (low == high ? low : low + " to " + high) + " " + unit;
 }
@@ -127,7 +127,7 @@ std::string FormatParts(const std::vector<ComparedPart>& parts, const FileResult
   const auto count = [](std::size_t number) { return Pad(std::to_string(number), 7, true); };
   std::string text = "\n  " + Pad("part", NameWidth) + Pad("state", 11) + Pad("count", 7, true) +
     Pad("old", 7, true) + Pad("new", 7, true) + "\n";
-  for (std::size_t i = 0; i < std::min(parts.size(), MostParts); ++i)
+  for (std::size_t i = 0; i < std::min(parts.size(), MaxParts); ++i)
   {
     const ComparedPart& part = parts[i];
     text +=
@@ -136,8 +136,8 @@ std::string FormatParts(const std::vector<ComparedPart>& parts, const FileResult
         Describe(part, newFile)) +
       "\n";
   }
-  return parts.size() > MostParts
-    ? text + "  ... and " + std::to_string(parts.size() - MostParts) + " more, see --json\n"
+  return parts.size() > MaxParts
+    ? text + "  ... and " + std::to_string(parts.size() - MaxParts) + " more, see --json\n"
     : text;
 }
 

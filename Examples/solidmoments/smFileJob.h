@@ -30,6 +30,7 @@ struct JobOptions
   double Deflection = 0.0;      ///< of the triangles, in Unit; 0: the reader's default
   std::string Unit = "mm";      ///< length unit of all results, or "file"
   std::string InputUnit = "mm"; ///< of files that state none, see vtkBREPReader::SetInputUnit
+  std::string Reader = "direct"; ///< or "kernel", see vtkSTEPReader::SetReader
   std::string Repair =
     "needed"; ///< or "always": which shapes OpenCASCADE repairs, see vtkCADReader::SetRepair
   std::string Backend = "auto";

@@ -20,7 +20,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t MostBytes = std::uint64_t(4) << 30;
+constexpr std::uint64_t MaxBytes = std::uint64_t(4) << 30;
 constexpr size_t BufferSize = 1 << 16;
 const char* const TooLarge = "it has more than 4 GB";
 const char* const NoSpace = "there is no room for its content in the folder for temporary files";
@@ -87,7 +87,7 @@ std::string InflateTo(std::istream& input, std::ostream& output, int windowBits)
     written += count;
     output.write(out.data(), static_cast<std::streamsize>(count));
     error = status != Z_OK && status != Z_STREAM_END ? "its compressed data are damaged"
-      : written > MostBytes                          ? TooLarge
+      : written > MaxBytes                           ? TooLarge
       : !output                                      ? NoSpace
                                                      : "";
     isWhole = status == Z_STREAM_END;
@@ -161,14 +161,14 @@ void InputFile::CopyStandardInput()
   std::ofstream copy(this->Path, std::ios::binary);
   std::vector<char> buffer(BufferSize);
   std::uint64_t written = 0;
-  while (copy && written <= MostBytes &&
+  while (copy && written <= MaxBytes &&
     (std::cin.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), std::cin.gcount() > 0))
   {
     copy.write(buffer.data(), std::cin.gcount());
     written += static_cast<std::uint64_t>(std::cin.gcount());
   }
   copy.close();
-  this->Error = written > MostBytes ? TooLarge : !copy ? NoSpace : "";
+  this->Error = written > MaxBytes ? TooLarge : !copy ? NoSpace : "";
   if (!this->Error.empty())
   {
     return;

@@ -177,16 +177,16 @@ void IntegralResult::AddColumns(Columns& columns) const
 
 std::string IntegralResult::FormatRows(const std::string&) const
 {
-  constexpr std::size_t most = 40;
+  constexpr std::size_t maximum = 40;
   std::string text;
-  for (std::size_t i = 0; i < std::min(this->Entries.size(), most); ++i)
+  for (std::size_t i = 0; i < std::min(this->Entries.size(), maximum); ++i)
   {
     text += MeasuredRow(this->Entries[i].Name, this->Entries[i].Value, "");
   }
-  return this->Entries.size() > most ? text + "  ... and " +
-      Count(static_cast<long long>(this->Entries.size() - most), "more integral", "more integrals") +
+  return this->Entries.size() > maximum ? text + "  ... and " +
+      Count(static_cast<long long>(this->Entries.size() - maximum), "more integral", "more integrals") +
       ", see --json\n"
-                                     : text;
+                                        : text;
 }
 
 void IntegralAnalysis::Declare(CLI::App& app)

@@ -132,7 +132,8 @@ void WatchMemory()
   }
 }
 
-/// How many processes of this machine the system has ended for want of memory; -1 where it does not tell.
+/// How many processes of this machine the system has ended for want of memory; -1 where it does not report
+/// it.
 long CountMemoryKills()
 {
   std::ifstream counters("/proc/vmstat");

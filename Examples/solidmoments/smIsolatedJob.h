@@ -38,7 +38,7 @@ struct JobMessages
 {
   std::optional<FileResult> Result;
   bool IsComplete = false; ///< of the result
-  /// Why an output was not written, empty if it was; none: not told.
+  /// Why an output was not written, empty if it was; none: not reported.
   std::optional<std::string> Textures, Mesh, Picture;
   std::string Stage;
 

@@ -68,11 +68,11 @@ std::string AddRule(const std::string& pattern, const std::string& material, con
   if (!IsDensity(rule.Material.Density))
   {
     return density.empty() ? material + " is none of the materials of --list-materials: it needs a density"
-                           : density + " is no density; give kg/m^3, for example 7850";
+                           : density + " is not a density; give kg/m^3, for example 7850";
   }
   if (!tolerance.empty() && !(rule.Material.Tolerance >= 0.0))
   {
-    return tolerance + " is no relative tolerance; give 0.01 or 1%, for example";
+    return tolerance + " is not a relative tolerance; give 0.01 or 1%, for example";
   }
   rules.push_back(rule);
   return {};
@@ -112,7 +112,7 @@ std::string ReadJson(const std::string& text, std::vector<MaterialRule>& rules)
   const Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded())
   {
-    return "it is no JSON";
+    return "it is not JSON";
   }
   const Json& list =
     document.is_object() && document.contains("materials") ? document["materials"] : document;

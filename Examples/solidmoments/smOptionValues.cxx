@@ -58,7 +58,7 @@ bool ParseFrame(const std::string& text, std::vector<double>& frame)
     return false;
   }
   std::copy(given.begin(), given.end(), frame.begin());
-  // The least sine that vtkMassPropertiesBase accepts, with a margin.
+  // The smallest sine that vtkMassPropertiesBase accepts, with a margin.
   double across[3];
   vtkMath::Cross(frame.data() + 3, frame.data() + 6, across);
   return vtkMath::Norm(across) > 2e-6 * vtkMath::Norm(frame.data() + 3) * vtkMath::Norm(frame.data() + 6);

@@ -18,7 +18,7 @@ bool ParseQuantityTolerance(
 /// Parses "x", "+y", "-z", or three numbers, "0,0.1,-1"; false when the text is neither, or all three are 0.
 bool ParseDirection(const std::string& text, std::array<double, 3>& direction);
 
-/// Returns an error message for a text that is no direction; empty otherwise.
+/// Returns an error message for a text that is not a direction; empty otherwise.
 std::string CheckDirection(const std::string& text);
 
 /// Parses a plane "X,Y,Z,NX,NY,NZ", a point and a normal; false when it is not six numbers, or the normal is

@@ -36,7 +36,7 @@ const int Width = 900;
 const int Height = 700;
 const int Margin = 20;
 const double SignalColor[3] = { 0.90, 0.05, 0.12 };
-const int MostNumbers = 5;      // of flagged places
+const int MaxNumbers = 5;       // of flagged places
 const size_t LongestLine = 100; // characters across the picture
 
 /// Returns the caption: the values that exist, and the status if it is not ok.
@@ -110,13 +110,13 @@ void AddFlagged(vtkRenderer* body, vtkRenderer* front, vtkPolyData* flagged)
   std::string lines;
   for (const auto& [number, cell] : firstCells)
   {
-    if (number <= MostNumbers)
+    if (number <= MaxNumbers)
     {
       AddNumber(front, flagged->GetCell(cell), number);
       lines += sm::WrapText(std::to_string(number) + " " + texts->GetValue(cell), LongestLine);
     }
   }
-  const auto more = static_cast<int>(std::lround(numbers->GetRange()[1])) - MostNumbers;
+  const auto more = static_cast<int>(std::lround(numbers->GetRange()[1])) - MaxNumbers;
   lines += more > 0 ? "and " + std::to_string(more) + " more" : "";
   sm::AddText(front, sm::RaiseDigits(lines), 15, false, Margin, Height - 2 * Margin - 10, true)
     ->GetTextProperty()

@@ -25,7 +25,7 @@ std::string FormatTable(const FileResult& file);
 /// Returns a table of the parts list of a file; empty without one.
 std::string FormatPartsList(const FileResult& file);
 
-/// What a document in JSON holds beside the files.
+/// What a document in JSON holds in addition to the files.
 struct DocumentHead
 {
   /// The processor's seconds before main().

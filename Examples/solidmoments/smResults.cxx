@@ -119,7 +119,7 @@ void Visit(Fields& fields, PartsListEntry& part)
 /// the table the widest gap is first.
 void ReadWorstEdges(vtkTable* table, std::vector<SolidResult>& solids)
 {
-  constexpr std::size_t most = 5;
+  constexpr std::size_t maximum = 5;
   vtkDataSetAttributes* columns = table->GetRowData();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
@@ -130,7 +130,7 @@ void ReadWorstEdges(vtkTable* table, std::vector<SolidResult>& solids)
     }
     std::vector<EdgeResult>& edges =
       solids.at(static_cast<std::size_t>(GetCount(columns, row, names::Solid))).WorstEdges;
-    if (edges.size() == most)
+    if (edges.size() == maximum)
     {
       continue;
     }

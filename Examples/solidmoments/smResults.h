@@ -24,7 +24,7 @@ namespace sm
 /// The quantities of a solid, or of all together, with the results of the analyses of bodies.
 struct BodyResult : Quantities
 {
-  /// Of the paper's schemes.
+  /// Results of the paper's schemes.
   double PaperErrorEstimate = Unknown, PaperErrorEstimateWithBoundary = Unknown;
   long long SubPatches = -1;
   /// The bounding box: lowest and highest corner.

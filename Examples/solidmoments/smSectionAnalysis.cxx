@@ -15,7 +15,7 @@ std::string CheckPlane(const std::string& text)
   std::array<double, 6> plane;
   return ParsePlane(text, plane)
     ? ""
-    : text + " is no plane; write a point and a normal that is not 0, six numbers such as 0,0,5,0,0,1";
+    : text + " is not a plane; write a point and a normal that is not 0, six numbers such as 0,0,5,0,0,1";
 }
 
 void VisitSection(Fields& fields, SectionEntry& section)

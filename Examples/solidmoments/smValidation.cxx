@@ -331,7 +331,7 @@ std::string WriteValidation(
   const ProductComparison comparison(fileName, tree, file);
   if (!comparison.IsRead)
   {
-    return fileName + " is no STEP file that can be written again with validation properties";
+    return fileName + " is not a STEP file that can be written again with validation properties";
   }
   // A flag that no solid has is that of the file: something that it declares is missing or contradictory.
   const bool isFileSound = IsSound(file.Status) ||

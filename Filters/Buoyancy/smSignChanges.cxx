@@ -8,7 +8,7 @@ namespace sm
 {
 namespace
 {
-constexpr int MostHalvings = 44;
+constexpr int MaxHalvings = 44;
 
 /// Evaluates a Chebyshev series by Clenshaw's algorithm.
 double Sum(const std::vector<double>& series, double x)
@@ -94,7 +94,7 @@ struct Search
       this->AppendMonotone(start, end);
       return;
     }
-    if (this->IsSmall(start, end, largest, depth == MostHalvings) || depth == MostHalvings)
+    if (this->IsSmall(start, end, largest, depth == MaxHalvings) || depth == MaxHalvings)
     {
       Append(this->Ranges, start, end, a[0] < 0.0);
       return;

@@ -5,7 +5,7 @@
  * Let h be the height above the plane and f a flux that vanishes where h does. The integral of f over the
  * part of a face below the plane is again a sum over panels. A patch is halved into boxes until each box is
  * below the plane, is above it, or has a height that is monotone in s or in r (by the Bernstein coefficients
- * of the derivative). Where the height is monotone in s, the waterline is a graph s = g(r). Of the region
+ * of the derivative). Where the height is monotone in s, the waterline is a graph s = g(r). In the region
  * left of a trim piece, the submerged part is left of the piece or left of the graph, whichever is further
  * left. Therefore the trim pieces are cut where they cross the plane, and graphs replace the pieces above it.
  * Where the height is monotone in r, s and r are exchanged. Graphs are approximated by polynomials of degree

@@ -17,16 +17,16 @@ using Point2 = std::array<double, 2>;
 
 // Degrees of the polynomials that approximate graphs.
 constexpr int GraphDegrees[] = { 3, 5, 7, 9 };
-constexpr int MostNodes = 10;
-// Largest error of a crossing of the waterline, relative to the room beside a box, so that the graph still
+constexpr int MaxNodes = 10;
+// Largest error of a crossing of the waterline, relative to the room next to a box, so that the graph still
 // contains the crossing.
 constexpr double CrossingRoom = 0.05;
 // This factor makes up for the rounding of the stretch of a part.
 constexpr double StretchRounding = 1.001;
 // Halvings of a part around a point where it crosses the waterline.
-constexpr int MostUncertainHalvings = 16;
+constexpr int MaxUncertainHalvings = 16;
 // Largest number of subdivisions of a piece whose degree is too high for a Chebyshev series of its height.
-constexpr std::size_t MostParts = 4096;
+constexpr std::size_t MaxParts = 4096;
 
 using Matrix = std::vector<std::vector<long double>>;
 
@@ -78,7 +78,7 @@ std::vector<double> ToBernstein(const std::vector<double>& values)
   static const std::vector<Matrix> inverses = []
   {
     std::vector<Matrix> all;
-    for (int n = 0; n <= MostNodes; ++n)
+    for (int n = 0; n <= MaxNodes; ++n)
     {
       all.push_back(n > 0 ? InvertBernstein(n) : Matrix());
     }
@@ -136,10 +136,10 @@ std::vector<SignedRange> SubmergedPanels::FindRanges(const Monotone& box, const 
 }
 
 double SubmergedPanels::GetUncertainVariation(
-  const Monotone& box, const RegionPart& part, double start, double end, double most, int depth) const
+  const Monotone& box, const RegionPart& part, double start, double end, double maximum, int depth) const
 {
   const int degree = (box.Net->GetDegree(0) + box.Net->GetDegree(1)) * part.GetDegree();
-  if (degree >= ChebyshevRule::MaximumSize || depth == MostUncertainHalvings)
+  if (degree >= ChebyshevRule::MaximumSize || depth == MaxUncertainHalvings)
   {
     return GetVariation(part, 1, start, end);
   }
@@ -152,28 +152,28 @@ double SubmergedPanels::GetUncertainVariation(
     },
     degree, start, end, series);
   const double largest = GetLargest(series);
-  if (2.0 * std::abs(series[0]) - largest > most)
+  if (2.0 * std::abs(series[0]) - largest > maximum)
   {
     return 0.0;
   }
-  if (largest <= 2.0 * most)
+  if (largest <= 2.0 * maximum)
   {
     return GetVariation(part, 1, start, end);
   }
   const double middle = 0.5 * (start + end);
-  return this->GetUncertainVariation(box, part, start, middle, most, depth + 1) +
-    this->GetUncertainVariation(box, part, middle, end, most, depth + 1);
+  return this->GetUncertainVariation(box, part, start, middle, maximum, depth + 1) +
+    this->GetUncertainVariation(box, part, middle, end, maximum, depth + 1);
 }
 
 double SubmergedPanels::GetAreaBeside(
   const Monotone& box, const RegionPart& part, double largest, double length) const
 {
-  const double most = largest + box.Noise;
+  const double maximum = largest + box.Noise;
   ParameterRange around;
   for (int d = 0; d < 2; ++d)
   {
     const std::array<double, 2> extent = GetExtent(part, d, part.From[d], part.From[d]);
-    const double room = d == 0 ? std::max(2.0 * most / box.Slope, 0.5 * box.Room) : 0.0;
+    const double room = d == 0 ? std::max(2.0 * maximum / box.Slope, 0.5 * box.Room) : 0.0;
     around.Low[d] = extent[0] - room;
     around.High[d] = extent[1] + room;
   }
@@ -184,13 +184,13 @@ double SubmergedPanels::GetAreaBeside(
   const NetRange range = box.Net->GetRange(around);
   const double width = box.Net->ToLocal(0, around.High[0]) - box.Net->ToLocal(0, around.Low[0]);
   // Per unit of the trim pieces' parameter, as box.Slope.
-  const double least = range.SlopeLow[0] > 0.0 || range.SlopeHigh[0] < 0.0
+  const double minimum = range.SlopeLow[0] > 0.0 || range.SlopeHigh[0] < 0.0
     ? std::min(std::abs(range.SlopeLow[0]), std::abs(range.SlopeHigh[0]))
     : 0.0;
-  const double slope = (least - 2.0 * box.Net->GetDegree(0) * box.Net->GetRounding() / width) * width /
+  const double slope = (minimum - 2.0 * box.Net->GetDegree(0) * box.Net->GetRounding() / width) * width /
     (around.High[0] - around.Low[0]);
   const double normal = this->GetLargestNormal(box.SourcePatch, box.Exchanged ? around.Exchanged() : around);
-  return std::min(normal / std::max(slope, box.Slope), box.AreaRate) * most * length;
+  return std::min(normal / std::max(slope, box.Slope), box.AreaRate) * maximum * length;
 }
 
 std::vector<SignedRange> SubmergedPanels::FindSigns(const Monotone& box, const RegionPart& part)
@@ -252,7 +252,7 @@ std::vector<SignedRange> SubmergedPanels::FindSigns(const Monotone& box, const R
     const bool sure = range.High <= 0.0 || range.Low >= 0.0;
     const bool isSmall =
       this->IsSmall(cost, largest, box.Noise) && largest <= CrossingRoom * box.Room * box.Slope;
-    if (sure || isSmall || steps > MostParts)
+    if (sure || isSmall || steps > MaxParts)
     {
       this->Add(sure ? CutErrors() : cost);
       ranges.push_back({ start, end, range.Low + range.High < 0.0 });
@@ -317,7 +317,7 @@ void SubmergedPanels::AddSweep(
   {
     return;
   }
-  // The part that the graph is on: beside the box, derivatives may be larger than on it.
+  // The part that the graph is on: next to the box, derivatives may be larger than on it.
   const ParameterRange range{ { extent[0], box.Range.Low[1] }, { extent[1], box.Range.High[1] } };
   const ParameterRange own = box.Exchanged ? range.Exchanged() : range;
   FacePanels part;
@@ -392,11 +392,11 @@ bool SubmergedPanels::FitGraph(
 void SubmergedPanels::AddGraph(Monotone& box, double start, double end, int sign)
 {
   RegionPart graph;
-  const int most = (ChebyshevRule::MaximumSize - 1 - box.Net->GetDegree(1)) / box.Net->GetDegree(0);
+  const int maximum = (ChebyshevRule::MaximumSize - 1 - box.Net->GetDegree(1)) / box.Net->GetDegree(0);
   for (const int degree : GraphDegrees)
   {
-    const bool last = degree == 9 || degree + 2 > most;
-    if (this->FitGraph(box, start, end, std::min(degree, most), last && box.Halvings == 0, graph.Piece))
+    const bool last = degree == 9 || degree + 2 > maximum;
+    if (this->FitGraph(box, start, end, std::min(degree, maximum), last && box.Halvings == 0, graph.Piece))
     {
       graph.From = graph.Piece->front();
       graph.To = graph.Piece->back();

@@ -19,14 +19,14 @@ constexpr double FinalShare = 1.0 / 64.0;
 constexpr double PieceShare = 1.0 / 4096.0;
 // Largest number of boxes per face in addition to its patches, and smallest width of a box relative to its
 // patch.
-constexpr std::size_t MostBoxes = 20000;
+constexpr std::size_t MaxBoxes = 20000;
 constexpr double SmallestBox = 1e-13;
 // Largest slope of a graph in units of its box, so that few polynomials fit it; and the width on each side of
 // a box, relative to the box, within which the height must be monotone too.
 constexpr double SteepestGraph = 8.0;
 constexpr double Room = 1.0 / 64.0;
 // Largest number of halvings of graphs in a box.
-constexpr int MostGraphHalvings = 1000;
+constexpr int MaxGraphHalvings = 1000;
 
 }
 
@@ -79,11 +79,11 @@ void SubmergedPanels::Cut()
     }
     return total;
   };
-  const std::size_t most = this->Boxes + MostBoxes;
+  const std::size_t maximum = this->Boxes + MaxBoxes;
   double left = sum();
   double final = 0.0;
-  while (
-    !this->Open.empty() && this->Boxes < most && left > std::max(LeftoverShare - final, FinalShare * final))
+  while (!this->Open.empty() && this->Boxes < maximum &&
+    left > std::max(LeftoverShare - final, FinalShare * final))
   {
     std::pop_heap(this->Open.begin(), this->Open.end(), isLess);
     const Box box = std::move(this->Open.back());
@@ -228,7 +228,7 @@ bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& ran
   found.Room = room;
   found.Whole.Area = net.GetLargestNormal() * (wide.High[0] - wide.Low[0]);
   found.Whole.Volume = bounds.GetLargestHeight() * found.Whole.Area;
-  found.Halvings = MostGraphHalvings;
+  found.Halvings = MaxGraphHalvings;
   return true;
 }
 

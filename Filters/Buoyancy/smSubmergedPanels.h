@@ -54,7 +54,7 @@ private:
     bool Increasing;
     /// Lower bound of |dN| per unit of the first parameter, on the box and Room on both sides of it.
     double Slope;
-    /// Bound of the integral of |h| |n| over a sliver beside the waterline, per N^2 and per unit of the
+    /// Bound of the integral of |h| |n| over a sliver along the waterline, per N^2 and per unit of the
     /// second parameter.
     double Rate;
     /// Surface area of such a sliver, per |N| and per unit of the second parameter.
@@ -111,18 +111,18 @@ private:
   int ChooseDirection(const Box& box) const;
   void CutMonotone(const Source& source, Monotone& box, const Region& region);
   /// Returns bounds of the integrals over a sliver with |N| at most `largest` along a length in the second
-  /// parameter; the bound of the area includes the uncertain area beside it.
+  /// parameter; the bound of the area includes the uncertain area next to it.
   CutErrors GetCost(const Monotone& box, double largest, double length) const;
-  /// Returns the area beside a part whose side of the plane is uncertain, with |N| at most `largest` along a
+  /// Returns the area next to a part whose side of the plane is uncertain, with |N| at most `largest` along a
   /// length in the second parameter, by bounds near the part; those of the box are used where they are
   /// smaller.
   double GetAreaBeside(const Monotone& box, const RegionPart& part, double largest, double length) const;
   /// Returns the variation of the second parameter along the interval of a part where |N| may be at most
-  /// `most`.
+  /// `maximum`.
   double GetUncertainVariation(
-    const Monotone& box, const RegionPart& part, double start, double end, double most, int depth) const;
-  /// Find the ranges of a part on which N has one sign; FindRanges() adds the uncertain area beside it to the
-  /// errors.
+    const Monotone& box, const RegionPart& part, double start, double end, double maximum, int depth) const;
+  /// Find the ranges of a part on which N has one sign; FindRanges() adds the uncertain area next to it to
+  /// the errors.
   std::vector<struct SignedRange> FindRanges(const Monotone& box, const RegionPart& part);
   std::vector<struct SignedRange> FindSigns(const Monotone& box, const RegionPart& part);
   void AddGraph(Monotone& box, double start, double end, int sign);

@@ -22,8 +22,8 @@ using Point3 = std::array<double, 3>;
 // Share of the limits for one crossing.
 constexpr double CrossingShare = 1.0 / 4096.0;
 // Largest numbers of halvings of an interval and of parts of a strip.
-constexpr int MostHalvings = 44;
-constexpr int MostParts = 4096;
+constexpr int MaxHalvings = 44;
+constexpr int MaxParts = 4096;
 // Roundings of a point of an edge's curve, relative to its coordinates.
 constexpr double EdgeRoundings = 32.0;
 
@@ -102,7 +102,7 @@ private:
   {
     double Middle, Spread, Noise;
 
-    /// True if all have one sign.
+    /// Returns true if all have one sign.
     bool IsCertain() const { return std::abs(this->Middle) >= this->Spread + this->Noise; }
     bool IsNoise() const { return std::abs(this->Middle) + this->Spread <= 2.0 * this->Noise; }
     double GetLargest() const { return std::abs(this->Middle) + this->Spread; }
@@ -222,7 +222,7 @@ void StripCutter::CutInterval(Open& open, double start, double end, int depth)
     const bool isSmall =
       cost.Volume <= CrossingShare * this->Limits.Volume && cost.Area <= CrossingShare * this->Limits.Area;
     const bool isNoise = ofFace.IsNoise() && ofEdge.IsNoise();
-    if (!isCertain && !isSmall && !isNoise && depth < MostHalvings && open.Parts < MostParts)
+    if (!isCertain && !isSmall && !isNoise && depth < MaxHalvings && open.Parts < MaxParts)
     {
       const double middle = 0.5 * (start + end);
       this->CutInterval(open, start, middle, depth + 1);

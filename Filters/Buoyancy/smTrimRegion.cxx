@@ -16,23 +16,23 @@ using Point2 = std::array<double, 2>;
 constexpr int ExtentDepth = 20;
 constexpr double ExtentNoise = 1e-13;
 
-/// Raises `most` to the largest value of the polynomial with Bernstein coefficients b, exceeding it by less
-/// than `slack`.
-void FindLargest(std::vector<std::array<double, 1>> b, int depth, double slack, double& most)
+/// Raises `maximum` to the largest value of the polynomial with Bernstein coefficients b, exceeding it by
+/// less than `slack`.
+void FindLargest(std::vector<std::array<double, 1>> b, int depth, double slack, double& maximum)
 {
   const int degree = static_cast<int>(b.size()) - 1;
-  most = std::max({ most, b.front()[0], b.back()[0] });
+  maximum = std::max({ maximum, b.front()[0], b.back()[0] });
   const auto largest = std::max_element(b.begin(), b.end());
-  if ((*largest)[0] <= most + slack || depth == 0)
+  if ((*largest)[0] <= maximum + slack || depth == 0)
   {
-    most = std::max(most, (*largest)[0]);
+    maximum = std::max(maximum, (*largest)[0]);
     return;
   }
   std::vector<std::array<double, 1>> left = b;
   RestrictBernstein(left.data(), degree, 1, 0.0, 0.5);
   RestrictBernstein(b.data(), degree, 1, 0.5, 1.0);
-  FindLargest(std::move(left), depth - 1, slack, most);
-  FindLargest(std::move(b), depth - 1, slack, most);
+  FindLargest(std::move(left), depth - 1, slack, maximum);
+  FindLargest(std::move(b), depth - 1, slack, maximum);
 }
 }
 
@@ -214,9 +214,9 @@ std::array<double, 2> GetExtent(const RegionPart& part, int direction, double lo
     {
       RestrictBernstein(b.data(), part.GetDegree(), 1, part.Start, part.End);
     }
-    double most = sign * extent[side];
-    FindLargest(std::move(b), ExtentDepth, ExtentNoise * (high - low), most);
-    extent[side] = sign * most;
+    double maximum = sign * extent[side];
+    FindLargest(std::move(b), ExtentDepth, ExtentNoise * (high - low), maximum);
+    extent[side] = sign * maximum;
   }
   return extent;
 }

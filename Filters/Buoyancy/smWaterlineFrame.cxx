@@ -35,11 +35,11 @@ double GetEvaluationError(const std::array<double, 12>& placement, const std::ar
 WaterlineFrame WaterlineFrame::Make(const BodyIntegrals& body, const Waterline& waterline)
 {
   const Wide3 up = Normalized(Wide3{ waterline.Up[0], waterline.Up[1], waterline.Up[2] });
-  const int least = static_cast<int>(
+  const int minimum = static_cast<int>(
     std::min_element(up.begin(), up.end(), [](Wide a, Wide b) { return std::abs(a) < std::abs(b); }) -
     up.begin());
   Wide3 axis{};
-  axis[least] = 1.0L;
+  axis[minimum] = 1.0L;
   const Wide3 x = Normalized(Cross(axis, up));
   const std::array<Wide3, 3> axes = { x, Cross(up, x), up };
 

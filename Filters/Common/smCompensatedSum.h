@@ -1,6 +1,6 @@
 /**
  * @file smCompensatedSum.h
- * @brief A sum whose rounding errors are added up beside it
+ * @brief A sum whose rounding errors are added up separately
  */
 #ifndef smCompensatedSum_h
 #define smCompensatedSum_h

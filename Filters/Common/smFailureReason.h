@@ -14,7 +14,7 @@ namespace sm
 /// The reason for a std::bad_alloc.
 constexpr const char* InsufficientMemory = "there is not enough memory";
 
-/// True if there was no memory for the stack of a thread, or no more threads are allowed.
+/// Returns true if there was no memory for the stack of a thread, or no more threads are allowed.
 inline bool IsLackOfThreads(const std::system_error& failure)
 {
   return failure.code() == std::errc::resource_unavailable_try_again;

@@ -22,7 +22,7 @@ namespace
 constexpr int LongestChain = 40;
 /// Age in seconds from which a temporary file that is not locked counts as left over by a process that was
 /// killed.
-constexpr std::time_t LeastAgeOfLeft = 60;
+constexpr std::time_t MinAgeOfLeft = 60;
 
 /// Returns the path and the targets of its symbolic links, one after another. std::filesystem::canonical()
 /// does not serve: the last target may not exist yet.
@@ -46,7 +46,7 @@ void RemoveLeft(const std::string& path)
   if (file >= 0)
   {
     if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
-      std::time(nullptr) - status.st_mtime > LeastAgeOfLeft && flock(file, LOCK_EX | LOCK_NB) == 0)
+      std::time(nullptr) - status.st_mtime > MinAgeOfLeft && flock(file, LOCK_EX | LOCK_NB) == 0)
     {
       unlink(path.c_str());
     }

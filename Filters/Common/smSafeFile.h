@@ -29,7 +29,7 @@ public:
 
   /// The reason why the file cannot be written, and a remedy; empty as long as nothing failed.
   const std::string& GetProblem() const { return this->Problem; }
-  /// True if the problem is a full disk or an exceeded quota.
+  /// Returns true if the problem is a full disk or an exceeded quota.
   bool IsDiskFull() const { return this->DiskFull; }
   std::ostream& GetStream() { return this->Stream; }
   /// Replaces the file by the temporary one. Returns false, with GetProblem(), when not everything could be
@@ -61,8 +61,8 @@ SMFILTERSCOMMON_EXPORT std::string SaveFile(const std::string& path, const std::
 /// it.
 SMFILTERSCOMMON_EXPORT std::string FindSaveProblem(const std::string& path);
 
-/// True for paths that SaveFile() writes directly. A document written there cannot be replaced by a later
-/// version.
+/// Returns true for paths that SaveFile() writes directly. A document written there cannot be replaced by a
+/// later version.
 SMFILTERSCOMMON_EXPORT bool IsStream(const std::string& path);
 }
 

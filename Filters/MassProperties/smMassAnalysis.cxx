@@ -28,23 +28,23 @@ constexpr double CoincidenceLimit = 1e-9;
 /// Numbers of coincident pairs that a message names, and that are counted: n solids in one place are n (n -
 /// 1) / 2 pairs.
 constexpr std::size_t NamedPairs = 5;
-constexpr std::size_t MostPairs = 100000;
+constexpr std::size_t MaxPairs = 100000;
 
 /// Adds to the bounds the effect of the rounding of a placement (smPlacementError.h): an error of the
 /// translation by some u of its length, and of the rotation, which deforms and rotates the body and the
 /// vector to its origin by as much.
 void AddPlacementError(const BodyIntegrals& body, Moments& moments)
 {
-  const double turned = PlacementError::GetTurned(body);
-  if (!(turned > 0.0))
+  const double rotated = PlacementError::GetRotated(body);
+  if (!(rotated > 0.0))
   {
     return;
   }
   const std::array<double, 16>& m = body.Placement;
-  moments.ReferenceBound += turned * vtkMath::Norm(body.Model->GetOrigin()) +
+  moments.ReferenceBound += rotated * vtkMath::Norm(body.Model->GetOrigin()) +
     PlacementError::Rounding * std::hypot(m[3], m[7], m[11]);
   // A product of k lengths changes by k times that, and a moment of order n by n + 3 times.
-  const auto grow = [turned](double order, const double* values, double* bounds, int count)
+  const auto grow = [rotated](double order, const double* values, double* bounds, int count)
   {
     double largest = 0.0;
     for (int i = 0; i < count; ++i)
@@ -53,7 +53,7 @@ void AddPlacementError(const BodyIntegrals& body, Moments& moments)
     }
     for (int i = 0; i < count; ++i)
     {
-      bounds[i] += (order + 3.0) * turned * largest;
+      bounds[i] += (order + 3.0) * rotated * largest;
     }
   };
   grow(0.0, &moments.Volume, &moments.VolumeBound, 1);
@@ -268,7 +268,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   row.Area = body.Value[MassArea];
   // An affine map that lengthens nothing by more than this lengthens normals by twice as much.
   const double stretched =
-    options.HasBounds ? 2.0 * PlacementError::GetTurned(body) * body.Value[MassArea] : 0.0;
+    options.HasBounds ? 2.0 * PlacementError::GetRotated(body) * body.Value[MassArea] : 0.0;
   row.AreaBound = body.Bound[MassArea] + stretched;
   row.GapSquared = body.GapSquared;
   row.MaxGap = body.MaxGap;
@@ -355,7 +355,7 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
         {
           named += (pairs > 1 ? "; " : "") + bodies[order[i]].Id + " and " + bodies[order[j]].Id;
         }
-        if (pairs == MostPairs)
+        if (pairs == MaxPairs)
         {
           i = order.size();
           break;
@@ -370,7 +370,7 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
   }
   else if (pairs > 1)
   {
-    analysis.Messages.push_back((pairs == MostPairs ? "at least " : "") + std::to_string(pairs) +
+    analysis.Messages.push_back((pairs == MaxPairs ? "at least " : "") + std::to_string(pairs) +
       " pairs of solids (" + named + (pairs > NamedPairs ? "; ..." : "") +
       ") have the same volume and centre of mass: they overlap, and all are counted");
   }

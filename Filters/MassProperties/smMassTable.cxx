@@ -11,8 +11,8 @@ namespace sm
 {
 namespace
 {
-/// Least plausible density of a solid in kg/m^3. A smaller number was probably given in g/cm^3.
-constexpr double LeastDensity = 25.0;
+/// Smallest plausible density of a solid in kg/m^3. A smaller number was probably given in g/cm^3.
+constexpr double MinDensity = 25.0;
 /// Largest number of characters of a line of a summary; longer lines are broken, because narrow views would
 /// cut them off.
 constexpr std::size_t LongestLine = 66;
@@ -196,7 +196,7 @@ std::string FormatSummary(
   if (std::isfinite(total.Mass))
   {
     text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg", total.MassUncertainty[2]) + "\n";
-    text += total.Density < LeastDensity
+    text += total.Density < MinDensity
       ? "A density of " + FormatDigits(total.Density, 6) + " kg/m^3 is that of foam: steel has 7850\n"
       : "";
     const double doubt = total.MassUncertainty[0];

@@ -24,7 +24,7 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   double Area;
   double AreaBound;
   /// The parts of the bounds of volume, area, centre and inertia that are estimated: they rest on measured
-  /// constants (Bounds.md). The rest of a bound is a theorem, but for areas that are estimated as a whole.
+  /// constants (Bounds.md). The rest of a bound is a theorem, except for areas that are estimated as a whole.
   std::array<double, 4> MeasuredBounds;
   /// Mass and its inertia; NaN without a density.
   double Mass;
@@ -35,7 +35,7 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   /// (ClosureCorrection and GapSquared); by the numerical bound. NaN without a mass. The share of gaps is an
   /// estimate and no bound of the distance to the designer's part.
   std::array<double, 4> MassUncertainty;
-  /// Properties with the density as weight: kg, kg L, kg L^2. Of all bodies together only if each has a
+  /// Properties with the density as weight: kg, kg L, kg L^2. For all bodies together only if each has a
   /// density.
   MassProperties Weighted;
   /// Material, and density in kg/m^3; empty and NaN without one, or if bodies differ.

@@ -14,7 +14,7 @@ namespace
 {
 // The ball has the smallest trace of inertia of all bodies of volume V: 6/5 (3 / (4 pi))^(2/3) V^(5/3) > 0.46
 // V^(5/3).
-constexpr double LeastInertia = 0.46;
+constexpr double MinInertia = 0.46;
 // The vector area is not a result. The closure residual is computed from it, and must show the openings of
 // the model rather than the error of the quadrature.
 constexpr double VectorAreaFactor = 1e-2;
@@ -25,7 +25,7 @@ std::vector<double> ShareTolerance(const MassTolerance& tolerance, vtkTrimmedNUR
   const double v = GetVolumeScale(model);
   const double length = std::cbrt(v);
   const double radius = std::max(GetRadius(model), length);
-  const double inertia = tolerance.Inertia.Get(LeastInertia * v * length * length);
+  const double inertia = tolerance.Inertia.Get(MinInertia * v * length * length);
   const double center = tolerance.Center.Get(length);
   // Let b, b_i, b_ij be the bounds of V, of first and of second moments, and |c| <= radius. The bound of the
   // centre is (b_i + |c| b) / V and that of the inertia at most 2 (b_ij + 2 |c| b_i + |c|^2 b), see

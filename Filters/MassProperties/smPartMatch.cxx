@@ -140,15 +140,15 @@ struct Direction
 };
 
 /// Directions with a weight below this are determined by rounding.
-constexpr double LeastWeight = 1e-9;
-constexpr int MostRotations = 2000;
+constexpr double MinWeight = 1e-9;
+constexpr int MaxRotations = 2000;
 
 std::vector<Direction> GetDirections(const FaceShape& face, std::size_t index, double radius)
 {
   std::vector<Direction> directions;
   const auto add = [&](int kind, const std::array<double, 3>& vector, double weight)
   {
-    if (weight > LeastWeight)
+    if (weight > MinWeight)
     {
       directions.push_back({ index, kind, Normalized(vector), std::min(weight, 1.0) });
     }
@@ -285,10 +285,10 @@ public:
     { return direction.Weight * Norm(GetAcross(*first, direction)) / getCount(direction); };
     const auto second = std::max_element(all.begin(), all.end(),
       [&](const Direction& x, const Direction& y) { return getWorth(x) < getWorth(y); });
-    const bool isRound = second->Weight * Norm(GetAcross(*first, *second)) <= LeastWeight;
+    const bool isRound = second->Weight * Norm(GetAcross(*first, *second)) <= MinWeight;
     for (const Direction& image : this->FindImages(*first))
     {
-      if (this->Tried > MostRotations)
+      if (this->Tried > MaxRotations)
       {
         break;
       }
@@ -362,7 +362,7 @@ private:
     Rotation rotation;
     rotation.Matrix = matrix;
     SetAngle(rotation);
-    if ((this->Result.IsFound && rotation.Angle >= this->Result.Angle) || ++this->Tried > MostRotations)
+    if ((this->Result.IsFound && rotation.Angle >= this->Result.Angle) || ++this->Tried > MaxRotations)
     {
       return;
     }

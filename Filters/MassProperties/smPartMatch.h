@@ -21,7 +21,8 @@
 
 namespace sm
 {
-/// Returns false if numbers that do not depend on placements tell the shapes apart. `tolerance`: of the area.
+/// Returns false if numbers that do not depend on placements distinguish the shapes. `tolerance`: of the
+/// area.
 SMFILTERSMASSPROPERTIES_EXPORT bool MayBeEqual(const PartShape& a, const PartShape& b, double tolerance);
 
 /// Returns true if a translation alone maps `a` to `b`. Both are centred. `tolerance`: of the radius, and of

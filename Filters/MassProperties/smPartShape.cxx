@@ -124,7 +124,7 @@ PartShape MakeShape(const BodyIntegrals& body)
     shape.Faces.push_back(MakeFace(integrals));
     if (!IsFinite(shape.Faces.back()))
     {
-      shape.Problem = "the integrals of a face are no finite numbers";
+      shape.Problem = "the integrals of a face are not finite numbers";
     }
   }
   if (shape.Faces.empty() || body.Model->GetNumberOfMissingFaces() > 0)

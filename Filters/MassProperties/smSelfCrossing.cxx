@@ -19,9 +19,9 @@ namespace sm
 {
 namespace
 {
-/// Least number of points of a body besides those of its faces, and number of triangles for each point of a
-/// large mesh.
-constexpr std::size_t LeastSamples = 400;
+/// Smallest number of points of a body besides those of its faces, and number of triangles for each point of
+/// a large mesh.
+constexpr std::size_t MinSamples = 400;
 constexpr std::size_t TrianglesPerSample = 8;
 
 /// Distance from an integer above which a winding number indicates a hole in the mesh, or a point on another
@@ -39,7 +39,7 @@ constexpr double NegligibleArea = 1e-5;
 /// Distance from the boundary, relative to the diagonal, up to which a second point is sought, and number of
 /// samples for which it is.
 constexpr double LargestStep = 0.1;
-constexpr std::size_t MostConfirmations = 256;
+constexpr std::size_t MaxConfirmations = 256;
 /// Number of samples between two calls of `shouldContinue`.
 constexpr std::size_t SamplesPerReport = 4096;
 constexpr const char* Stopped = "the run was stopped, or its time was over";
@@ -88,8 +88,8 @@ public:
     for (const BodyIntegrals* part : parts)
     {
       AddPlacedBox(*part, box);
-      // The uncertainty that a file states is no part of it: gaps are measured, and a large one would excuse
-      // whole parts of a body.
+      // The uncertainty that a file states is not a part of it: gaps are measured, and a large one would
+      // excuse whole parts of a body.
       this->Slack = std::max(this->Slack, std::isfinite(part->MaxGap) ? part->MaxGap : 0.0);
     }
     this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
@@ -229,7 +229,7 @@ void Checker::TakeSamples()
     }
   }
   const double spacing =
-    area / static_cast<double>(std::max(LeastSamples, this->Triangles.size() / TrianglesPerSample));
+    area / static_cast<double>(std::max(MinSamples, this->Triangles.size() / TrianglesPerSample));
   double covered = 0.5 * spacing;
   double x = 0.5;
   double y = 0.5;
@@ -247,7 +247,7 @@ void Checker::TakeSamples()
   }
 }
 
-/// Seeks a point beside the sample where the winding number of the exact boundary is neither 0 nor 1.
+/// Seeks a point next to the sample where the winding number of the exact boundary is neither 0 nor 1.
 bool Checker::Confirm(const WindingTree& tree, const Sample& sample, bool inside)
 {
   const MeshTriangle& triangle = this->Triangles[sample.Triangle];
@@ -292,8 +292,8 @@ SelfCrossing Checker::Run(const std::function<bool()>& shouldContinue)
   this->TakeSamples();
   this->Result.Samples = this->Samples.size();
   const WindingTree tree(this->Triangles);
-  // On a surface the winding number of its other parts is the mean of those on both sides: 1/2 beside a sound
-  // boundary.
+  // On a surface the winding number of its other parts is the mean of those on both sides: 1/2 next to a
+  // sound boundary.
   std::vector<double> winding(this->Samples.size());
   for (std::size_t first = 0; first < winding.size(); first += SamplesPerReport)
   {
@@ -327,7 +327,7 @@ SelfCrossing Checker::Run(const std::function<bool()>& shouldContinue)
   {
     this->Result.Unchecked = "its display mesh is not closed";
   }
-  const std::size_t count = std::min(wrong.size(), MostConfirmations);
+  const std::size_t count = std::min(wrong.size(), MaxConfirmations);
   for (std::size_t k = 0; k < count; ++k)
   {
     const std::size_t i = wrong[k * wrong.size() / count];
@@ -347,7 +347,7 @@ void Report(const SelfCrossing& result, BodyIntegrals& body)
     const Vector3 p = Transform(body.Placement, result.Point);
     const std::string times = std::to_string(std::abs(result.Winding)) + " times";
     body.Flag(Status::Suspect,
-      "its boundary crosses itself: beside face #" + std::to_string(result.Face) + ", about the point (" +
+      "its boundary crosses itself: near face #" + std::to_string(result.Face) + ", about the point (" +
         FormatDigits(p[0], 6) + ", " + FormatDigits(p[1], 6) + ", " + FormatDigits(p[2], 6) +
         "), its winding number is " + std::to_string(result.Winding) + ": the volume there " +
         (result.Winding > 0        ? "counts " + times
@@ -360,7 +360,7 @@ void Report(const SelfCrossing& result, BodyIntegrals& body)
     if (result.Face > 0 && beside != faces.end())
     {
       body.FaceDefects.push_back(
-        { { static_cast<std::size_t>(beside - faces.begin()) }, "the boundary crosses itself beside it" });
+        { { static_cast<std::size_t>(beside - faces.begin()) }, "the boundary crosses itself near it" });
     }
   }
   else if (!result.Unchecked.empty())

@@ -24,7 +24,7 @@ struct SelfCrossing
 {
   /// A winding number other than 0 and 1; 0: none was found.
   int Winding = 0;
-  /// Entity number of the face beside the point, and the point in coordinates of the part.
+  /// Entity number of the face next to the point, and the point in coordinates of the part.
   int Face = 0;
   std::array<double, 3> Point{};
   /// Number of points that were tested, and of the undecided ones among them.
@@ -49,7 +49,7 @@ struct SelfCrossing
  * The bodies are closed, and have the integrals of GetMassIntegrands(). Unchecked has a reason if the mesh
  * lacks a face, or the area or vector area of a face on it differs from the exact one by more than a quarter
  * of the area. Runs on the threads of vtkSMPTools, with the same result for any number of them.
- * `shouldContinue` is called now and then by the calling thread; once it returns false, Unchecked says so.
+ * `shouldContinue` is called now and then by the calling thread; once it returns false, Unchecked reports it.
  */
 SMFILTERSMASSPROPERTIES_EXPORT SelfCrossing FindSelfCrossing(
   const std::vector<const BodyIntegrals*>& parts, const std::function<bool()>& shouldContinue = {});

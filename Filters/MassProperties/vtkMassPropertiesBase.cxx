@@ -27,7 +27,7 @@
 namespace
 {
 /// Columns of a row with masses and a reference frame.
-constexpr int MostColumns = 64;
+constexpr int MaxColumns = 64;
 }
 
 vtkMassPropertiesBase::vtkMassPropertiesBase()
@@ -71,7 +71,7 @@ void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
   {
     vtkErrorMacro("Material \"" << rule.Material.Name
                                 << "\": " << sm::FormatDigits(rule.Material.Tolerance, 6)
-                                << " is no relative tolerance; give 0 to 1, for example "
+                                << " is not a relative tolerance; give 0 to 1, for example "
                                    "0.01 for one per cent.");
     return;
   }
@@ -111,7 +111,7 @@ void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* materia
     {
       vtkErrorMacro(
         "The density \"" << text << "\" of the solids " << (pattern ? pattern : "")
-                         << " is no number; give kg/m^3 with a decimal point, for example 7850.5.");
+                         << " is not a number; give kg/m^3 with a decimal point, for example 7850.5.");
       return;
     }
   }
@@ -270,7 +270,7 @@ void vtkMassPropertiesBase::WriteOutputs(
 {
   const sm::MassAnalysis& analysis = *this->Analysis;
   const bool hasMass = analysis.HasMass || this->Density > 0.0;
-  sm::columns::Writer totals(outputs.Arrays, outputs.Totals->GetFieldData(), 1, MostColumns);
+  sm::columns::Writer totals(outputs.Arrays, outputs.Totals->GetFieldData(), 1, MaxColumns);
   sm::WriteMassRows(&analysis.Total, 1, hasMass, this->Frame->IsGiven, totals);
   if (hasMass)
   {
@@ -284,7 +284,7 @@ void vtkMassPropertiesBase::WriteOutputs(
   totals.SetInteger(sm::names::OpenEdges, analysis.OpenEdges);
   totals.SetInteger(sm::names::FlippedShells, analysis.FlippedShells);
   const std::vector<sm::MassRow>& rows = analysis.Rows;
-  sm::columns::Writer solids(outputs.Arrays, outputs.Solids->GetRowData(), rows.size(), MostColumns);
+  sm::columns::Writer solids(outputs.Arrays, outputs.Solids->GetRowData(), rows.size(), MaxColumns);
   sm::WriteMassRows(rows.data(), rows.size(), hasMass, this->Frame->IsGiven, solids);
   const bool hasMaterial = hasMass ||
     std::any_of(rows.begin(), rows.end(), [](const sm::MassRow& row) { return !row.Material.empty(); });

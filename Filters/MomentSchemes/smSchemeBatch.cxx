@@ -74,9 +74,9 @@ std::vector<TileRange> MakeTiles(std::size_t index, const SubPatchFace& face, in
   const auto columns = static_cast<std::uint32_t>(face.Grid.GetNumberOfColumns());
   const auto rows = static_cast<std::uint32_t>(face.Grid.GetNumberOfRows());
   const std::size_t texels = static_cast<std::size_t>(textureFactor) * textureFactor;
-  const auto most = static_cast<std::uint32_t>(std::min(SubPatchesOfTile, TexelsOfTile / texels));
-  const std::uint32_t width = std::min(columns, most);
-  const std::uint32_t height = width > 0 ? most / width : 0;
+  const auto maximum = static_cast<std::uint32_t>(std::min(SubPatchesOfTile, TexelsOfTile / texels));
+  const std::uint32_t width = std::min(columns, maximum);
+  const std::uint32_t height = width > 0 ? maximum / width : 0;
   std::vector<TileRange> tiles;
   for (std::uint32_t row = 0; row < rows && width > 0; row += height)
   {

@@ -27,8 +27,8 @@ struct NoKey
 /**
  * Maps (face id, Key) to a Value, which is cheap to copy, as a shared pointer is. Entries go when the budget
  * is spent, the one used longest ago first, and when RunsKept runs have not used them. Entries that were used
- * since the last EndRun() stay until then. Keys need ==. The budget outlives the cache. Safe to use beside
- * other caches of the budget in other threads; one cache is for one thread.
+ * since the last EndRun() stay until then. Keys need ==. The budget outlives the cache. Safe to use together
+ * with other caches of the budget in other threads; one cache is for one thread.
  */
 template <typename Key, typename Value>
 class FaceCache final : private CacheBudget::Member

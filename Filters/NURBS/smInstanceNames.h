@@ -1,6 +1,6 @@
 /**
  * @file smInstanceNames.h
- * @brief Names by which single instances are selected, beside the names that the file gives them
+ * @brief Names by which single instances are selected, and the names that the file gives them
  *
  * ParaView selects by names: a node of an assembly by its path of node names, a block of the hierarchy by the
  * node name that VTK makes of the block's name. Where names repeat, one selector means several instances.

@@ -19,15 +19,16 @@ using Point2 = std::array<double, 2>;
 constexpr double Flatness = 5e-4;
 /// Overlaps that are excused, relative to the longer side of the face: at least, and at most by the tolerance
 /// of its edges.
-constexpr double LeastExcuse = 1e-4;
+constexpr double MinExcuse = 1e-4;
 constexpr double LargestExcuse = 1e-3;
 /// The largest part of the face's extent in u and in v that a gap at a corner may have.
 constexpr double LargestCorner = 0.1;
 /// Largest number of crossings that are examined; a sound face has none but where loops touch.
-constexpr int MostCrossings = 4096;
-/// Number of chords of a loop beside which its place is examined, and most rows into which chords are sorted.
-constexpr std::size_t MostPlaces = 4;
-constexpr std::size_t MostRows = 128;
+constexpr int MaxCrossings = 4096;
+/// Number of chords of a loop next to which its place is examined, and the maximum number of rows into which
+/// chords are sorted.
+constexpr std::size_t MaxPlaces = 4;
+constexpr std::size_t MaxRows = 128;
 
 double Cross2(const Point2& a, const Point2& b)
 {
@@ -55,13 +56,13 @@ class FlatLoops
 public:
   explicit FlatLoops(const Face& face);
   bool HasCrossing();
-  /// Returns true if the loops wind more than once, or the wrong way, beside one that crosses none.
+  /// Returns true if the loops wind more than once, or the wrong way, next to one that crosses none.
   bool HasMisplacedLoop();
   /// The point is in the coordinates of the surface.
   bool IsFarFromLoops(const Point2& uv);
 
 private:
-  /// Returns true if the loops overlap beside the place where two chords cross, at the fraction x of the
+  /// Returns true if the loops overlap near the place where two chords cross, at the fraction x of the
   /// first one.
   bool IsOverlap(const Chord& a, const Chord& b, double x);
   void WidenSlack();
@@ -122,7 +123,7 @@ FlatLoops::FlatLoops(const Face& face)
   {
     return;
   }
-  // A wider gap is no want of accuracy: it runs along a pole, or is said elsewhere.
+  // A wider gap is not a lack of accuracy: it runs along a pole, or is reported elsewhere.
   for (const Point2& corner : corners)
   {
     if (corner[0] <= LargestCorner * this->Size[0] && corner[1] <= LargestCorner * this->Size[1])
@@ -169,7 +170,7 @@ Point2 FlatLoops::GetFilledGap(const Coedge& coedge) const
       ends[i][0], ends[i][1], position[i].data(), derivative[0].data(), derivative[1].data());
     step = std::max(step, Norm(derivative[0]) * along[0] + Norm(derivative[1]) * along[1]);
   }
-  // At a pole nothing moves: its edge is no gap, however long it is in (u,v).
+  // At a pole nothing moves: its edge is not a gap, however long it is in (u,v).
   const bool isPole = Norm(Subtract(position[1], position[0])) < 0.25 * step ||
     !(step > coedge.Use->Tolerance) || !(step > 0.0);
   return isPole ? Point2{ 0.0, 0.0 } : along;
@@ -242,7 +243,7 @@ void FlatLoops::WidenSlack()
   const Point2 width{ Norm(derivative[0]) * this->Size[0], Norm(derivative[1]) * this->Size[1] };
   const double widest = std::max(width[0], width[1]);
   // OpenCASCADE widens the tolerance of edges that cross until it excuses the crossing.
-  const double excuse = std::clamp(tolerance, LeastExcuse * widest, LargestExcuse * widest);
+  const double excuse = std::clamp(tolerance, MinExcuse * widest, LargestExcuse * widest);
   for (int d = 0; d < 2; ++d)
   {
     this->Slack[d] += width[d] > 0.0 ? excuse / width[d] : std::numeric_limits<double>::infinity();
@@ -262,7 +263,7 @@ const std::vector<std::size_t>& FlatLoops::GetRow(double v) const
 
 void FlatLoops::SortIntoRows()
 {
-  this->Rows.resize(std::clamp<std::size_t>(this->Chords.size() / 16, 1, MostRows));
+  this->Rows.resize(std::clamp<std::size_t>(this->Chords.size() / 16, 1, MaxRows));
   for (std::size_t i = 0; i < this->Chords.size(); ++i)
   {
     const auto end = &this->GetRow(this->Chords[i].GetHigh(1) + this->Slack[1]) - this->Rows.data() + 1;
@@ -274,7 +275,7 @@ void FlatLoops::SortIntoRows()
 }
 
 /// Returns true if two chords cross, at the fraction x of the first one. A chord that begins or ends on the
-/// other one crosses it, or the chord beside it does.
+/// other one crosses it, or the chord next to it does.
 bool DoCross(const Chord& a, const Chord& b, double& x)
 {
   const Point2 alongA = Subtract2(a.To, a.From);
@@ -336,7 +337,7 @@ bool FlatLoops::HasCrossing()
       {
         return true;
       }
-      if (++crossings == MostCrossings)
+      if (++crossings == MaxCrossings)
       {
         return false;
       }
@@ -376,7 +377,7 @@ bool FlatLoops::HasMisplacedLoop()
       (k + 1 < this->FirstChords.size() ? this->FirstChords[k + 1] : this->Chords.size()) - first;
     for (const double side : { 1.0, -1.0 })
     {
-      const std::size_t places = std::min(count, MostPlaces);
+      const std::size_t places = std::min(count, MaxPlaces);
       int found = -1;
       for (std::size_t i = 0; i < places && found < 0; ++i)
       {

@@ -15,8 +15,8 @@
 namespace sm
 {
 /**
- * Returns true if the loops wind more than once, or the wrong way, around a point of the (u,v) plane beside a
- * loop, or beside a place where they cross, so that the face covers a part of its surface twice or from
+ * Returns true if the loops wind more than once, or the wrong way, around a point of the (u,v) plane next to
+ * a loop, or next to a place where they cross, so that the face covers a part of its surface twice or from
  * outside: a hole outside the outer loop or in another hole, for example. Where two pieces of loops cross,
  * the winding numbers left of both and right of both differ by 2: one of them is neither 0 nor 1. Such a
  * point counts if it is farther from all loops, in u or in v, than 1e-3 of their extent there, plus the

@@ -1,6 +1,6 @@
 /**
  * @file smMeshDemand.h
- * @brief Tells a source of solids whether anything downstream needs their display mesh
+ * @brief Reports to a source of solids whether anything downstream needs their display mesh
  *
  * A request key (vtkInformationIntegerRequestKey, set in REQUEST_UPDATE_EXTENT) would also reach pipelines
  * that need the mesh. VTK copies it upstream through every filter that does not know it, so that a Clip

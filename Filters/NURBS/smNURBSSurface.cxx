@@ -50,8 +50,8 @@ Number GetBlend(const std::vector<double>& knots, int degree, int k, int level, 
   return (argument - low) / (high - low);
 }
 
-/// True where span k is [a,b] and its knots have full multiplicity: de Boor points are Bézier coefficients
-/// then.
+/// Returns true where span k is [a,b] and its knots have full multiplicity: de Boor points are Bézier
+/// coefficients then.
 bool IsBezierSpan(const std::vector<double>& knots, int degree, int k, double a, double b)
 {
   return a == knots[k] && b == knots[k + 1] && knots[k - degree + 1] == a && knots[k + degree] == b;
@@ -171,8 +171,8 @@ void EvaluateCell(const Homogeneous* cell, const std::array<int, 2>& degrees, do
 
 namespace
 {
-/// True if the control points at an index of a direction are those at another one, but for a common factor
-/// and rounding: the surface has the same curve on both sides.
+/// Returns true if the control points at an index of a direction are those at another one, except for a
+/// common factor and rounding: the surface has the same curve on both sides.
 bool AreRowsEqual(const NURBSSurface& surface, int direction, int first, int second)
 {
   const int columns = surface.NumberOfControlPoints[0];

@@ -33,12 +33,12 @@ std::uint32_t AppendPatchPart(const FacePanels& from, std::uint32_t index, const
   }
   if (!isWhole)
   {
-    double least = source[0][3];
-    double most = least;
+    double minimum = source[0][3];
+    double maximum = minimum;
     for (int i = 0; i < count; ++i)
     {
-      least = std::min(least, source[i][3]);
-      most = std::max(most, source[i][3]);
+      minimum = std::min(minimum, source[i][3]);
+      maximum = std::max(maximum, source[i][3]);
     }
     // De Casteljau's scheme runs twice in either direction, 2 (p + q) steps. Each rounds a convex combination
     // of points and of weights.
@@ -73,7 +73,7 @@ std::uint32_t AppendPatchPart(const FacePanels& from, std::uint32_t index, const
       {
         point[c] -= step * point[3];
       }
-      patch.Displacement[c] += (4.0 * (p + q) + 4.0) * UnitRoundoff * reach[c] * most / least;
+      patch.Displacement[c] += (4.0 * (p + q) + 4.0) * UnitRoundoff * reach[c] * maximum / minimum;
     }
   }
   if (exchange)

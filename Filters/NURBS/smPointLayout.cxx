@@ -131,7 +131,7 @@ PointAndNormal EvaluateDisplayPoint(
   double position[3];
   double normal[3];
   double square = 0.0;
-  const double least = DegenerateNormal * patch.Stretch[0] * patch.Stretch[1];
+  const double minimum = DegenerateNormal * patch.Stretch[0] * patch.Stretch[1];
   for (int attempt = 0; attempt < 2; ++attempt)
   {
     double at[3];
@@ -147,7 +147,7 @@ PointAndNormal EvaluateDisplayPoint(
       normal[c] = ds[x] * dr[y] - ds[y] * dr[x];
       square += normal[c] * normal[c];
     }
-    if (square > least * least)
+    if (square > minimum * minimum)
     {
       break;
     }

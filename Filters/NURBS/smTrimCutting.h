@@ -26,7 +26,7 @@ struct SMFILTERSNURBS_EXPORT CellGrid
   /// Cell index of a coordinate; the nearest cell outside the domain.
   static int Find(const std::vector<double>& breaks, double x);
   /// Returns true if points are no farther apart than the rounding of a panel in their cells, which may be
-  /// narrow beside the parameters.
+  /// narrow compared with the parameters.
   bool AreSame(const std::array<double, 2>& a, const std::array<double, 2>& b) const;
 };
 
@@ -46,7 +46,8 @@ struct TrimSegment
 /**
  * Appends to `roots` the parameters in the open interval (0,1) where the polynomial with these Bernstein
  * coefficients changes sign, increasing. By Descartes' rule in Bernstein form: no variation of sign, no
- * root; one variation, one root; else subdivision. A touching (double) root is no crossing and is left out.
+ * root; one variation, one root; else subdivision. A touching (double) root is not a crossing and is left
+ * out.
  */
 SMFILTERSNURBS_EXPORT void FindSignChanges(
   const double* coefficients, int degree, std::vector<double>& roots);

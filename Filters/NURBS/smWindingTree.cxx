@@ -14,7 +14,7 @@ namespace
 /// A cluster is first parted into triangles that are larger than this fraction of its extent and the others,
 /// if either part has at least a 16th of the triangles.
 constexpr double LargeShare = 0.5;
-constexpr std::ptrdiff_t LeastShare = 16;
+constexpr std::ptrdiff_t MinShare = 16;
 /// Each child has at most 15/16 of the triangles of its parent, so this depth reaches the leaves of any mesh
 /// that fits into memory.
 constexpr int MaximumStack = 512;
@@ -197,7 +197,7 @@ std::size_t WindingTree::Build(const Input& input, std::size_t begin, std::size_
     auto middle = std::stable_partition(first, last,
       [&input, extent = LargeShare * (high[axis] - low[axis])](std::size_t i)
       { return input.Extents[i] > extent; });
-    if (std::min(middle - first, last - middle) <= (last - first) / LeastShare)
+    if (std::min(middle - first, last - middle) <= (last - first) / MinShare)
     {
       middle = first + (last - first) / 2;
       std::nth_element(first, middle, last,

@@ -1,6 +1,6 @@
 /**
  * @class   vtkNURBSDataSet
- * @brief   one instance of a solid: a display mesh with its exact trimmed NURBS model beside it
+ * @brief   one instance of a solid: a display mesh together with its exact trimmed NURBS model
  *
  * The polydata is what any VTK filter or ParaView view shows, in world coordinates. The model is the exact
  * geometry that mass properties are computed from. World position = Placement * (part position), with a
@@ -15,9 +15,9 @@
  * | MeshAngle | field | 1 | bound, radians, of the angle of normals in a triangle of face i from a corner's |
  *
  * MeshDeviation bounds the distance from the surface whether trimmed or not, and where the surface is nearly
- * flat beside a triangle, its distance across the surface as continued beyond the part under the triangle:
+ * flat next to a triangle, its distance across the surface as continued beyond the part under the triangle:
  * sideways a triangle may reach beyond that part, as chords do beyond the edges of a face. Within a triangle
- * no normal of the surface is farther than MeshAngle from the normal at one of its corners; pi says that
+ * no normal of the surface is farther than MeshAngle from the normal at one of its corners; pi means that
  * there is no bound, as at a pole. A deformed copy has neither array. See Documentation/Numerics.md.
  *
  * The model belongs to the points it came with. CopyStructure and a copy from a plain polydata drop it.

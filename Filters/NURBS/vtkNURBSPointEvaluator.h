@@ -57,8 +57,8 @@ public:
 
   /**
    * Gives `mesh` the model `edited`: new points and normals, whatever the mesh shared before stays as it is.
-   * Both models have the same faces but for those that were edited, index by index; the placement of the mesh
-   * holds, mirrored or not. The precision of points and normals stays. A mesh without normals gets none.
+   * Both models have the same faces except for those that were edited, index by index; the placement of the
+   * mesh holds, mirrored or not. The precision of points and normals stays. A mesh without normals gets none.
    *
    * Returns false, with GetMessage() and without changes, if the mesh has no model, no points, or no
    * FaceIndex and Parameters for its points; if `edited` is null or has a different number of faces; or if

@@ -164,7 +164,7 @@ void vtkTrimmedNURBSModel::SetDensity(double density)
   {
     vtkErrorMacro(
       "SetDensity: " << sm::FormatDigits(density, 6)
-                     << " is no density; give kg/m^3, for example 7850 for steel, or 0 for none.");
+                     << " is not a density; give kg/m^3, for example 7850 for steel, or 0 for none.");
     return;
   }
   if (density != this->Density)

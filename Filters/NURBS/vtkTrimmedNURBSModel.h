@@ -89,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Places where the faces here are not what the file says, besides missing ones: loops that close neither
+   * Places where the faces here are not what the file states, besides missing ones: loops that close neither
    * within the tolerances of their vertices and edges nor within 1e-5 of the body's size, loops that go round
    * a periodic surface without a seam, edges and coedges left out, edges without a curve on their face, edges
    * that end 1e-2 of the body's size or more away from their vertices, scales and mirrors of the body's

@@ -65,8 +65,8 @@ struct EdgeOrigin
 
 /**
  * Returns the curve of `origin`, displaced as its row was: C(t) + now(x(t)) - origin.Row(x(t)), where x(t) is
- * the row's parameter along `trim`. Exact but for rounding where both rows are polynomial; else fitted, and
- * the fit's residual is added to the curve's.
+ * the row's parameter along `trim`. Exact except for rounding where both rows are polynomial; else fitted,
+ * and the fit's residual is added to the curve's.
  */
 EdgeCurve Displace(const EdgeOrigin& origin, const RowCurve& now, const NURBSSurface& surface,
   const BoundaryRow& row, const TrimCurve& trim);

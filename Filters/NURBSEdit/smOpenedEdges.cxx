@@ -12,8 +12,8 @@ namespace sm
 {
 namespace
 {
-// Least number of parameters of a coedge at which gaps are measured. They are distributed over the pieces of
-// its curves, at least one in each.
+// Smallest number of parameters of a coedge at which gaps are measured. They are distributed over the pieces
+// of its curves, at least one in each.
 constexpr std::size_t Samples = 32;
 // Increase of a gap, relative to the size of the body, above which an edge counts as opened; many times the
 // rounding of the points that are compared.
@@ -24,18 +24,18 @@ constexpr int FootSteps = 3;
 /// most the distance at t itself.
 double GetDistance(const EdgeCurve& curve, double t, const double point[3])
 {
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   for (int step = 0; step <= FootSteps; ++step)
   {
     EdgeCurve::Point tangent;
     const EdgeCurve::Point foot = curve.Evaluate(t, &tangent);
     const double off[3] = { point[0] - foot[0], point[1] - foot[1], point[2] - foot[2] };
     const double distance = std::hypot(off[0], off[1], off[2]);
-    if (!(distance < least))
+    if (!(distance < minimum))
     {
-      return std::isnan(distance) ? distance : least;
+      return std::isnan(distance) ? distance : minimum;
     }
-    least = distance;
+    minimum = distance;
     const double speed = Dot(tangent, tangent);
     if (!(speed > 0.0))
     {
@@ -44,7 +44,7 @@ double GetDistance(const EdgeCurve& curve, double t, const double point[3])
     const double dot = Dot(off, tangent.data());
     t = std::clamp(t + dot / speed, curve.GetStart(), curve.GetEnd());
   }
-  return least;
+  return minimum;
 }
 
 double MeasureGap(const Face& face, const Coedge& coedge)

@@ -44,7 +44,7 @@ struct vtkNURBSDeform::Run
   int Solids = 0;
   int Deformed = 0;
   /// Largest number of faces of a chosen solid.
-  int MostFaces = 0;
+  int MaxFaces = 0;
   /// Uses of edges with a gap above TornShare.
   int TornEdges = 0;
   std::string Error;
@@ -188,7 +188,7 @@ bool vtkNURBSDeform::Run::Change(vtkNURBSDataSet* source, vtkNURBSDataSet* copy)
     return true;
   }
   ++this->Deformed;
-  this->MostFaces = std::max(this->MostFaces, static_cast<int>(model->GetNumberOfFaces()));
+  this->MaxFaces = std::max(this->MaxFaces, static_cast<int>(model->GetNumberOfFaces()));
   const bool isLattice = this->Self->Mode == LATTICE;
   const sm::PointMap map = isLattice ? this->MakeLattice(model) : this->MakeDisplacement(source);
   sm::ModelEdit edit;
@@ -431,11 +431,10 @@ bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, double share, 
       << run.Solids << " solids with it, and the one to deform has the number " << this->Solid + 1
       << " (0: all).");
   }
-  else if (this->Mode == DISPLACE && worst != this->Faces.end() && *worst >= run.MostFaces)
+  else if (this->Mode == DISPLACE && worst != this->Faces.end() && *worst >= run.MaxFaces)
   {
     done = false;
-    vtkErrorMacro(
-      "There is no face " << *worst << ": the solid has " << run.MostFaces << ", counted from 0.");
+    vtkErrorMacro("There is no face " << *worst << ": the solid has " << run.MaxFaces << ", counted from 0.");
   }
   else if (this->NumberOfChangedFaces == 0 && run.HasDisplacement())
   {

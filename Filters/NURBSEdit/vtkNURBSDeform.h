@@ -30,8 +30,8 @@
  * by a vtkNURBSPointEvaluator: on the GPU where the module RenderingNURBS is loaded and there is OpenGL 4.3
  * with doubles, else on the CPU by vtkSMPTools. Points without these arrays are mapped like control points,
  * which places them near the faces but not on them. LocalBounds and scales of a model do not change, nor do
- * the tolerances to which faces are integrated. In a parallel run a piece without solids is no error, and an
- * error leaves an empty output.
+ * the tolerances to which faces are integrated. In a parallel run a piece without solids is not an error, and
+ * an error leaves an empty output.
  *
  * Not thread safe.
  */
@@ -178,7 +178,7 @@ public:
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;
   ///@}
 
-  /** Tells the input whether its display mesh is needed, see smMeshDemand.h. */
+  /** Reports to the input whether its display mesh is needed, see smMeshDemand.h. */
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 

@@ -145,7 +145,7 @@ bool IsMatrix(const std::string& name)
   return name.compare(0, 4, "dmat") == 0 && (name.size() == 5 || name.size() == 7);
 }
 
-/// True when GLSL converts `from` to `to` by itself.
+/// Returns true when GLSL converts `from` to `to` by itself.
 bool Converts(Type from, Type to)
 {
   return from.Size == to.Size && (from.Base == to.Base || (from.IsNumeric() && from.Base < to.Base));

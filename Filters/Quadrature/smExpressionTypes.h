@@ -44,7 +44,7 @@ struct ExpressionToken
   KindType Kind = Symbol;
   /// The user's text.
   std::string Text;
-  /// Of a number, a quantity or a constant; Unknown for other names.
+  /// Type of a number, a quantity or a constant; Unknown for other names.
   ExpressionType Type;
 };
 

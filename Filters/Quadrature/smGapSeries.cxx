@@ -14,16 +14,16 @@ namespace sm
 namespace
 {
 constexpr double GapRadii[] = { 1.6, 2.5, 4.2, 9.0, 30.0 };
-// Numbers of sampling nodes: up to which a search for fewer nodes costs more than it saves; the least of a
-// search; the most.
+// Numbers of sampling nodes: up to which a search for fewer nodes costs more than it saves; the minimum of a
+// search; the maximum.
 constexpr int AffordableNodes = 16;
 constexpr int FewNodes = 10;
-constexpr int MostNodes = 128;
+constexpr int MaxNodes = 128;
 // Largest bilinear term of a parallelogram's patch, relative to the differences of its corners: rounding,
 // which is computed in double.
 constexpr double LargestCorner = 1e-6;
-// Least degree from which raising the lower of two degrees saves time.
-constexpr int LeastRaised = 4;
+// Smallest degree from which raising the lower of two degrees saves time.
+constexpr int MinRaised = 4;
 // Gaps wider than this, relative to the patch, are transformed in extended precision. For narrower ones
 // double suffices, because its rounding is relative to the small gap.
 constexpr double WideGap = 1e-6;
@@ -59,7 +59,7 @@ bool ShareInterval(const Ribbon& ribbon)
 bool MayRaiseDegree(const Ribbon& ribbon)
 {
   return ShareInterval(ribbon) &&
-    (ribbon.TrimDegree == ribbon.EdgeDegree || std::min(ribbon.TrimDegree, ribbon.EdgeDegree) >= LeastRaised);
+    (ribbon.TrimDegree == ribbon.EdgeDegree || std::min(ribbon.TrimDegree, ribbon.EdgeDegree) >= MinRaised);
 }
 
 /// The bases of a curve piece at the nodes of a rule on a part of it.
@@ -299,8 +299,8 @@ int GapSeries::ChooseNodes(const Ribbon& ribbon)
   const Ellipse real = Ellipse::FromRadius(1.0);
   this->Crude.EvaluatePosition(real, real, size, realWeight);
   const double wanted = 0.01 * UnitRoundoff * (this->CurveDistance * realWeight + size);
-  int nodes = std::min(exact, MostNodes);
-  tail = exact <= MostNodes ? 0.0 : std::numeric_limits<double>::infinity();
+  int nodes = std::min(exact, MaxNodes);
+  tail = exact <= MaxNodes ? 0.0 : std::numeric_limits<double>::infinity();
   for (const double radius : GapRadii)
   {
     const Ellipse t = Ellipse::FromRadius(radius);
@@ -319,13 +319,13 @@ int GapSeries::ChooseNodes(const Ribbon& ribbon)
     const double largest = curve * weight + position;
     const double factor = 4.0 * radius * largest / (radius - 1.0);
     const double count = std::ceil(std::log(std::max(factor / wanted, 1.0)) / std::log(radius)) + 1.0;
-    const double mostly = factor * std::pow(radius, -MostNodes);
+    const double mostly = factor * std::pow(radius, -MaxNodes);
     if (count < nodes)
     {
       nodes = std::max(FewNodes, static_cast<int>(count));
       tail = wanted;
     }
-    else if (nodes == MostNodes && mostly < tail)
+    else if (nodes == MaxNodes && mostly < tail)
     {
       tail = mostly;
     }

@@ -72,7 +72,7 @@ public:
     double Curve, CurveSlope, Gap, GapSlope;
   };
   Remainder GetRemainder(const Majorants& real) const;
-  /// True if the truncation error of the series of U is larger than its rounding error.
+  /// Returns true if the truncation error of the series of U is larger than its rounding error.
   bool IsRough() const { return this->Rough; }
 
   /// Upper bounds along the part: of |Ss| and |Sr|; of |Ss x Sr|; of |ds/dt| and |dr/dt|. They are estimates

@@ -28,7 +28,7 @@ GapSeries::Remainder GapSeries::GetRemainder(const Majorants& real) const
     weight.Add(k, UnitRoundoff * std::abs(this->Gap[k][3]));
   }
   // With U and w off by e and f, G = U/w is off by d = (e + f |G|) / w, and G' = (U' - G w') / w by (e' + f'
-  // |G| + d |w'| + f |G'|) / w, but for products of these.
+  // |G| + d |w'| + f |G'|) / w, except for products of these.
   const double off = (gap.Value + weight.Value * real.Gap) / real.Weight;
   return { curve.Value, curve.Slope, off,
     (gap.Slope + weight.Slope * (real.Gap + off) + off * real.WeightSlope + weight.Value * real.GapSlope) /

@@ -18,7 +18,7 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double HullRoom = 1e-12;
 
 // Below this ratio of neighbours' weights series of parts of the patch give better bounds.
-constexpr double LeastRatio = 8.0;
+constexpr double MinRatio = 8.0;
 
 // A trim curve is divided into so many parts, whose control points bound its extent.
 constexpr int TrimParts = 8;
@@ -121,7 +121,7 @@ template <class Item>
 bool AddPatchOf(const FacePanels& panels, const Item& item, Hull& hull)
 {
   const Patch& patch = panels.Patches[item.Patch];
-  return patch.WeightRatio >= LeastRatio &&
+  return patch.WeightRatio >= MinRatio &&
     AddPatch(panels, item.Patch,
       GetBeyond(panels.Coefficients.data() + item.Trim, item.TrimDegree, patch, item.Start, item.End), hull);
 }
@@ -150,7 +150,7 @@ HullBound BoundPatchByHull(const FacePanels& panels, std::uint32_t patch, const 
 {
   Hull hull;
   const int* degree = panels.Patches[patch].Degree;
-  return panels.Patches[patch].WeightRatio >= LeastRatio && AddPatch(panels, patch, 0.0, hull)
+  return panels.Patches[patch].WeightRatio >= MinRatio && AddPatch(panels, patch, 0.0, hull)
     ? hull.GetBound(static_cast<double>(degree[0]) * degree[1], shift)
     : Unbounded;
 }

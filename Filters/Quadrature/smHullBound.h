@@ -33,7 +33,7 @@ struct HullBound
   double GetMagnitude(const BoundClass& integrand) const;
 };
 
-/// Of a whole patch, which is covered once. `shift`: see PlanRequest.
+/// Returns the bound of a whole patch, which is covered once. `shift`: see PlanRequest.
 HullBound BoundPatchByHull(const FacePanels& panels, std::uint32_t patch, const std::array<double, 3>& shift);
 HullBound BoundPanelByHull(const FacePanels& panels, const Panel& panel, const std::array<double, 3>& shift);
 HullBound BoundRibbonByHull(

@@ -7,7 +7,7 @@
 
 namespace sm
 {
-/// x^n for n >= 0, by squaring.
+/// Returns base^exponent by repeated squaring; 1 for exponents below 1.
 inline double IntegerPower(double base, int exponent)
 {
   double power = 1.0;

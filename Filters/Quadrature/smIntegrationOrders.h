@@ -40,7 +40,7 @@ public:
 private:
   int GetAcross(PanelShape shape) const;
 
-  /// Highest degree of the integrands' polynomials; -1 when one is no polynomial.
+  /// Highest degree of the integrands' polynomials; -1 when one is not a polynomial.
   int Degree;
 };
 }

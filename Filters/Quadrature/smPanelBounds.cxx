@@ -11,7 +11,7 @@ namespace sm
 {
 namespace
 {
-// PanelRadii of the ellipses tried: the least bound counts.
+// PanelRadii of the ellipses tried: the smallest bound counts.
 const EllipseRadius PanelRadii[] = { EllipseRadius(1.3), EllipseRadius(1.5), EllipseRadius(1.75),
   EllipseRadius(2.05), EllipseRadius(2.4), EllipseRadius(2.8), EllipseRadius(3.3), EllipseRadius(4.0),
   EllipseRadius(5.0), EllipseRadius(6.5), EllipseRadius(9.0), EllipseRadius(13.0), EllipseRadius(20.0),

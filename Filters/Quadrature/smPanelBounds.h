@@ -35,7 +35,7 @@ public:
   bool ExpandByPatch(const Panel& panel, const PanelPart& part, bool withForm);
   /// Bounds a part by series of its own. `withForm`: |n| may be taken for a polynomial.
   void ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm = true);
-  /// True if the part covers its whole patch, so that series of its own would be those of the patch.
+  /// Returns true if the part covers its whole patch, so that series of its own would be those of the patch.
   bool IsPatch() const;
 
   const TrimSeries& GetTrim() const { return this->Trim; }
@@ -56,7 +56,7 @@ public:
 
 private:
   const PatchSeries& GetSeries(const Panel& panel, const PanelPart& part, bool withForm);
-  /// True if the change of the integrands is within the part's share of the tolerances.
+  /// Returns true if the change of the integrands is within the part's share of the tolerances.
   bool Fits(const PatchSeries& series, const PanelPart& part) const;
   /// The changes of the integrands where the part leaves the patch and points of it move by `moved`.
   void FillChangeBeyond(const Patch& patch, double moved, std::vector<double>& change) const;

@@ -18,12 +18,12 @@ namespace
 // and no depth is enough. Such a line is recognised by many parts at a depth at which other panels have no
 // part left.
 constexpr int LargestDepth = 30;
-constexpr std::size_t MostParts = 128;
-constexpr std::size_t MostAbreast = 16;
+constexpr std::size_t MaxParts = 128;
+constexpr std::size_t MaxAbreast = 16;
 constexpr int DepthOfLines = 6;
 // The limit of parts where the moments, too, need more points than one part may have, because weights differ
 // much.
-constexpr std::size_t MostPartsOfMoments = 8192;
+constexpr std::size_t MaxPartsOfMoments = 8192;
 // Where an exact rule needs more points than this, the order that a bound gives costs less.
 constexpr int LargestFlatOrder = 10;
 // Rounding of a crossing's parameter, in units of u times its largest coordinate: 2 (degree + 2) for trim
@@ -31,8 +31,8 @@ constexpr int LargestFlatOrder = 10;
 constexpr double EndRounding = 54.0;
 // An end this close to a patch's corner is that corner: cuts at knots are the knots themselves.
 constexpr double RowBorder = 1e-15;
-constexpr int LeastCompared = 4;
-constexpr int MostCompared = 15;
+constexpr int MinCompared = 4;
+constexpr int MaxCompared = 15;
 // Up to this number of points, evaluating them costs less than series of the part's own, which might need
 // fewer points.
 constexpr int EvaluationsOfSeries = 150;
@@ -276,8 +276,8 @@ void PanelPlanner::Keep(
   if (compared)
   {
     // The orders are those of the moments; where |n| has a kink, few points on many parts are most accurate.
-    along = std::clamp(along, LeastCompared, MostCompared);
-    across = std::clamp(across, LeastCompared, MostCompared);
+    along = std::clamp(along, MinCompared, MaxCompared);
+    across = std::clamp(across, MinCompared, MaxCompared);
   }
   PlannedItem item{ ItemKind::Panel, index };
   item.Start = part.Start;
@@ -392,8 +392,8 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
   }
   const bool canCompare = this->FindOrders(share, false, along, across) && majorants.HasEvenWeight();
   if (part.Depth < LargestDepth &&
-    this->Pending.size() + this->Parts < (canCompare ? MostParts : MostPartsOfMoments) &&
-    (!canCompare || part.Depth < DepthOfLines || this->Abreast <= MostAbreast))
+    this->Pending.size() + this->Parts < (canCompare ? MaxParts : MaxPartsOfMoments) &&
+    (!canCompare || part.Depth < DepthOfLines || this->Abreast <= MaxAbreast))
   {
     const bool inXi = found ? kinks[0] >= kinks[1] : this->ChooseDirection(part) == 1;
     PanelPart halves[2] = { part, part };

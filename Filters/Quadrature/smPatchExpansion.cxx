@@ -12,10 +12,10 @@ namespace sm
 {
 namespace
 {
-// Coefficients of series longer than MostKept that are this small, relative to the largest, are rounding of
+// Coefficients of series longer than MaxKept that are this small, relative to the largest, are rounding of
 // the samples: in an ellipse they would grow with their degree. They are left out of it, and their absolute
 // values are added to the bound.
-constexpr int MostKept = 12;
+constexpr int MaxKept = 12;
 constexpr double NoiseSize = 2e-16; // times the number of coefficients in both directions
 
 /// The sum of `count` factors times points of four numbers, which lie `stride` numbers apart.
@@ -262,7 +262,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
   const std::size_t count = static_cast<std::size_t>(countS) * countR;
   this->Products.assign(count, {});
   this->Dropped = {};
-  if (std::max(countS, countR) > MostKept)
+  if (std::max(countS, countR) > MaxKept)
   {
     this->DropNoise(count, NoiseSize * (countS + countR));
   }
@@ -287,7 +287,7 @@ void PatchMajorants::MakeTables(int countS, int countR)
   }
   rest += this->Dropped[this->Traits.PolynomialLength ? 2 : 1];
   this->Positive = rest < 0.999999 * this->FirstLength;
-  this->LeastLength = this->FirstLength - rest;
+  this->MinimumLength = this->FirstLength - rest;
   this->Nonzero = rest + beside < 0.999999 * this->FirstLength;
 }
 

@@ -240,7 +240,7 @@ double PatchMajorants::GetLengthDeviation() const
   // the box.
   const Ellipse real = Ellipse::FromRadius(1.0);
   const double weight = this->GetLowestWeight();
-  return this->Traits.SquareDeviation / this->LeastLength * this->GetFactorMajorant(real, real) /
+  return this->Traits.SquareDeviation / this->MinimumLength * this->GetFactorMajorant(real, real) /
     (weight * weight * weight);
 }
 

@@ -84,8 +84,8 @@ public:
   double GetReach() const;
   /// A lower bound of w on the box; 0 if there is none above it.
   double GetLowestWeight() const;
-  /// True if w is nowhere on the box below a tenth of its mean, so that the polynomial m divided by w^3 has
-  /// no narrow peaks.
+  /// Returns true if w is nowhere on the box below a tenth of its mean, so that the polynomial m divided by
+  /// w^3 has no narrow peaks.
   bool HasEvenWeight() const;
 
   /// Upper bound, for real parameters, of the difference between |n| and its series where |n| is taken for a
@@ -129,12 +129,12 @@ private:
   /// The largest part of a sample across the longest one, relative to the cube of the weight; `bound` bounds
   /// |m~ - (m~.e) e|, which has the degrees of m~.
   double MeasureAcross(const std::array<double, 4>* points, const double* longest, double& bound) const;
-  /// The least product of the collapsed edges' factors at the nodes of samples.
-  double GetLeastFactor() const;
+  /// The smallest product of the collapsed edges' factors at the nodes of samples.
+  double GetMinimumFactor() const;
   /// The series of m~ and of |m~| in extended precision, four numbers a coefficient, s fastest.
   std::vector<long double> ExpandWideNormal(const std::array<double, 4>* points) const;
-  /// True when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`; `square`
-  /// bounds |m~.m~ - h^2|, known in extended precision.
+  /// Returns true when |m~| is the polynomial h within `allowed`, and nowhere much smaller than `largest`;
+  /// `square` bounds |m~.m~ - h^2|, known in extended precision.
   bool MeasureLengthDeviation(
     const std::array<double, 4>* points, double allowed, double largest, double& square) const;
   /// |m~| is a polynomial on the box.
@@ -169,7 +169,7 @@ private:
   double FirstWeight = 1.0;
   double FirstLength = 0.0;
   /// A lower bound of |m~| or |h| on the box, where that is positive.
-  double LeastLength = 0.0;
+  double MinimumLength = 0.0;
   /// h, or m~ . e with its direction e at the middle, is positive on the box; and |m~| is.
   bool Positive = false;
   bool Nonzero = false;

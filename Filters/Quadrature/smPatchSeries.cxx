@@ -28,15 +28,15 @@ ParameterBox GetPatchBox(const PatchTraits& traits)
 }
 }
 
-double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach)
+double GetIntegrandChange(const BoundClass& c, double moved, double rotated, double normal, double reach)
 {
   const int k = c.Degree;
   const auto moment = [&](int degree)
   {
-    return turned * IntegerPower(reach, degree) +
+    return rotated * IntegerPower(reach, degree) +
       (degree > 0 ? degree * moved * normal * IntegerPower(reach, degree - 1) : 0.0);
   };
-  return c.Kind == BoundClass::VectorArea ? turned
+  return c.Kind == BoundClass::VectorArea ? rotated
     : c.Kind == BoundClass::AreaMoment    ? moment(k)
     : c.Kind == BoundClass::HeightMoment  ? moment(k + 1)
                                           : moment(k + 1) / (3 + k);
@@ -45,13 +45,13 @@ double GetIntegrandChange(const BoundClass& c, double moved, double turned, doub
 void FillIntegrandChange(const Patch& patch, const PlanRequest& request, double moved, const double slope[2],
   double radius, const double stretch[2], std::vector<double>& change)
 {
-  const double turned = slope[0] * stretch[1] + stretch[0] * slope[1] + slope[0] * slope[1];
+  const double rotated = slope[0] * stretch[1] + stretch[0] * slope[1] + slope[0] * slope[1];
   const double normal = (stretch[0] + slope[0]) * (stretch[1] + slope[1]);
   const double reach = Norm(GetOrigin(patch, request).data()) + radius + moved;
   change.clear();
   for (const BoundClass& c : request.Classes)
   {
-    change.push_back(GetIntegrandChange(c, moved, turned, normal, reach));
+    change.push_back(GetIntegrandChange(c, moved, rotated, normal, reach));
   }
 }
 

@@ -16,9 +16,9 @@
 
 namespace sm
 {
-/// The largest change of an integrand where points move by `moved` and normals by `turned`; normals are at
+/// The largest change of an integrand where points move by `moved` and normals by `rotated`; normals are at
 /// most `normal` long, and points no farther than `reach`.
-double GetIntegrandChange(const BoundClass& c, double moved, double turned, double normal, double reach);
+double GetIntegrandChange(const BoundClass& c, double moved, double rotated, double normal, double reach);
 
 /// The changes of the integrands of all classes where points move by `moved` and derivatives by `slope`, if
 /// the patch has the radius and derivatives of at most `stretch`; without the Jacobian.

@@ -210,7 +210,7 @@ bool IsCollapsed(const std::array<double, 4>* points, int p, int q, int edge, do
 template <class GetAllowed>
 bool MayBePolynomialLength(const double* samples, int countS, int countR, const GetAllowed& getAllowed)
 {
-  // A point that is no node of any small rule.
+  // A point that is not a node of any small rule.
   const double at[2] = { 0.3141, -0.2718 };
   std::vector<double> weights[2];
   for (int d = 0; d < 2; ++d)
@@ -376,9 +376,9 @@ double PatchMajorants::FindLongestSample(const double*& longest) const
   return largest;
 }
 
-double PatchMajorants::GetLeastFactor() const
+double PatchMajorants::GetMinimumFactor() const
 {
-  double least = 1.0;
+  double minimum = 1.0;
   for (int a = 0; a < 3 * this->P - 1; ++a)
   {
     const double s = this->Box.Middle[0] + this->Box.Half[0] * ChebyshevRule::Get(3 * this->P - 1).GetNode(a);
@@ -386,10 +386,10 @@ double PatchMajorants::GetLeastFactor() const
     {
       const double r =
         this->Box.Middle[1] + this->Box.Half[1] * ChebyshevRule::Get(3 * this->Q - 1).GetNode(b);
-      least = std::min(least, this->GetFactor(s, r));
+      minimum = std::min(minimum, this->GetFactor(s, r));
     }
   }
-  return least;
+  return minimum;
 }
 
 double PatchMajorants::MeasureAcross(
@@ -407,7 +407,7 @@ double PatchMajorants::MeasureAcross(
     });
   // This bounds what the rounding of the samples hides; it counts squared.
   bound += GetSampleRoundings(this->P, this->Q) * UnitRoundoff *
-    NetSize(points, this->P, this->Q).GetNumerator() / this->GetLeastFactor();
+    NetSize(points, this->P, this->Q).GetNumerator() / this->GetMinimumFactor();
   // The root of 3 is for the three components of a vector.
   bound *= std::sqrt(3.0) * GetLebesgueConstant(3 * this->P - 1) * GetLebesgueConstant(3 * this->Q - 1);
   return across;
@@ -483,7 +483,7 @@ bool PatchMajorants::MeasureLengthDeviation(
   // most k^2 roundings.
   const double hidden = WideRoundoff *
     (GetLebesgueConstant(countS) * GetLebesgueConstant(countR) * GetWideRoundings(this->P, this->Q) *
-        NetSize(points, this->P, this->Q).GetNumerator() / this->GetLeastFactor() +
+        NetSize(points, this->P, this->Q).GetNumerator() / this->GetMinimumFactor() +
       static_cast<double>(sum) * (countS * (countS + 5.0) + countR * (countR + 5.0)));
   const std::vector<Wide> valuesS = MakeChebyshevTable(countS, checkS);
   const std::vector<Wide> valuesR = MakeChebyshevTable(countR, checkR);
@@ -504,7 +504,8 @@ bool PatchMajorants::MeasureLengthDeviation(
       const Wide length = std::sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
       const double cube = this->EvaluateCube(checkS.GetNode(a), checkR.GetNode(b));
       const double difference = static_cast<double>(std::abs(length - value[3]));
-      // Where the length is small, the difference of squares is no good measure of the difference of lengths.
+      // Where the length is small, the difference of squares is not a good measure of the difference of
+      // lengths.
       if (!(difference <= allowed * cube && length > 1e-3 * largest * cube))
       {
         return false;

@@ -9,7 +9,7 @@ EllipseRadius::EllipseRadius(double radius)
   : Value(radius)
 {
   this->Powers[0] = 1.0;
-  for (int n = 1; n <= MostPoints; ++n)
+  for (int n = 1; n <= MaxPoints; ++n)
   {
     this->Powers[n] = this->Powers[n - 1] / (radius * radius);
   }
@@ -43,7 +43,7 @@ bool DirectionBound::AddEllipse(const EllipseRadius& radius, const std::vector<d
     {
       continue;
     }
-    // Neither infinite bounds nor those that are no numbers are below a share.
+    // Infinite and NaN bounds never meet a share.
     const bool asFew = order > this->Largest || factor * radius.GetPower(order) <= this->Shares[i];
     while (order > 1 && factor * radius.GetPower(order - 1) <= this->Shares[i])
     {
@@ -85,12 +85,12 @@ double DirectionBound::GetError(std::size_t integrand, int order) const
   {
     return 0.0;
   }
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   const std::size_t count = this->Shares.size();
   for (std::size_t i = 0; i < this->Radii.size(); ++i)
   {
-    least = std::min(least, this->Factors[i * count + integrand] * this->Radii[i]->GetPower(order));
+    minimum = std::min(minimum, this->Factors[i * count + integrand] * this->Radii[i]->GetPower(order));
   }
-  return least;
+  return minimum;
 }
 }

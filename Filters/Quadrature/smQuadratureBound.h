@@ -28,12 +28,12 @@ public:
   explicit EllipseRadius(double radius);
   double GetValue() const { return this->Value; }
   /// rho^(-2N), or an upper bound of it for large N.
-  double GetPower(int points) const { return this->Powers[std::min(points, MostPoints)]; }
+  double GetPower(int points) const { return this->Powers[std::min(points, MaxPoints)]; }
 
 private:
-  static constexpr int MostPoints = 40;
+  static constexpr int MaxPoints = 40;
   double Value;
-  double Powers[MostPoints + 1];
+  double Powers[MaxPoints + 1];
 };
 
 /// The result of adding an ellipse: its bounds need no more points than those of the ellipses before it, or

@@ -15,9 +15,10 @@ namespace sm
 {
 namespace
 {
-// The fewest panels, or ribbons, of a portion, and the most portions of either: enough to keep threads busy.
-constexpr std::size_t LeastOfPortion = 4;
-constexpr std::size_t MostPortions = 32;
+// The fewest panels, or ribbons, of a portion, and the maximum number of portions of either: enough to keep
+// threads busy.
+constexpr std::size_t MinOfPortion = 4;
+constexpr std::size_t MaxPortions = 32;
 
 // This factor makes up for the rounding of the terms that a bound is computed from.
 constexpr double BoundGrowth = 1.0 + 1e-12;
@@ -29,7 +30,7 @@ struct Division
   std::size_t Count;
 
   explicit Division(std::size_t count)
-    : Size(std::max(LeastOfPortion, (count + MostPortions - 1) / MostPortions))
+    : Size(std::max(MinOfPortion, (count + MaxPortions - 1) / MaxPortions))
     , Count((count + Size - 1) / Size)
   {
   }
@@ -135,7 +136,7 @@ void AddDisplacementError(const FacePanels& panels, const PlanRequest& request, 
     // Each of the two is a bound by itself. fmin() passes over a NaN, which 0 times an infinite area is.
     const double swept = std::fmin(
       d * area, moved[0] * patch.Normal[0] + moved[1] * patch.Normal[1] + moved[2] * patch.Normal[2]);
-    const double rotated = GetTurnedLength(patch);
+    const double rotated = GetRotatedLength(patch);
     double border = 0.0;
     if (panels.Patches.size() > 1)
     {
@@ -405,8 +406,8 @@ FacePlan FacePlanner::Join() const
     { &plan.QuadratureBound, &plan.ConversionBound, &plan.ResidualBound, &plan.Magnitude })
   {
     values->resize(this->Request.Classes.size());
-    // Bounds are computed with rounding to nearest. One that is no number, which a difference of infinite
-    // values is, is none.
+    // Bounds are computed with rounding to nearest. NaN, for example a difference of infinite values, is not
+    // a bound.
     std::transform(values->begin(), values->end(), values->begin(),
       [](double bound)
       { return bound >= 0.0 ? BoundGrowth * bound : std::numeric_limits<double>::infinity(); });

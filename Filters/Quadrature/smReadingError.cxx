@@ -24,7 +24,7 @@ double GetSpread(const Patch& patch)
  * d q / (1 + (q - 1) min(s, 1-s)), on average over s 4 p d q / (q - 1) ln((q + 1) / 2); without weights 2 p
  * d. A curve in r is no longer than its control polygon, at most 2 q rc. Sr likewise.
  */
-double GetTurnedLength(const Patch& patch)
+double GetRotatedLength(const Patch& patch)
 {
   const double length[2] = { std::min(patch.Stretch[0], 2.0 * patch.Degree[0] * patch.Radius),
     std::min(patch.Stretch[1], 2.0 * patch.Degree[1] * patch.Radius) };
@@ -43,16 +43,16 @@ ReadingError ReadingError::Make(const Face& face, const FacePanels& panels, doub
   }
   // The part of the face beyond its patches, where the surface is continued.
   error.Swept = error.Moved * panels.Outside.Area;
-  double turned = 0.0;
+  double rotated = 0.0;
   for (const Patch& patch : panels.Patches)
   {
     error.Swept += d[0] * patch.Normal[0] + d[1] * patch.Normal[1] + d[2] * patch.Normal[2];
     // |d_s| |d_r|: the bound of the one depends on s alone, that of the other on r.
     const double spread = GetSpread(patch);
-    turned += GetTurnedLength(patch) + error.Moved * spread * spread * patch.Degree[0] * patch.Degree[1];
+    rotated += GetRotatedLength(patch) + error.Moved * spread * spread * patch.Degree[0] * patch.Degree[1];
   }
   // Second-order term: the change of the normals during the displacement.
-  error.Swept += error.Moved * error.Moved * turned;
+  error.Swept += error.Moved * error.Moved * rotated;
   for (const Loop& loop : face.Loops)
   {
     for (const Coedge& coedge : loop.Coedges)
@@ -65,7 +65,7 @@ ReadingError ReadingError::Make(const Face& face, const FacePanels& panels, doub
       }
     }
   }
-  error.Area = error.Moved * (turned + error.Border);
+  error.Area = error.Moved * (rotated + error.Border);
   return error;
 }
 

@@ -35,7 +35,7 @@ struct SMFILTERSQUADRATURE_EXPORT ReadingError
 };
 
 /// Bound of the change of a patch's area, over the distance by which its control points move.
-double GetTurnedLength(const Patch& patch);
+double GetRotatedLength(const Patch& patch);
 }
 
 #endif

@@ -17,7 +17,7 @@ const EllipseRadius RibbonRadii[] = { EllipseRadius(1.3), EllipseRadius(1.6), El
   EllipseRadius(15.0), EllipseRadius(30.0), EllipseRadius(100.0) };
 constexpr int LargestRibbonDepth = 12;
 // Points along a ribbon that also measures the gap between coedge and edge.
-constexpr int LeastGapPoints = 3;
+constexpr int MinGapPoints = 3;
 
 // Estimated error of evaluating a ribbon: rounding of its width, in units of u times the patch's radius and
 // its stretch.
@@ -168,7 +168,7 @@ void RibbonPlanner::BoundAlong(bool sound, const Majorants& real, double share)
         return EllipseGain::None;
       }
       this->Bound(majorants, this->Bounds);
-      return this->AlongT.AddEllipse(radius, this->Bounds) || this->AlongT.IsLastBest(LeastGapPoints)
+      return this->AlongT.AddEllipse(radius, this->Bounds) || this->AlongT.IsLastBest(MinGapPoints)
         ? EllipseGain::Useful
         : EllipseGain::Worse;
     });
@@ -230,7 +230,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   PlannedItem item{ ItemKind::Ribbon, index };
   item.Start = start;
   item.End = end;
-  item.Along = std::clamp(along, ribbon.AlongEdge ? LeastGapPoints : 1, LargestOrder);
+  item.Along = std::clamp(along, ribbon.AlongEdge ? MinGapPoints : 1, LargestOrder);
   this->AddItem(item);
   if (sound)
   {

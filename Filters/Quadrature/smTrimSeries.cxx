@@ -7,7 +7,7 @@ namespace sm
 {
 namespace
 {
-// Least half width of a box: it must have an interior, and a wider box gives valid bounds.
+// Smallest half width of a box: it must have an interior, and a wider box gives valid bounds.
 constexpr double SmallestHalfWidth = 5e-7;
 }
 

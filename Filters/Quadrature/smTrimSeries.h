@@ -21,7 +21,7 @@ public:
   void Expand(const double* coefficients, int degree, const Patch& patch, double start, double end);
 
   int GetDegree() const { return static_cast<int>(this->Series[0].size()) - 1; }
-  /// True when s does not change along the piece.
+  /// Returns true when s does not change along the piece.
   bool IsConstantInS() const;
   /// Coefficients of s (0) or r (1).
   const std::vector<double>& GetSeries(int direction) const { return this->Series[direction]; }

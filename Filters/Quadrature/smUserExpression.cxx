@@ -16,7 +16,7 @@ namespace
 // Line of the first of the user's tokens, beyond all others. (Mesa's messages say nothing of source numbers.)
 constexpr int FirstLine = 100001;
 // Limits of the message: number of errors, and characters of each.
-constexpr int ToldAtMost = 3;
+constexpr int MaxReported = 3;
 constexpr std::size_t LongestLine = 1000;
 // GLSL's own limit of names is 1024; std::regex's is the stack.
 constexpr std::size_t LongestWord = 1000;
@@ -202,7 +202,7 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
     if (IsSinglePrecision(name))
     {
       return this->Fail(
-        begin, "'" + name + "' is of single precision, which no bound here tells of; there are doubles only");
+        begin, "'" + name + "' is of single precision, which no bound here covers; there are doubles only");
     }
     this->AddName(name, begin, constants);
     return true;
@@ -428,7 +428,7 @@ std::string UserExpression::Explain(const std::string& log) const
   std::set<std::string> places;
   std::string ofWhole;
   std::string line;
-  while (std::getline(lines, line) && told.size() < ToldAtMost)
+  while (std::getline(lines, line) && told.size() < MaxReported)
   {
     line.resize(std::min(line.size(), LongestLine));
     std::smatch match;

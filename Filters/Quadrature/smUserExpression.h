@@ -40,8 +40,8 @@ public:
   /// are checked here, so that the place does not depend on a driver's compiler.
   const std::string& GetError() const { return this->Error; }
   int GetDetail() const { return this->Detail; }
-  /// True if it uses functions with kinks or steps: abs, min, ?: and so on. Gauss rules converge slowly
-  /// there.
+  /// Returns true if it uses functions with kinks or steps: abs, min, ?: and so on. Gauss rules converge
+  /// slowly there.
   bool MayHaveKinks() const;
 
   /// A GLSL function `double NAME(dvec3 position, dvec3 normal)`, and one that it calls, with each of the
@@ -54,7 +54,7 @@ public:
   /// when there is no other.
   std::string Explain(const std::string& log) const;
 
-  /// True when a constant may have this name: an identifier without a meaning so far.
+  /// Returns true when a constant may have this name: an identifier without a meaning so far.
   static bool IsFree(const std::string& name);
 
 private:

@@ -19,7 +19,7 @@ namespace
 HeightRange FindSide(const BodyIntegrals& body, const std::vector<CutFacePointer>& faces,
   const Vector3& origin, int axis, double sign)
 {
-  // Heights grow against the direction of the side: the least height is the side.
+  // Heights grow against the direction of the side: the minimum height is the side.
   GroundDirections ground;
   ground.Normal = ground.A = ground.B = { 0.0, 0.0, 0.0 };
   ground.Normal[axis] = -sign;
@@ -32,8 +32,8 @@ HeightRange FindSide(const BodyIntegrals& body, const std::vector<CutFacePointer
   {
     search.AddFace(face, frame);
   }
-  const HeightRange least = search.FindLowest();
-  return { -least.High, -least.Low };
+  const HeightRange minimum = search.FindLowest();
+  return { -minimum.High, -minimum.Low };
 }
 
 BodyBox ComputeBodyBox(const BodyIntegrals& body, FacePanelsCache& cache)

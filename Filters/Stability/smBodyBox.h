@@ -23,9 +23,9 @@ struct BodyBox
   double Bound;
 };
 
-/// Returns the box of every body of the input, in the order of CollectBodies(). Each side is the least height
-/// of the body's faces in its direction (smGroundContact.h); the bound includes the residuals of fitted
-/// surfaces.
+/// Returns the box of every body of the input, in the order of CollectBodies(). Each side is the minimum
+/// height of the body's faces in its direction (smGroundContact.h); the bound includes the residuals of
+/// fitted surfaces.
 SMFILTERSSTABILITY_EXPORT std::vector<BodyBox> ComputeBodyBoxes(vtkDataObject* input);
 }
 

@@ -134,7 +134,7 @@ void ContactSearch::Internals::FindOnCurve(FaceContact& face, const Segment& seg
     AppendProjected(curve.Points, projected);
     const double extent = GetExtent(projected);
     const bool level = curve.IsLevel(slack);
-    if (level || extent <= this->GetResolution() || curve.End - curve.Start < LeastWidth ||
+    if (level || extent <= this->GetResolution() || curve.End - curve.Start < MinWidth ||
       count >= MaximumNets)
     {
       this->Found.Coarse = this->Found.Coarse || count >= MaximumNets;
@@ -198,7 +198,7 @@ void ContactSearch::Internals::FindOnBorder(
     {
       continue;
     }
-    if (hopeless || curve.End - curve.Start < LeastWidth || curve.Steps.empty() || count >= MaximumNets ||
+    if (hopeless || curve.End - curve.Start < MinWidth || curve.Steps.empty() || count >= MaximumNets ||
       (inside && curve.IsLevel(slack)))
     {
       this->Found.Coarse = this->Found.Coarse || count >= MaximumNets;
@@ -341,7 +341,7 @@ void ContactSearch::Internals::FindOnPatch(FaceContact& face, int patch)
     const double variations[2] = { box.GetVariation(0), box.GetVariation(1) };
     const int steeper = variations[0] >= variations[1] ? 0 : 1;
     const bool small = extents[longer] <= resolution;
-    const bool level = variations[steeper] <= slack || box.High[steeper] - box.Low[steeper] < LeastWidth ||
+    const bool level = variations[steeper] <= slack || box.High[steeper] - box.Low[steeper] < MinWidth ||
       extents[steeper] <= resolution;
     if (this->IsCovered(box.Points) && (small || level))
     {
@@ -352,7 +352,7 @@ void ContactSearch::Internals::FindOnPatch(FaceContact& face, int patch)
     }
     const bool spent = count >= MaximumNets;
 
-    if (spent || small || (level && (inside || hopeless)) || box.High[longer] - box.Low[longer] < LeastWidth)
+    if (spent || small || (level && (inside || hopeless)) || box.High[longer] - box.Low[longer] < MinWidth)
     {
       this->Found.Coarse = this->Found.Coarse || spent;
       spread += this->AddLeaf(face, patch, box, inside && !spent);

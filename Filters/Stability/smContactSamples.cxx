@@ -140,7 +140,7 @@ void ContactSearch::Internals::AddSample(
       sample.Radius = near.Curvature > 0.0 ? 1.0 / near.Curvature : Infinity;
       sample.RadiusError =
         std::abs(sample.Radius - (far.Curvature > 0.0 ? 1.0 / far.Curvature : Infinity)) + getError(near);
-      sample.Widest = near.LeastCurvature * this->Size > 1e-9 ? 1.0 / near.LeastCurvature : Infinity;
+      sample.Widest = near.MinimumCurvature * this->Size > 1e-9 ? 1.0 / near.MinimumCurvature : Infinity;
       const std::uint32_t directions = FindPoleDirections(face, patch, { clamp(sr[0]), clamp(sr[1]) });
       sample.RadiusError = directions == 0 ? Infinity : sample.RadiusError;
       sample.GoesOn = directions == 0 ? ~0u : directions;
@@ -150,7 +150,7 @@ void ContactSearch::Internals::AddSample(
   {
     sample.Radius = shape.Curvature * this->Size > 1e-9 ? 1.0 / shape.Curvature : Infinity;
     sample.RadiusError = getError(shape);
-    sample.Widest = shape.LeastCurvature * this->Size > 1e-9 ? 1.0 / shape.LeastCurvature : Infinity;
+    sample.Widest = shape.MinimumCurvature * this->Size > 1e-9 ? 1.0 / shape.MinimumCurvature : Infinity;
     sample.GoesOn = FindDirections(face, patch, { clamp(sr[0]), clamp(sr[1]) }, shape);
   }
   this->Found.Samples.push_back(sample);

@@ -1,7 +1,7 @@
 /**
  * @file smContactSearchInternals.h
- * @brief State and constants of ContactSearch, shared by its source files: the searches for the least height
- * and for contacts; not installed
+ * @brief State and constants of ContactSearch, shared by its source files: the searches for the minimum
+ * height and for contacts; not installed
  */
 #ifndef smContactSearchInternals_h
 #define smContactSearchInternals_h
@@ -24,7 +24,7 @@ constexpr double RoundingUnits = 512.0;
 // Accuracy, relative to the size, to which contacts are located and corners distinguished.
 constexpr double RelativeResolution = 1e-13;
 constexpr int MaximumNets = 40000;
-inline const double LeastWidth = std::ldexp(1.0, -50);
+inline const double MinWidth = std::ldexp(1.0, -50);
 // Cosine of an angle of 1e-3 radians between surface and ground, up to which they count as tangent.
 constexpr double TangentCosine = 1.0 - 5e-7;
 
@@ -45,7 +45,7 @@ struct ContactSearch::Internals
 {
   std::vector<FaceContact> Faces;
   double Size = 0.0;
-  /// The least height that a point of a trimmed face is known to have.
+  /// The minimum height that a point of a trimmed face is known to have.
   double Reached = Infinity;
 
   // Results of FindContacts.

@@ -97,8 +97,8 @@ bool ContactSearch::Internals::MayReach(const FaceContact& face, const Segment& 
     ribbon.TrimDegree, ribbon.Start, ribbon.End);
 }
 
-/// Returns a lower bound of the least height of the face. The search stops above the height that another face
-/// reaches.
+/// Returns a lower bound of the minimum height of the face. The search stops above the height that another
+/// face reaches.
 double ContactSearch::Internals::BoundFace(FaceContact& face)
 {
   face.Prepare();
@@ -168,7 +168,7 @@ bool ContactSearch::Internals::StepCurve(
     }
     return false;
   }
-  if (hopeless || item.Curve.End - item.Curve.Start < LeastWidth || item.Curve.Steps.empty())
+  if (hopeless || item.Curve.End - item.Curve.Start < MinWidth || item.Curve.Steps.empty())
   {
     low = std::min(low, item.Low);
     return false;
@@ -204,7 +204,7 @@ bool ContactSearch::Internals::StepPatch(
   double variation[2];
   for (int d = 0; d < 2; ++d)
   {
-    variation[d] = item.Box.High[d] - item.Box.Low[d] < LeastWidth ? -1.0 : item.Box.GetVariation(d);
+    variation[d] = item.Box.High[d] - item.Box.Low[d] < MinWidth ? -1.0 : item.Box.GetVariation(d);
   }
   const int direction = variation[0] >= variation[1] ? 0 : 1;
   if (variation[direction] < 0.0)

@@ -1,15 +1,15 @@
 /**
  * @file smGroundContact.h
- * @brief Contacts of trimmed faces with the ground: enclosure of their least height, and contacts within a
+ * @brief Contacts of trimmed faces with the ground: enclosure of their minimum height, and contacts within a
  * tolerance of the ground
  *
- * **Least height.** Branch and bound over control nets. On a trimmed face the least height is reached on a
- * trim curve, on a crease (an interior knot line where the surface is only continuous), or at a stationary
+ * **Minimum height.** Branch and bound over control nets. On a trimmed face the minimum height is reached on
+ * a trim curve, on a crease (an interior knot line where the surface is only continuous), or at a stationary
  * point inside the loops. Trim curves are composed with their patch, exactly, so a trim is nowhere
- * approximated by a box. A net is discarded when it lies above the least height known so far, when its height
- * has a slope of one sign (then it is lower elsewhere), or when it lies outside the loops. The heights at
- * ends of trim curves and at points inside the loops bound the least height from above; the remaining nets
- * bound it from below.
+ * approximated by a box. A net is discarded when it lies above the minimum height known so far, when its
+ * height has a slope of one sign (then it is lower elsewhere), or when it lies outside the loops. The heights
+ * at ends of trim curves and at points inside the loops bound the minimum height from above; the remaining
+ * nets bound it from below.
  *
  * **Contacts** with a height limit, the ground plus the tolerance:
  *   - corners of loops not above the limit, and kinks of trim curves that are lowest locally;
@@ -52,8 +52,8 @@ struct ContactPiece
 struct ContactSample
 {
   Point2D Position;
-  /// Least radius of curvature of a surface that is tangent to the ground here; infinite where it is flat; 0
-  /// for corners and edges.
+  /// Smallest radius of curvature of a surface that is tangent to the ground here; infinite where it is flat;
+  /// 0 for corners and edges.
   double Radius;
   /// Estimate of the error of the radius, not a bound.
   double RadiusError;
@@ -103,7 +103,7 @@ public:
   /// Returns the distance below which two corners count as one.
   double GetResolution() const;
 
-  /// Encloses the least height of all faces. NaN without faces.
+  /// Encloses the minimum height of all faces. NaN without faces.
   HeightRange FindLowest();
 
   GroundContacts FindContacts(double limit);

@@ -286,12 +286,12 @@ bool GroundPatch::IsRegular() const
   double high[2][2];
   for (int c = 0; c < 2; ++c)
   {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
     for (const GroundPoint& p : this->Points)
     {
-      least = std::min(least, p[c] / p[3]);
-      most = std::max(most, p[c] / p[3]);
+      minimum = std::min(minimum, p[c] / p[3]);
+      maximum = std::max(maximum, p[c] / p[3]);
     }
     for (int d = 0; d < 2; ++d)
     {
@@ -299,7 +299,7 @@ bool GroundPatch::IsRegular() const
       high[d][c] = -low[d][c];
       for (const GroundPoint& s : this->Steps[d])
       {
-        for (const double x : { least, most })
+        for (const double x : { minimum, maximum })
         {
           low[d][c] = std::min(low[d][c], s[c] - x * s[3]);
           high[d][c] = std::max(high[d][c], s[c] - x * s[3]);
@@ -391,7 +391,7 @@ GroundPatch::Shape GroundPatch::GetShape(double s, double r) const
   const double mean = 0.5 * (ss + rr);
   const double half = std::hypot(0.5 * (ss - rr), sr);
   shape.Curvature = mean + half;
-  shape.LeastCurvature = mean - half;
+  shape.MinimumCurvature = mean - half;
   return shape;
 }
 }

@@ -5,10 +5,10 @@
  *
  * The frame's coordinates are a, b in the ground's plane and the height h along its normal, away from the
  * body's support. A rational Bézier curve or patch lies in the convex hull of its control points (weights are
- * positive), so the least and the largest h_i enclose its heights; halving a net halves its slack at second
- * order. The slope of h = H / W has the sign of H' - h W', linear in h: where its Bernstein coefficients have
- * one sign for the least and the largest h, it has that sign on the whole net, and no height on it is
- * stationary.
+ * positive), so the smallest and the largest h_i enclose its heights; halving a net halves its slack at
+ * second order. The slope of h = H / W has the sign of H' - h W', linear in h: where its Bernstein
+ * coefficients have one sign for the smallest and the largest h, it has that sign on the whole net, and no
+ * height on it is stationary.
  */
 #ifndef smGroundNet_h
 #define smGroundNet_h
@@ -102,8 +102,8 @@ struct SMFILTERSSTABILITY_EXPORT GroundPatch
     /// Largest principal curvature, positive where the surface bends away from the ground; NaN where there is
     /// no normal.
     double Curvature;
-    /// Least principal curvature; and the derivatives in s and r, projected to the ground's plane.
-    double LeastCurvature;
+    /// Smallest principal curvature; and the derivatives in s and r, projected to the ground's plane.
+    double MinimumCurvature;
     std::array<double, 2> Tangents[2];
   };
   Shape GetShape(double s, double r) const;

@@ -1,6 +1,6 @@
 #include "smStability.h"
 
-#include "smLeastTip.h"
+#include "smMinimumTip.h"
 #include "smUnitRoundoff.h"
 
 #include <algorithm>
@@ -210,20 +210,20 @@ void SetInterval(double low, double high, double& value, double& bound)
   bound = 0.5 * (high - low) + 2.0 * UnitRoundoff * std::abs(value);
 }
 
-/// Encloses the least angle and rise over all directions; contacts may be off by `slack`.
-LeastTip GetLeastTip(const Frame& frame, const SupportPolygon& polygon, double slack)
+/// Encloses the minimum angle and rise over all directions; contacts may be off by `slack`.
+MinimumTip GetMinimumTip(const Frame& frame, const SupportPolygon& polygon, double slack)
 {
-  LeastTip least{ { Infinity, Infinity }, { Infinity, Infinity } };
+  MinimumTip minimum{ { Infinity, Infinity }, { Infinity, Infinity } };
   for (const StabilitySide& side : frame.MakeSides(polygon, slack))
   {
-    least.Angle[0] = std::min(least.Angle[0], side.TipAngle - side.TipAngleBound);
-    least.Angle[1] = std::min(least.Angle[1], side.TipAngle + side.TipAngleBound);
-    least.Rise[0] =
-      std::min(least.Rise[0], std::max(0.0, side.CenterOfMassRise - side.CenterOfMassRiseBound));
-    least.Rise[1] = std::min(least.Rise[1], side.CenterOfMassRise + side.CenterOfMassRiseBound);
+    minimum.Angle[0] = std::min(minimum.Angle[0], side.TipAngle - side.TipAngleBound);
+    minimum.Angle[1] = std::min(minimum.Angle[1], side.TipAngle + side.TipAngleBound);
+    minimum.Rise[0] =
+      std::min(minimum.Rise[0], std::max(0.0, side.CenterOfMassRise - side.CenterOfMassRiseBound));
+    minimum.Rise[1] = std::min(minimum.Rise[1], side.CenterOfMassRise + side.CenterOfMassRiseBound);
   }
-  IncludeCorners(polygon, { frame.Center, frame.Height, frame.Body.Up }, frame.Bound + slack, least);
-  return least;
+  IncludeCorners(polygon, { frame.Center, frame.Height, frame.Body.Up }, frame.Bound + slack, minimum);
+  return minimum;
 }
 
 /// Sets the sides of the drawn polygon. Their bounds include the distance by which possible contacts lie
@@ -347,8 +347,8 @@ void Roll(
   result.RollingRadius = sample.Radius;
   result.RollingMargin = sample.Radius - factor * frame.Height;
   result.RollingMarginBound = sample.RadiusError + factor * frame.Bound;
-  // The least radius belongs to one direction, which need not be the worst one for a point on a slope, or for
-  // two points that form a line.
+  // The smallest radius belongs to one direction, which need not be the worst one for a point on a slope, or
+  // for two points that form a line.
   if (isLine ? sample.Widest < 1e6 * frame.Body.Size : factor > 1.0)
   {
     result.RollingMarginBound += std::max(0.0, sample.Widest - sample.Radius);
@@ -445,8 +445,8 @@ StabilityResult ComputeStability(const StabilityCase& body, GroundContacts conta
   }
   else if (!fine.Inner.Corners.empty() && frame.Height > frame.Bound + beyond)
   {
-    const LeastTip certain = GetLeastTip(frame, fine.Inner, contacts.Spread);
-    const LeastTip possible = GetLeastTip(frame, fine.Outer, beyond);
+    const MinimumTip certain = GetMinimumTip(frame, fine.Inner, contacts.Spread);
+    const MinimumTip possible = GetMinimumTip(frame, fine.Outer, beyond);
     SetInterval(certain.Angle[0], possible.Angle[1], result.TipAngle, result.TipAngleBound);
     SetInterval(certain.Rise[0], possible.Rise[1], result.CenterOfMassRise, result.CenterOfMassRiseBound);
   }

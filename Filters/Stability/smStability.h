@@ -19,9 +19,9 @@
  *     phi = atan2(m, z) - atan2(u_v, u_h),     W = hypot(u_v, u_h) d (1 - cos phi)        (0 where phi <= 0)
  *
  * On level ground phi = atan(m / z) and W = d - z. The rise W is a length; the energy is W times the weight.
- * The least angle and the least rise are those over all lines that touch the polygon from outside, at a
+ * The minimum angle and the minimum rise are those over all lines that touch the polygon from outside, at a
  * corner as well as along a side; their intervals follow from hulls from inside and outside, too
- * (smLeastTip.h).
+ * (smMinimumTip.h).
  *
  * **Rolling.** Where the contacts are one point, or lie on one line, the margin is not positive, and the
  * curvature decides. The height of the centre over the ground, as a function of the direction of the ground
@@ -108,7 +108,7 @@ struct StabilityResult
   double HeightBound;
   double StabilityMargin;
   double StabilityMarginBound;
-  /// Least tip angle of all directions, in radians.
+  /// Minimum tip angle of all directions, in radians.
   double TipAngle;
   double TipAngleBound;
   double CenterOfMassRise;

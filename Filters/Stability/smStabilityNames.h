@@ -1,10 +1,10 @@
 /**
  * @file smStabilityNames.h
- * @brief Names of the arrays of vtkSolidStability, beside those of smMassPropertyNames.h
+ * @brief Names of the arrays of vtkSolidStability, in addition to those of smMassPropertyNames.h
  *
  * Field data of port 0 and columns of the tables use the same names. L is the length unit of the model. A
  * quantity with a bound has
- * `<name>Bound` beside it (sm::names::BoundSuffix), in the same unit.
+ * `<name>Bound` next to it (sm::names::BoundSuffix), in the same unit.
  */
 #ifndef smStabilityNames_h
 #define smStabilityNames_h
@@ -19,10 +19,10 @@ constexpr const char* DecidedBy = "DecidedBy"; // string: "margin", "rolling", "
 constexpr const char* StabilityMargin =
   "StabilityMargin"; // 1, L, with bound: signed distance from the projected centre of mass to the nearest
                      // edge of the support polygon, positive inside
-constexpr const char* TipAngle = "TipAngle"; // 1, degrees, with bound: the least of all directions; negative:
-                                             // the centre is beyond the polygon
+constexpr const char* TipAngle = "TipAngle"; // 1, degrees, with bound: the minimum of all directions;
+                                             // negative: the centre is beyond the polygon
 constexpr const char* CenterOfMassRise =
-  "CenterOfMassRise"; // 1, L, with bound: least rise of the centre of mass on the way to tipping
+  "CenterOfMassRise"; // 1, L, with bound: minimum rise of the centre of mass on the way to tipping
 constexpr const char* TipEnergy =
   "TipEnergy"; // 1, J: mass times gravity times that rise; NaN without a density
 constexpr const char* CenterHeight =

@@ -2,7 +2,7 @@
  * @file smSupportPolygon.h
  * @brief Convex hulls in the ground's plane, and the signed distance of a point from their border
  *
- * The signed distance of a point c to the border of a convex set K, positive inside, is the least over all
+ * The signed distance of a point c to the border of a convex set K, positive inside, is the minimum over all
  * directions of (largest p.d over K) - c.d, inside and outside alike. It grows with K: a hull of certain
  * contacts gives a lower bound, a hull that encloses all possible ones an upper bound. Hulls are chains over
  * points sorted by coordinate (Andrew's monotone chain), turns decided in extended precision. Rounding moves
@@ -36,7 +36,7 @@ struct SMFILTERSSTABILITY_EXPORT SupportPolygon
   /// hull.
   double GetMargin(const Point2D& point) const;
 
-  /// Returns the unit directions d for which (largest p.d) - c.d is within `range` of its least value.
+  /// Returns the unit directions d for which (largest p.d) - c.d is within `range` of its minimum value.
   std::vector<Point2D> GetCriticalDirections(const Point2D& point, double range) const;
 
   /// Returns the largest p.d of the corners p.

@@ -25,18 +25,18 @@ bool MayCross(const std::array<double, 2>& from, const std::array<double, 2>& to
     }
   }
   // Corners of the box on both sides of the chord's line, or on it.
-  double least = HUGE_VAL;
-  double most = -HUGE_VAL;
+  double minimum = HUGE_VAL;
+  double maximum = -HUGE_VAL;
   for (const double u : { low[0], high[0] })
   {
     for (const double v : { low[1], high[1] })
     {
       const double side = (to[0] - from[0]) * (v - from[1]) - (to[1] - from[1]) * (u - from[0]);
-      least = std::min(least, side);
-      most = std::max(most, side);
+      minimum = std::min(minimum, side);
+      maximum = std::max(maximum, side);
     }
   }
-  return least <= 0.0 && most >= 0.0;
+  return minimum <= 0.0 && maximum >= 0.0;
 }
 }
 

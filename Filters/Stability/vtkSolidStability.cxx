@@ -426,7 +426,7 @@ void vtkSolidStability::EvaluateBodies(
     if (body.Coarse)
     {
       self.Messages.push_back((body.Name.empty() ? "" : body.Name + ": ") +
-        "the search for contacts was cut short; the bound of the margin says by how much");
+        "the search for contacts was cut short; the bound of the margin shows by how much");
     }
     if (i == 0 || GetBadness(body.Result.Decision) > GetBadness(self.Worst.Result.Decision))
     {

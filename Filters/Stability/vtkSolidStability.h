@@ -172,7 +172,7 @@ public:
 
   vtkMTimeType GetMTime() override;
 
-  /** Tells the input whether its display mesh is needed, see smMeshDemand.h. */
+  /** Reports to the input whether its display mesh is needed, see smMeshDemand.h. */
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 

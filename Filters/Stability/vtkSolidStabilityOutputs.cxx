@@ -67,7 +67,7 @@ void SetCommonCenter(sm::SupportedBody& body, vtkFieldData* rows, vtkIdType coun
     body.Center[c] = static_cast<double>(sum[c] / mass);
   }
   double error = 0.0;
-  double least = mass;
+  double minimum = mass;
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double m = GetNumber(rows, i, names::Mass);
@@ -80,10 +80,10 @@ void SetCommonCenter(sm::SupportedBody& body, vtkFieldData* rows, vtkIdType coun
       squared += x * x;
     }
     error += m * d + e * (std::sqrt(squared) + d);
-    least -= e;
+    minimum -= e;
   }
   const double size = std::abs(body.Center[0]) + std::abs(body.Center[1]) + std::abs(body.Center[2]);
-  body.CenterBound = least > 0.0 ? error / least + 8e-16 * size : vtkMath::Nan();
+  body.CenterBound = minimum > 0.0 ? error / minimum + 8e-16 * size : vtkMath::Nan();
   body.Mass = mass;
 }
 
@@ -313,8 +313,8 @@ std::string vtkSolidStability::Internals::GetSummary(
   const std::vector<sm::SupportedBody>& bodies, double strength)
 {
   std::string text;
-  const std::size_t most = 20;
-  for (std::size_t i = 0; i < std::min(bodies.size(), most); ++i)
+  const std::size_t maximum = 20;
+  for (std::size_t i = 0; i < std::min(bodies.size(), maximum); ++i)
   {
     const sm::SupportedBody& body = bodies[i];
     const sm::StabilityResult& r = body.Result;
@@ -356,5 +356,5 @@ std::string vtkSolidStability::Internals::GetSummary(
       text += "energy to tip " + sm::FormatNumber(energy, 1e-6 * energy) + " J\n";
     }
   }
-  return bodies.size() > most ? text + "and " + std::to_string(bodies.size() - most) + " more\n" : text;
+  return bodies.size() > maximum ? text + "and " + std::to_string(bodies.size() - maximum) + " more\n" : text;
 }

@@ -268,7 +268,7 @@ void SumFaces(BodyIntegrals& body, const std::vector<Integrand>& integrands)
     if (result.Overlap != 0.0 && !(result.Overlap <= LargeOverhang * size))
     {
       body.Messages.push_back(label + ": its loops overlap by at most " + FormatBound(result.Overlap) +
-        ", beside gaps at their corners");
+        ", next to gaps at their corners");
     }
     body.MaxOverlap = GetLargerGap(body.MaxOverlap, result.Overlap);
     body.MaxGap = GetLargerGap(body.MaxGap, result.Overlap);

@@ -74,7 +74,7 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   double MaxGap = 0.0;
   /// Largest distance of an edge from the domain of a surface that is continued to it; included in MaxGap.
   double MaxOverhang = 0.0;
-  /// The widest overlap of a face's loops beside gaps at their corners.
+  /// The widest overlap of a face's loops next to gaps at their corners.
   double MaxOverlap = 0.0;
   /// Entity numbers of the faces whose bounds are estimated, and of those that were left out; the number of
   /// faces that were skipped.

@@ -103,8 +103,8 @@ double GetVolumeScale(vtkTrimmedNURBSModel& model)
   const double known = model.GetVolumeScale();
   // A known scale that is not possible for the box, nor for the surface of a wire or a sheet in it, comes
   // from a faulty mesh.
-  const double least = std::min(1e-9 * box, 1e-12 * radius * GetAreaScale(model));
-  return RoundDown(known > least && known < 8.0 * box ? known : box);
+  const double minimum = std::min(1e-9 * box, 1e-12 * radius * GetAreaScale(model));
+  return RoundDown(known > minimum && known < 8.0 * box ? known : box);
 }
 
 double GetAreaScale(vtkTrimmedNURBSModel& model)

@@ -15,8 +15,8 @@ namespace
 constexpr double LargestDistance = 1e-9;
 constexpr double LargestBound = 1e-6;
 /// Largest number of faces with the same edges that are compared, and of pairs that are reported.
-constexpr std::size_t MostFaces = 16;
-constexpr int MostPairs = 5;
+constexpr std::size_t MaxFaces = 16;
+constexpr int MaxPairs = 5;
 
 std::vector<std::uint64_t> GetEdges(const Face& face)
 {
@@ -71,13 +71,13 @@ std::pair<const Edge*, int> FindMostUsed(const vtkTrimmedNURBSModel& model, cons
       }
     }
   }
-  std::pair<const Edge*, int> most{ nullptr, 0 };
+  std::pair<const Edge*, int> maximum{ nullptr, 0 };
   for (const auto& [edge, count] : uses)
   {
-    const bool isBefore = most.first && count == most.second && edge->Id < most.first->Id;
-    most = count > most.second || isBefore ? std::make_pair(edge, count) : most;
+    const bool isBefore = maximum.first && count == maximum.second && edge->Id < maximum.first->Id;
+    maximum = count > maximum.second || isBefore ? std::make_pair(edge, count) : maximum;
   }
-  return most;
+  return maximum;
 }
 }
 
@@ -106,7 +106,7 @@ void FlagCoincidentFaces(BodyIntegrals& body, int volume, int area)
   };
   for (const auto& [hash, group] : groups)
   {
-    const std::size_t count = std::min(group.size(), MostFaces);
+    const std::size_t count = std::min(group.size(), MaxFaces);
     for (std::size_t i = 0; i < count; ++i)
     {
       for (std::size_t j = i + 1; j < count; ++j)
@@ -119,7 +119,7 @@ void FlagCoincidentFaces(BodyIntegrals& body, int volume, int area)
     }
   }
   std::sort(pairs.begin(), pairs.end());
-  for (std::size_t k = 0; k < pairs.size() && k < MostPairs; ++k)
+  for (std::size_t k = 0; k < pairs.size() && k < MaxPairs; ++k)
   {
     const auto [a, b] = pairs[k];
     const auto [edge, uses] = FindMostUsed(*body.Model, *faces[a]);

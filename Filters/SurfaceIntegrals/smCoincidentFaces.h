@@ -14,7 +14,7 @@ namespace sm
 /**
  * Marks a body as suspect if two of its faces have the same edges and enclose no volume between them: they
  * lie on each other with opposite sides, a membrane that adds to the area and to nothing else. `volume` and
- * `area` are the indices of their integrands. An edge that more than two faces use is no contradiction by
+ * `area` are the indices of their integrands. An edge that more than two faces use is not a contradiction by
  * itself, since parts of a solid may touch along it. Faces that lie on each other with different edges are
  * not found.
  */

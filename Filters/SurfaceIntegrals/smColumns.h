@@ -122,7 +122,7 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void AddBodyCounts(
 SMFILTERSSURFACEINTEGRALS_EXPORT void AppendTotalRow(
   vtkFieldData* totals, const std::string& name, vtkTable* solids);
 
-/// True for a row that AppendTotalRow() added to a table with the columns of AddBodyLabels().
+/// Returns true for a row that AppendTotalRow() added to a table with the columns of AddBodyLabels().
 SMFILTERSSURFACEINTEGRALS_EXPORT bool IsTotalRow(vtkTable* solids, vtkIdType row);
 
 /// Adds a row per face and instance: Solid, Name and Id of the solid, FaceIndex, FaceId, the integrands with

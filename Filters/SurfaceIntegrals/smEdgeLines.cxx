@@ -6,8 +6,8 @@ namespace sm
 {
 namespace
 {
-/// Least number of chords of a curved edge.
-constexpr int LeastChords = 32;
+/// Smallest number of chords of a curved edge.
+constexpr int MinChords = 32;
 }
 
 std::vector<Vector3> SampleEdge(const Edge& edge)
@@ -25,7 +25,7 @@ std::vector<Vector3> SampleEdge(const Edge& edge)
   {
     const BernsteinPiece<3> piece = edge.Curve.GetPiece(i);
     // A straight edge has a point in its middle, where its number is drawn.
-    const int chords = 1 + ((piece.Degree <= 1 ? 2 : LeastChords) - 1) / pieces;
+    const int chords = 1 + ((piece.Degree <= 1 ? 2 : MinChords) - 1) / pieces;
     for (int k = 0; k <= chords; ++k)
     {
       add(piece.Evaluate(static_cast<double>(k) / chords));

@@ -25,7 +25,7 @@ constexpr std::size_t PlansPerReport = 256;
 constexpr std::size_t PortionsPerTask = 1;
 // Factor by which tolerances are multiplied until a plan meets its budget, and the largest number of times.
 constexpr double LooseningFactor = 1e3;
-constexpr int MostLoosenings = 5;
+constexpr int MaxLoosenings = 5;
 
 bool FindClass(const Integrand& integrand, BoundClass& found)
 {
@@ -169,7 +169,7 @@ bool FacePlans::Plan(const std::vector<FaceTask>& tasks, const std::vector<CutFa
     {
       return false;
     }
-    if (evaluations <= maximumEvaluations || this->Loosenings == MostLoosenings)
+    if (evaluations <= maximumEvaluations || this->Loosenings == MaxLoosenings)
     {
       break;
     }

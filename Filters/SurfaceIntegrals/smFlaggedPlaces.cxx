@@ -27,7 +27,7 @@ namespace sm
 namespace
 {
 /// Largest number of edges that a text names.
-constexpr std::size_t MostNames = 5;
+constexpr std::size_t MaxNames = 5;
 /// Largest number of characters of the lines of a list.
 constexpr std::size_t LengthOfLines = 64;
 
@@ -112,13 +112,13 @@ template <typename GetEntity>
 std::string NameEntities(const std::string& kind, std::size_t count, GetEntity get)
 {
   std::string list;
-  for (std::size_t i = 0; i < std::min(count, MostNames); ++i)
+  for (std::size_t i = 0; i < std::min(count, MaxNames); ++i)
   {
     list += (i > 0 ? ", #" : " #") + std::to_string(get(i).FileId) +
       (get(i).Name.empty() ? std::string() : " \"" + get(i).Name + "\"");
   }
   return (count == 1 ? kind : std::to_string(count) + " " + kind + "s") + list +
-    (count > MostNames ? ", ..." : "");
+    (count > MaxNames ? ", ..." : "");
 }
 
 std::string NameEdges(const std::vector<const EdgeGap*>& edges)
@@ -309,16 +309,17 @@ std::vector<FlaggedPlace> FindFlaggedPlaces(const std::vector<BodyIntegrals>& bo
 }
 
 std::string ListFlaggedPlaces(
-  const std::vector<FlaggedPlace>& places, const std::vector<BodyIntegrals>& bodies, std::size_t most)
+  const std::vector<FlaggedPlace>& places, const std::vector<BodyIntegrals>& bodies, std::size_t maximum)
 {
   std::string list;
-  for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
+  for (std::size_t i = 0; i < std::min(places.size(), maximum); ++i)
   {
     list += WrapText(
       "[" + std::to_string(i + 1) + "] " + Describe(places[i], bodies[places[i].Body]), LengthOfLines);
   }
   return list +
-    (places.size() > most ? "and " + std::to_string(places.size() - most) + " more flagged places\n" : "");
+    (places.size() > maximum ? "and " + std::to_string(places.size() - maximum) + " more flagged places\n"
+                             : "");
 }
 
 void DrawFlaggedPlaces(

@@ -32,9 +32,9 @@ struct FlaggedPlace
    * where they are not known.
    * - A gap: its area, and the integral of its square, by which ways of closing it differ. A face in a wrong
    * place may cost more.
-   * - An opening of a solid: the length of the vector area of its edges, which is the least area of a surface
-   * that closes it, and that times a third of the largest distance of the body's box from the origin of the
-   * model: the flux about that origin through a plane cover, which the volume lacks, is no larger.
+   * - An opening of a solid: the length of the vector area of its edges, which is the smallest area of a
+   * surface that closes it, and that times a third of the largest distance of the body's box from the origin
+   * of the model: the flux about that origin through a plane cover, which the volume lacks, is no larger.
    * - Faces that count wrongly: the area of their display mesh, and its flux about that origin.
    */
   double AreaInDoubt = std::numeric_limits<double>::quiet_NaN();
@@ -46,9 +46,9 @@ struct FlaggedPlace
 SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<FlaggedPlace> FindFlaggedPlaces(
   const std::vector<BodyIntegrals>& bodies);
 
-/// Returns the first `most` places with their numbers, in lines of at most 64 characters.
+/// Returns the first `maximum` places with their numbers, in lines of at most 64 characters.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string ListFlaggedPlaces(
-  const std::vector<FlaggedPlace>& places, const std::vector<BodyIntegrals>& bodies, std::size_t most);
+  const std::vector<FlaggedPlace>& places, const std::vector<BodyIntegrals>& bodies, std::size_t maximum);
 
 /// Fills `output` with a polyline for every edge and with the triangles of all flagged faces, in world
 /// coordinates, with the cell data of port 6 of vtkSurfaceIntegralBase. Curves are drawn by chords.

@@ -168,7 +168,7 @@ private:
   /// Goes on with the CPU, because OpenGL computes something wrong, in this run and in others by the same
   /// context.
   void LeaveOpenGL(const std::string& distrust);
-  /// True if the last run by OpenGL failed for that, and the CPU may take its place.
+  /// Returns true if the last run by OpenGL failed for that, and the CPU may take its place.
   bool MustLeaveOpenGL(const IntegralLimits& limits) const;
   void ReportIntegrands(const IntegralRequest& request);
   bool RunTasks(

@@ -20,13 +20,13 @@ constexpr double CoincidenceTolerance = 1e-9;
 /// Borders are the same curve if their lengths, centres and vector areas differ by no more than this,
 /// relative to their length.
 constexpr double JoinTolerance = 1e-3;
-/// Largest distance of the chords of a border from it, relative to its extent, and most halvings of a span to
-/// reach it.
+/// Largest distance of the chords of a border from it, relative to its extent, and maximum number of halvings
+/// of a span to reach it.
 constexpr double ChordTolerance = 1e-5;
-constexpr int MostHalvings = 16;
+constexpr int MaxHalvings = 16;
 /// Number of a border's points whose distance from the other one is measured.
-constexpr std::size_t MostMeasured = 32;
-/// Borders that are so far apart, in units of u times size and distance from the origin, coincide but for
+constexpr std::size_t MaxMeasured = 32;
+/// Borders that are so far apart, in units of u times size and distance from the origin, coincide except for
 /// rounding.
 constexpr double CoincidenceRoundings = 64.0;
 
@@ -173,7 +173,7 @@ private:
     const double twice = Norm(Cross(Subtract(to, from), Subtract(between, from)));
     const double chord = Norm(Subtract(to, from));
     const bool isFlat = depth >= 2 && twice <= ChordTolerance * this->Extent * chord && chord > 0.0;
-    if (isFlat || depth == MostHalvings)
+    if (isFlat || depth == MaxHalvings)
     {
       this->Result.Points.emplace_back(start, from);
       this->Result.Points.emplace_back(middle, between);
@@ -186,7 +186,7 @@ private:
   }
 
   Vector3 Origin{};
-  /// Of the span.
+  /// Extent of the span.
   double Extent = 0.0;
   Border Result;
 };
@@ -215,7 +215,7 @@ double GetGap(const Border& from, const Border& to)
 {
   double gap = 0.0;
   const std::size_t last = to.Points.size() - 1;
-  const std::size_t step = from.Points.size() / MostMeasured + 1;
+  const std::size_t step = from.Points.size() / MaxMeasured + 1;
   for (std::size_t i = 0; i < from.Points.size(); i += step)
   {
     const Vector3& point = from.Points[i].second;
@@ -224,7 +224,7 @@ double GetGap(const Border& from, const Border& to)
       { return Norm(Subtract(a.second, point)) < Norm(Subtract(b.second, point)); });
     const auto at = static_cast<std::size_t>(nearest - to.Points.begin());
     double distance = Norm(Subtract(nearest->second, point));
-    // Beside the ends of a closed border both are near.
+    // Near the ends of a closed border both are near.
     for (const std::size_t k : { at > 0 ? at - 1 : last - 1, at < last ? at : std::size_t(0) })
     {
       distance = std::min(distance, GetDistance(to, to.Points[k].first, to.Points[k + 1].first, point));
@@ -244,7 +244,7 @@ double IgnoreRounding(double gap, double size, const Vector3& at)
 /// `gap` to the distance by which it closes by itself.
 void AddBorders(const Face& face, std::vector<Border>& borders, double& gap)
 {
-  // What is wrong with a surface is said where the face is cut.
+  // What is wrong with a surface is reported where the face is cut.
   if (!face.Loops.empty() || !face.Surface.Check().empty())
   {
     return;

@@ -41,7 +41,7 @@ bool PlacementError::IsRounded(const BodyIntegrals& body)
       [](const FacePointer& face) { return Norm(face->Surface.Rounding.data()) > 0.0; });
 }
 
-double PlacementError::GetTurned(const BodyIntegrals& body)
+double PlacementError::GetRotated(const BodyIntegrals& body)
 {
   const std::array<double, 16>& m = body.Placement;
   double deviation = 0.0;
@@ -60,14 +60,14 @@ double PlacementError::GetTurned(const BodyIntegrals& body)
 PlacementError PlacementError::Make(const BodyIntegrals& body, bool withSamples)
 {
   PlacementError error;
-  error.Turned = GetTurned(body);
+  error.Rotated = GetRotated(body);
   const double* origin = body.Model->GetOrigin();
   const double translation = std::hypot(body.Placement[3], body.Placement[7], body.Placement[11]);
   if (withSamples && (body.Placement != Identity || Norm(origin) > 0.0))
   {
     error.Moved = GetEvaluationError(body, translation);
   }
-  if (!(error.Turned > 0.0))
+  if (!(error.Rotated > 0.0))
   {
     return error;
   }
@@ -81,13 +81,13 @@ PlacementError PlacementError::Make(const BodyIntegrals& body, bool withSamples)
   }
   // Twice the radius: trim curves and edges may leave the control points.
   error.Moved +=
-    error.Turned * (Norm(origin) + 2.0 * radius) + (IsRounded(body) ? Rounding * translation : 0.0);
+    error.Rotated * (Norm(origin) + 2.0 * radius) + (IsRounded(body) ? Rounding * translation : 0.0);
   return error;
 }
 
 /**
- * With x moved by d and n = Ss x Sr by at most 2 Turned |n|, the map being affine, x^k |n| changes by (k
- * Moved / reach + 2 Turned) of reach^k |n|, and x.n x^k / (3 + k) by ((k + 1) Moved / reach + 2 Turned) of
+ * With x moved by d and n = Ss x Sr by at most 2 Rotated |n|, the map being affine, x^k |n| changes by (k
+ * Moved / reach + 2 Rotated) of reach^k |n|, and x.n x^k / (3 + k) by ((k + 1) Moved / reach + 2 Rotated) of
  * reach^(k+1) |n| / (3 + k). Squares of roundings are far below the margin in `Rounding`.
  */
 double PlacementError::GetBound(const BoundClass& integrand, double area, double gaps, double reach) const
@@ -98,7 +98,7 @@ double PlacementError::GetBound(const BoundClass& integrand, double area, double
   }
   const int k = integrand.Degree;
   const double power = std::pow(reach, k);
-  const double flux = (area + gaps) * power * ((k + 1.0) * this->Moved + 2.0 * this->Turned * reach);
+  const double flux = (area + gaps) * power * ((k + 1.0) * this->Moved + 2.0 * this->Rotated * reach);
   switch (integrand.Kind)
   {
     case BoundClass::VolumeMoment:
@@ -106,9 +106,9 @@ double PlacementError::GetBound(const BoundClass& integrand, double area, double
     case BoundClass::HeightMoment:
       return flux;
     case BoundClass::AreaMoment:
-      return area * (2.0 * this->Turned * power + (k > 0 ? k * this->Moved * std::pow(reach, k - 1) : 0.0));
+      return area * (2.0 * this->Rotated * power + (k > 0 ? k * this->Moved * std::pow(reach, k - 1) : 0.0));
     default:
-      return 2.0 * this->Turned * (area + gaps);
+      return 2.0 * this->Rotated * (area + gaps);
   }
 }
 }

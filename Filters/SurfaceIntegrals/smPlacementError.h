@@ -4,8 +4,8 @@
  *
  * Every entry of the rotation has an error of some units of roundoff u, and so has the translation, relative
  * to its length. A placement that was not read is exact, but to how it deviates from a rotation: a matrix in
- * decimals does so by more than rounding. A placed body is then moved by an affine map: stretched and turned
- * by Turned at most, and no point of it by more than Moved.
+ * decimals does so by more than rounding. A placed body is then moved by an affine map: stretched and rotated
+ * by Rotated at most, and no point of it by more than Moved.
  */
 #ifndef smPlacementError_h
 #define smPlacementError_h
@@ -27,19 +27,19 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT PlacementError
   /// Bound of the displacement of any point of the body, a length; 0: no placement.
   double Moved = 0.0;
   /// Bound of the norm of the error of the rotation.
-  double Turned = 0.0;
+  double Rotated = 0.0;
 
   bool operator==(const PlacementError& other) const
   {
-    return this->Moved == other.Moved && this->Turned == other.Turned;
+    return this->Moved == other.Moved && this->Rotated == other.Rotated;
   }
 
   /// Returns true if the body has a placement other than the identity and was read from a file, so that the
   /// placement may be rounded.
   static bool IsRounded(const BodyIntegrals& body);
-  /// Returns Turned: 3 Rounding, the norm of nine entries, if the placement is rounded, and what makes it no
+  /// Returns Rotated: 3 Rounding, the norm of nine entries, if the placement is rounded, and what makes it no
   /// rotation.
-  static double GetTurned(const BodyIntegrals& body);
+  static double GetRotated(const BodyIntegrals& body);
   /// `withSamples`: Moved has the rounding of samples that this placement and the model's origin place.
   static PlacementError Make(const BodyIntegrals& body, bool withSamples = true);
   /// Returns the bound for an integral of this class over a face. `area` and `gaps` are upper bounds of the

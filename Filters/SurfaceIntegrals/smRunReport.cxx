@@ -14,7 +14,7 @@ namespace sm
 namespace
 {
 /// Number of messages that a summary lists at most.
-constexpr std::size_t MostNotes = 5;
+constexpr std::size_t MaxNotes = 5;
 
 /// Lines of at most 64 characters, in which every line of the text begins a new one.
 std::string WrapLines(const std::string& text)
@@ -48,7 +48,7 @@ std::string FormatNotes(const std::string& reason, const std::vector<std::string
     {
       continue;
     }
-    if (listed.size() <= MostNotes)
+    if (listed.size() <= MaxNotes)
     {
       text += WrapLines("Note: " + message);
     }
@@ -63,18 +63,18 @@ std::string FormatNotes(const std::string& reason, const std::vector<std::string
 namespace
 {
 /// Largest number of meshes that a message names.
-constexpr std::size_t MostMeshes = 5;
+constexpr std::size_t MaxMeshes = 5;
 
 std::string DescribeMeshes(const RejectedInput& rejected)
 {
   std::string names;
-  for (std::size_t i = 0; i < std::min(rejected.Meshes.size(), MostMeshes); ++i)
+  for (std::size_t i = 0; i < std::min(rejected.Meshes.size(), MaxMeshes); ++i)
   {
     const std::string& name = rejected.Meshes[i].second;
     names += (names.empty() ? "" : ", ") + (name.empty() ? std::string("a mesh without a name") : name);
   }
-  names += rejected.Meshes.size() > MostMeshes
-    ? " and " + std::to_string(rejected.Meshes.size() - MostMeshes) + " more"
+  names += rejected.Meshes.size() > MaxMeshes
+    ? " and " + std::to_string(rejected.Meshes.size() - MaxMeshes) + " more"
     : "";
   return FormatCount(rejected.Meshes.size(), "part of the input has", "parts of the input have") +
     " no exact geometry, or lost it when points were changed, and " +

@@ -15,7 +15,7 @@ namespace
 using Point = ShellMesh::Point;
 
 /// Largest number of points at which the winding number is computed.
-constexpr std::size_t MostSamples = 24;
+constexpr std::size_t MaxSamples = 24;
 /// Longest side of a triangle, relative to the region of interest, above which it is halved, and the largest
 /// number of halvings.
 constexpr double SampleSpacing = 0.3;
@@ -90,13 +90,13 @@ std::vector<ShellMesh::Sample> ShellMesh::TakeSamples(const vtkBoundingBox& box)
   {
     AddSamples(triangle.Corners, triangle.Deviation, region, 0, samples);
   }
-  if (samples.size() > MostSamples)
+  if (samples.size() > MaxSamples)
   {
-    for (std::size_t i = 0; i < MostSamples; ++i)
+    for (std::size_t i = 0; i < MaxSamples; ++i)
     {
-      samples[i] = samples[(2 * i + 1) * samples.size() / (2 * MostSamples)];
+      samples[i] = samples[(2 * i + 1) * samples.size() / (2 * MaxSamples)];
     }
-    samples.resize(MostSamples);
+    samples.resize(MaxSamples);
   }
   return samples;
 }

@@ -154,8 +154,7 @@ std::string FindDepths(const std::vector<ShellMesh>& meshes, const std::vector<d
       if (ij == Place::Unknown || ji == Place::Unknown)
       {
         return "two of its shells are so near each other that it cannot be determined whether one is a void "
-               "in the "
-               "other";
+               "in the other";
       }
       // A shell inside another one must enclose less volume.
       if ((ij == Place::Inside && !(std::abs(volumes[i]) < std::abs(volumes[j]))) ||

@@ -21,7 +21,7 @@ struct ShellOrientation
 {
   /// Number of closed parts of the boundary that are not joined by an edge.
   int Shells = 0;
-  /// Number of these that Sides reverses.
+  /// Number of these that Sides reverses; all of them if InsideOut.
   int Flipped = 0;
   /// Factor, 1 or -1, of the fluxes of each face. Empty: the orientation of the file is kept.
   std::vector<signed char> Sides;
@@ -45,7 +45,7 @@ struct ShellOrientation
  * Sides remains empty, and Uncertainty has the reason, if shells cross, the nesting cannot be determined or
  * is not that of the model's NumberOfOuterShells, shells would be reversed and the first one, of one outer
  * shell, is a void, the volume of a shell is zero within its bound, or a model of several shells has no mesh.
- * The model must be closed. A model of one shell is returned unchanged, and its mesh is not read.
+ * The model must be closed. For a model of one shell Sides is empty, and its mesh is not read.
  */
 ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
   const std::vector<double>& volume, const std::vector<double>& bound);

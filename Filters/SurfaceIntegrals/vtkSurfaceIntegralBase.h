@@ -251,7 +251,7 @@ public:
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;
   ///@}
 
-  /** Tells the input whether its display mesh is needed, see smMeshDemand.h. */
+  /** Reports to the input whether its display mesh is needed, see smMeshDemand.h. */
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 

@@ -33,10 +33,10 @@
 namespace
 {
 /// Number of messages that a warning has at most; GetMessage() has them all.
-constexpr std::size_t MostMessagesOfWarning = 8;
+constexpr std::size_t MaxMessagesOfWarning = 8;
 
 /// Number of flagged places that the summary names.
-constexpr std::size_t MostPlacesOfText = 5;
+constexpr std::size_t MaxPlacesOfText = 5;
 
 /// The reason of a status, and the messages that do not repeat it, a line each.
 std::string ListMessages(const std::string& reason, const std::vector<std::string>& messages)
@@ -48,8 +48,8 @@ std::string ListMessages(const std::string& reason, const std::vector<std::strin
   {
     if (reason.find(message) == std::string::npos)
     {
-      ++(shown < MostMessagesOfWarning ? shown : left);
-      list += shown + left > MostMessagesOfWarning ? "" : "\n  " + message;
+      ++(shown < MaxMessagesOfWarning ? shown : left);
+      list += shown + left > MaxMessagesOfWarning ? "" : "\n  " + message;
     }
   }
   return list + (left > 0 ? "\n  and " + std::to_string(left) + " more messages" : "");
@@ -213,7 +213,7 @@ void vtkSurfaceIntegralBase::Write(
   sm::MakeBodyMeshes(bodies, arrays, input, vtkPartitionedDataSetCollection::GetData(outputVector, 5));
   const std::vector<sm::FlaggedPlace> places = sm::FindFlaggedPlaces(bodies);
   sm::DrawFlaggedPlaces(places, bodies, vtkPolyData::GetData(outputVector, 6));
-  AppendText(sm::ListFlaggedPlaces(places, bodies, MostPlacesOfText), outputs.Text);
+  AppendText(sm::ListFlaggedPlaces(places, bodies, MaxPlacesOfText), outputs.Text);
   AppendText(
     sm::FormatNotes(this->FindReason(bodies), this->Engine->GetReport().ListNotes(bodies)), outputs.Text);
   this->Engine->GetReport().FillFieldData(

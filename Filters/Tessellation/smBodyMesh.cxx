@@ -15,7 +15,7 @@ namespace sm
 namespace
 {
 /// Rounds in which chords are halved because faces ask for it.
-constexpr int MostRounds = 7;
+constexpr int MaxRounds = 7;
 /// Faces between two questions whether to stop.
 constexpr std::size_t Chunk = 512;
 /// Ends of coedges that are one vertex and nearer than this part of the face in u and v are one point.
@@ -57,9 +57,9 @@ public:
     this->SampleEdges();
     std::vector<std::size_t> open(this->Faces.size());
     std::iota(open.begin(), open.end(), std::size_t(0));
-    for (int round = 0; !open.empty() && round <= MostRounds; ++round)
+    for (int round = 0; !open.empty() && round <= MaxRounds; ++round)
     {
-      open = this->MeshAll(open, round < MostRounds);
+      open = this->MeshAll(open, round < MaxRounds);
     }
     this->Report(1.0);
     return std::move(this->Meshes);

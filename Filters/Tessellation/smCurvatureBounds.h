@@ -35,7 +35,7 @@ struct CurvatureBounds
       this->Along[k] = std::min(this->Along[k], to.Along[k]);
     }
   }
-  /// By a unit of parameter `factor` times as long in one direction.
+  /// Rescales the bounds to a parameter unit that is `factor` times longer in `direction`.
   void Refine(int direction, double factor)
   {
     for (std::array<double, 3>* const bounds : { &this->Full, &this->Along })
@@ -44,18 +44,18 @@ struct CurvatureBounds
       (*bounds)[1] *= factor;
     }
   }
-  /// True where sharper bounds would change a mesh little; `reached`: about what the derivatives are
+  /// Returns true where sharper bounds would change a mesh little; `reached`: about what the derivatives are
   /// somewhere.
   bool IsSharp(const CurvatureBounds& reached) const
   {
     constexpr double sharp = 1.1;
     constexpr double small = 0.03;
-    const double most = small * std::max({ reached.Full[0], reached.Full[1], reached.Full[2] });
+    const double maximum = small * std::max({ reached.Full[0], reached.Full[1], reached.Full[2] });
     bool isSharp = true;
     for (int k = 0; k < 3; ++k)
     {
-      isSharp = isSharp && this->Full[k] <= std::max(sharp * reached.Full[k], most) &&
-        this->Along[k] <= std::max(sharp * reached.Along[k], most);
+      isSharp = isSharp && this->Full[k] <= std::max(sharp * reached.Full[k], maximum) &&
+        this->Along[k] <= std::max(sharp * reached.Along[k], maximum);
     }
     return isSharp;
   }

@@ -12,7 +12,7 @@ namespace
 {
 /// Points of an edge. A face that wants more chords than that keeps no promise, and has no say in where the
 /// points lie.
-constexpr std::size_t MostSamples = 20000;
+constexpr std::size_t MaxSamples = 20000;
 /// Intervals of a curved piece on which the wanted density of points is constant.
 constexpr int PieceIntervals = 4;
 /// Pieces of a curve beyond which one interval each will do.
@@ -25,7 +25,7 @@ constexpr double ChordShare = 0.6;
 constexpr double SnapShare = 1e-6;
 /// No chord is halved below this part of the edge: points of a face that are nearer than a step of its grid
 /// would be one.
-constexpr double LeastChord = 1e-7;
+constexpr double MinChord = 1e-7;
 /// Share of the deflection that a coarse bound must be below for the sharp one to be so for certain.
 constexpr double CertainShare = 0.999;
 
@@ -153,11 +153,11 @@ public:
       std::none_of(uses.begin(), uses.end(), [](const EdgeUse& use) { return IsBent(*use.Trim); });
   }
 
-  EdgeSamples Run(const std::vector<EdgeUse>& uses, int least)
+  EdgeSamples Run(const std::vector<EdgeUse>& uses, int minimum)
   {
     this->MakeIntervals();
     const auto bad = std::remove_if(
-      this->Uses.begin(), this->Uses.end(), [](const Use& use) { return !(use.Wanted < MostSamples); });
+      this->Uses.begin(), this->Uses.end(), [](const Use& use) { return !(use.Wanted < MaxSamples); });
     if (bad != this->Uses.end())
     {
       this->Uses.erase(bad, this->Uses.end());
@@ -169,7 +169,7 @@ public:
     {
       if (i + 1 == this->Counts.size() || this->Corners[i + 1])
       {
-        this->Distribute(first, i + 1, least, result);
+        this->Distribute(first, i + 1, minimum, result);
         first = i + 1;
       }
     }
@@ -297,7 +297,7 @@ private:
   }
 
   /// Points between two corners, at equal steps of the wanted number of chords; the start is there already.
-  void Distribute(std::size_t first, std::size_t last, int least, std::vector<double>& result) const
+  void Distribute(std::size_t first, std::size_t last, int minimum, std::vector<double>& result) const
   {
     double total = 0.0;
     for (std::size_t i = first; i < last; ++i)
@@ -306,9 +306,9 @@ private:
     }
     const double end = this->Ends[last];
     const double start = this->Ends[first];
-    const double wanted = std::min(total, 0.25 * MostSamples);
+    const double wanted = std::min(total, 0.25 * MaxSamples);
     const int chords =
-      std::max(static_cast<int>(std::ceil(wanted - 1e-3)), this->Counts.size() == last - first ? least : 1);
+      std::max(static_cast<int>(std::ceil(wanted - 1e-3)), this->Counts.size() == last - first ? minimum : 1);
     std::size_t at = first;
     double before = 0.0;
     for (int i = 1; i < chords; ++i)
@@ -319,7 +319,7 @@ private:
         before += this->Counts[at++];
       }
       const double share = this->Counts[at] > 0.0 ? (target - before) / this->Counts[at] : 0.0;
-      // Not beside the end of an interval, which may be the end of a piece.
+      // Not next to the end of an interval, which may be the end of a piece.
       const double t = !(total > 0.0) ? start + (end - start) * i / chords
         : share < SnapShare           ? this->Ends[at]
         : share > 1.0 - SnapShare     ? this->Ends[at + 1]
@@ -383,8 +383,8 @@ private:
       const double low = result.back();
       const double high = ends.back();
       const double middle = 0.5 * (low + high);
-      const double least = LeastChord * (coarse.back() - coarse.front());
-      if (result.size() + ends.size() < MostSamples && high - low > least && !this->IsGood(low, high))
+      const double minimum = MinChord * (coarse.back() - coarse.front());
+      if (result.size() + ends.size() < MaxSamples && high - low > minimum && !this->IsGood(low, high))
       {
         ends.push_back(middle);
         continue;
@@ -395,8 +395,8 @@ private:
     return result;
   }
 
-  /// A face beside the edge, and the last point that was asked for: intervals and chords meet there. Wanted:
-  /// chords. Samples: the points of all chords.
+  /// A face adjacent to the edge, and the last point that was asked for: intervals and chords meet there.
+  /// Wanted: chords. Samples: the points of all chords.
   struct Use
   {
     EdgeUse Source;
@@ -479,9 +479,9 @@ double BoundSagitta(const EdgeCurve& curve, double low, double high)
 }
 
 EdgeSamples SampleEdge(
-  const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits, int least)
+  const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits, int minimum)
 {
-  return Sampler(edge, uses, limits).Run(uses, least);
+  return Sampler(edge, uses, limits).Run(uses, minimum);
 }
 
 void EvaluateTrims(const std::vector<EdgeUse>& uses, EdgeSamples& samples)

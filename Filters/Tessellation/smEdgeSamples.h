@@ -15,7 +15,7 @@
 
 namespace sm
 {
-/// A face beside an edge.
+/// A face adjacent to an edge.
 struct EdgeUse
 {
   const SurfaceBlocks* Blocks;
@@ -27,17 +27,17 @@ struct EdgeSamples
 {
   /// Parameters from the start of the edge to its end, increasing.
   std::vector<double> T;
-  /// In (u,v) of the faces beside the edge: T.size() points of the first use, then of the next.
+  /// In (u,v) of the faces adjacent to the edge: T.size() points of the first use, then of the next.
   std::vector<std::array<double, 2>> At;
 };
 
 /**
  * Chords are within the deflection of the edge's curve: proved by the coefficients of the curve; and such
  * that along every chord the surfaces of its faces leave room for triangles (SurfaceBlocks::GetError()). At
- * least `least` chords; no more than 20,000, whatever that leaves.
+ * least `minimum` chords; no more than 20,000, whatever that leaves.
  */
 SMFILTERSTESSELLATION_EXPORT EdgeSamples SampleEdge(
-  const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits, int least);
+  const Edge& edge, const std::vector<EdgeUse>& uses, const MeshLimits& limits, int minimum);
 
 /// Sets EdgeSamples::At for its T.
 void EvaluateTrims(const std::vector<EdgeUse>& uses, EdgeSamples& samples);

@@ -27,8 +27,8 @@ void FillNormals(FaceMesh& mesh)
   }
 }
 
-/// Returns the diagonal of the box of the control points, in which the face lies, and its triangles but for
-/// the gaps of their corners; HUGE_VAL for a face that leaves the domain of its surface.
+/// Returns the diagonal of the box of the control points, in which the face lies, and its triangles except
+/// for the gaps of their corners; HUGE_VAL for a face that leaves the domain of its surface.
 double GetHullDiagonal(const NURBSSurface& surface, const ParameterBox& box)
 {
   for (int d = 0; d < 2; ++d)

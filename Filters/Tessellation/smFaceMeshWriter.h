@@ -24,7 +24,7 @@ struct MeshedFace
   const ParameterBox& Box;
   const std::vector<MeshVertex>& Vertices;
   const TriangleJudge& Judge;
-  /// The normal of the surface beside parameters where Su x Sv vanishes; 0: there is none.
+  /// The normal of the surface near parameters where Su x Sv vanishes; 0: there is none.
   std::function<Vector3(const std::array<double, 2>&)> FindNormal;
 };
 

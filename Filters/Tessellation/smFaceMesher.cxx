@@ -24,27 +24,27 @@ constexpr double GridWidth = 536870912.0;
 constexpr std::int64_t GridStart = std::int64_t(1) << 28;
 
 /// Inner points that would be nearer to a corner or to the boundary, in steps, are left out.
-constexpr double LeastGap = 0.4;
+constexpr double MinGap = 0.4;
 /// Points that refinement may add to n.
-constexpr std::size_t MostRefinement = 20000;
+constexpr std::size_t MaxRefinement = 20000;
 /// Points that refinement may add to a quarter of n to turn triangles over, and the part of the deflection
 /// that they must err by.
-constexpr std::size_t MostTurns = 300;
+constexpr std::size_t MaxTurns = 300;
 constexpr double TurnShare = 1e-2;
 /// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller
 /// for it.
 constexpr double LargestGapShare = 0.5;
 /// Exchanged diagonals, in all and for each point, after which no more points are inserted: triangles are
 /// needles then, and each point changes a large part of them. Usual faces need about ten for each point.
-constexpr std::size_t MostFlips = 1000000;
-constexpr std::size_t MostFlipsOfPoint = 100;
+constexpr std::size_t MaxFlips = 1000000;
+constexpr std::size_t MaxFlipsOfPoint = 100;
 /// |S_u x S_v| has no direction below this part of the largest |S_u| |S_v|.
-constexpr double LeastNormal = 1e-10;
+constexpr double MinNormal = 1e-10;
 /// Loops that are narrower than this part of their parameters, some 50 neighbouring doubles, are lines.
-constexpr double LeastWidth = 1e-14;
-/// Shapes of triangles that are tried where some are turned over, on faces of no more than so many triangles.
-constexpr std::size_t MostMetrics = 3;
-constexpr std::size_t MostTriangles = 3000;
+constexpr double MinWidth = 1e-14;
+/// Shapes of triangles that are tried where some are inverted, on faces of no more than so many triangles.
+constexpr std::size_t MaxMetrics = 3;
+constexpr std::size_t MaxTriangles = 3000;
 
 class Mesher
 {
@@ -113,16 +113,16 @@ public:
     return result;
   }
 
-  /// |S_u| and |S_v| in the middle of the triangles that are turned over after Run(), less those that edges
+  /// |S_u| and |S_v| in the middle of the triangles that are inverted after Run(), less those that edges
   /// off the surface turn.
-  const std::vector<Parameters>& GetTurnedSpeeds() const { return this->TurnedSpeeds; }
+  const std::vector<Parameters>& GetInvertedSpeeds() const { return this->InvertedSpeeds; }
 
 private:
   /// The loops take up more than rounding in a direction.
   bool HasWidth(int d) const
   {
     const double largest = std::max(std::abs(this->Box.Low[d]), std::abs(this->Box.High[d]));
-    return std::isfinite(this->Size[d]) && this->Size[d] > LeastWidth * largest;
+    return std::isfinite(this->Size[d]) && this->Size[d] > MinWidth * largest;
   }
 
   /// Lengths of a grid step in which triangles are to be well shaped.
@@ -147,7 +147,7 @@ private:
     this->Walker.Evaluate(at[0], at[1], v.Position.data(), du.data(), dv.data());
     // At a pole a derivative is rounding, and so would be the normal.
     const Vector3 normal = Cross(du, dv);
-    if (Norm(normal) > LeastNormal * this->Steps.GetSpeed()[0] * this->Steps.GetSpeed()[1])
+    if (Norm(normal) > MinNormal * this->Steps.GetSpeed()[0] * this->Steps.GetSpeed()[1])
     {
       v.Normal = Normalized(normal);
     }
@@ -261,7 +261,7 @@ private:
       const Parameters& corner = this->Vertices[t.Vertex[k]].At;
       x[k] = (corner[0] - at[0]) * scale[0];
       y[k] = (corner[1] - at[1]) * scale[1];
-      if (std::hypot(x[k], y[k]) < LeastGap)
+      if (std::hypot(x[k], y[k]) < MinGap)
       {
         return;
       }
@@ -271,7 +271,7 @@ private:
       const int a = (k + 1) % 3;
       const int b = (k + 2) % 3;
       const double length = std::hypot(x[b] - x[a], y[b] - y[a]);
-      if (t.Sides[k].Segment >= 0 && std::abs(x[a] * y[b] - x[b] * y[a]) < LeastGap * length)
+      if (t.Sides[k].Segment >= 0 && std::abs(x[a] * y[b] - x[b] * y[a]) < MinGap * length)
       {
         return;
       }
@@ -294,7 +294,7 @@ private:
 
   bool IsExhausted() const
   {
-    return this->Mesh.GetNumberOfFlips() > MostFlips + MostFlipsOfPoint * this->Vertices.size();
+    return this->Mesh.GetNumberOfFlips() > MaxFlips + MaxFlipsOfPoint * this->Vertices.size();
   }
 
   /// Inserts points until all triangles are good, or no more can be done.
@@ -306,9 +306,9 @@ private:
     {
       open.push_back(static_cast<int>(i));
     }
-    const std::size_t most = 2 * this->Vertices.size() + MostRefinement;
-    std::size_t turns = MostTurns + this->Vertices.size() / 4;
-    while (!open.empty() && this->Vertices.size() < most && !this->IsExhausted())
+    const std::size_t maximum = 2 * this->Vertices.size() + MaxRefinement;
+    std::size_t turns = MaxTurns + this->Vertices.size() / 4;
+    while (!open.empty() && this->Vertices.size() < maximum && !this->IsExhausted())
     {
       const Triangulation::Triangle& t = this->Mesh.GetTriangles()[open.back()];
       open.pop_back();
@@ -320,9 +320,9 @@ private:
       const double allowed = this->GetAllowed(t);
       if (error <= allowed)
       {
-        // A triangle may be turned over where the surface bends, but also where edges lie off it: that no
+        // A triangle may be inverted where the surface bends, but also where edges lie off it: that no
         // point mends.
-        if (turns == 0 || error < TurnShare * allowed || !this->Judge.IsInverted(t.Vertex) ||
+        if (turns == 0 || error < TurnShare * allowed || !this->Judge.IsAgainstCorners(t.Vertex) ||
           !this->Judge.IsFolded(t.Vertex))
         {
           continue;
@@ -340,7 +340,7 @@ private:
     this->IsUnfinished = !open.empty();
   }
 
-  /// The middle of the side that adds most to the error and is no segment; of the triangle where all are.
+  /// The middle of the side that adds most to the error and is not a segment; of the triangle where all are.
   Parameters ChooseSplit(const Triangulation::Triangle& t) const
   {
     double largest = 0.0;
@@ -370,7 +370,7 @@ private:
     return at;
   }
 
-  /// The triangles, as few turned over as can be had. Asks to halve chords beside those that are left.
+  /// The triangles, as few inverted as can be had. Asks to halve chords next to those that are left.
   std::vector<Corners> Repair(std::vector<std::pair<int, int>>* halve, FaceMesh& result)
   {
     std::vector<Corners> triangles;
@@ -381,7 +381,7 @@ private:
       if (t.Inside && !this->Judge.IsCollapsed(t.Vertex))
       {
         triangles.push_back(t.Vertex);
-        any = any || this->Judge.IsTurned(t.Vertex);
+        any = any || this->Judge.IsInverted(t.Vertex);
       }
     }
     if (!any)
@@ -389,7 +389,7 @@ private:
       return triangles;
     }
     const std::map<std::pair<int, int>, int> segments = MeshRepair::FindSegments(this->Mesh);
-    const MeshRepair::TriangleTests tests{ [this](const Corners& t) { return this->Judge.IsTurned(t); },
+    const MeshRepair::TriangleTests tests{ [this](const Corners& t) { return this->Judge.IsInverted(t); },
       [this](const Corners& t)
       { return this->Judge.IsCollapsed(t) ? HUGE_VAL : this->Judge.GetDeviation(t); } };
     const std::vector<Corners> left =
@@ -410,25 +410,25 @@ private:
         this->AskToHalve(segment, halve);
       }
     }
-    result.TurnedOver = static_cast<int>(left.size());
+    result.InvertedTriangles = static_cast<int>(left.size());
     for (const Corners& t : left)
     {
       if (this->Judge.IsFolded(t))
       {
-        this->TurnedSpeeds.push_back(this->Judge.GetSpeeds(t));
+        this->InvertedSpeeds.push_back(this->Judge.GetSpeeds(t));
       }
     }
-    const bool isFolded = this->TurnedSpeeds.size() == left.size();
+    const bool isFolded = this->InvertedSpeeds.size() == left.size();
     if (!left.empty() && result.Reason.empty())
     {
       result.Reason = isFolded
-        ? "Triangles are turned over, because the face is too narrow for its bent parameter lines."
-        : "Triangles are turned over, because edges lie off the surface.";
+        ? "Triangles are inverted, because the face is too narrow for its bent parameter lines."
+        : "Triangles are inverted, because edges lie off the surface.";
     }
     return triangles;
   }
 
-  /// The normal of a point where Su x Sv vanishes: of one beside it, else 0.
+  /// The normal of a point where Su x Sv vanishes: of one next to it, else 0.
   Vector3 FindNormal(const Parameters& at)
   {
     for (const double step : { 1e-6, 1e-3 })
@@ -460,7 +460,7 @@ private:
   TriangleJudge Judge;
   /// Refinement ended before all triangles were good.
   bool IsUnfinished = false;
-  std::vector<Parameters> TurnedSpeeds;
+  std::vector<Parameters> InvertedSpeeds;
   /// The point at which each segment starts.
   std::vector<const BoundaryPoint*> Starts;
 };
@@ -473,15 +473,14 @@ FaceMesh MeshFace(const Face& face, const SurfaceBlocks& blocks, const std::vect
   Mesher mesher(face, blocks, loops, limits, {});
   FaceMesh best = mesher.Run(halve ? &asked : nullptr);
   // A neck may need other shapes of triangles than the rest of the face.
-  const std::vector<Parameters>& speeds = mesher.GetTurnedSpeeds();
-  const std::size_t metrics =
-    best.Triangles.size() > MostTriangles ? 0 : std::min(MostMetrics, speeds.size());
-  for (std::size_t i = 0; i < metrics && best.TurnedOver > 0; ++i)
+  const std::vector<Parameters>& speeds = mesher.GetInvertedSpeeds();
+  const std::size_t metrics = best.Triangles.size() > MaxTriangles ? 0 : std::min(MaxMetrics, speeds.size());
+  for (std::size_t i = 0; i < metrics && best.InvertedTriangles > 0; ++i)
   {
     std::vector<std::pair<int, int>> askedNow;
     const std::size_t k = i * (speeds.size() - 1) / std::max(metrics - 1, std::size_t(1));
     FaceMesh other = Mesher(face, blocks, loops, limits, speeds[k]).Run(halve ? &askedNow : nullptr);
-    if (!other.Triangles.empty() && other.TurnedOver < best.TurnedOver &&
+    if (!other.Triangles.empty() && other.InvertedTriangles < best.InvertedTriangles &&
       other.Deviation <= std::max(best.Deviation, limits.Deflection))
     {
       best = std::move(other);

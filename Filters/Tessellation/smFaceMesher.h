@@ -34,7 +34,7 @@ struct FaceMesh
   /// TriangleJudge::GetNormalTurn().
   double NormalTurn = 0.0;
   /// Triangles whose normals are against the surface's, which nothing mends; Reason says why.
-  int TurnedOver = 0;
+  int InvertedTriangles = 0;
   /// A sentence where the face has no triangles, or not those that its boundary asks for.
   std::string Reason;
 };

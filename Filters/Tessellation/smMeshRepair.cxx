@@ -8,11 +8,11 @@ namespace sm
 namespace
 {
 /// A repair may turn others over, which are repaired in the next pass.
-constexpr int MostPasses = 6;
+constexpr int MaxPasses = 6;
 /// A repair may make the deviation that is not allowed so much larger.
 constexpr double WorseShare = 1.5;
-/// Triangles that are judged at most: with weights of 1e20 thousands are turned over, and nothing mends them.
-constexpr std::size_t MostTrials = 200000;
+/// Triangles that are judged at most: with weights of 1e20 thousands are inverted, and nothing mends them.
+constexpr std::size_t MaxTrials = 200000;
 /// A triangle that is no more.
 constexpr MeshRepair::Corners Gone{ -1, -1, -1 };
 
@@ -50,7 +50,7 @@ MeshRepair::MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPo
   , Segments(segments)
   , Tests(tests)
   , Allowed(allowed)
-  , Most(allowed)
+  , Maximum(allowed)
   , Stars(points.size())
 {
   for (const auto& segment : segments)
@@ -63,7 +63,7 @@ MeshRepair::MeshRepair(std::vector<Corners>& triangles, const std::vector<GridPo
     {
       this->Stars[v].push_back(i);
     }
-    this->Most = std::max(this->Most, WorseShare * tests.GetDeviation(triangles[i]));
+    this->Maximum = std::max(this->Maximum, WorseShare * tests.GetDeviation(triangles[i]));
   }
 }
 
@@ -71,15 +71,15 @@ std::vector<MeshRepair::Corners> MeshRepair::Run()
 {
   std::vector<Corners> left;
   bool changed = true;
-  for (int pass = 0; changed && pass < MostPasses; ++pass)
+  for (int pass = 0; changed && pass < MaxPasses; ++pass)
   {
     changed = false;
     left.clear();
     for (std::size_t i = 0; i < this->Triangles.size(); ++i)
     {
-      if (this->Triangles[i] != Gone && this->Tests.IsTurned(this->Triangles[i]))
+      if (this->Triangles[i] != Gone && this->Tests.IsInverted(this->Triangles[i]))
       {
-        const bool mended = this->Trials < MostTrials && (this->Flip(i) || this->Merge(i));
+        const bool mended = this->Trials < MaxTrials && (this->Flip(i) || this->Merge(i));
         changed = changed || mended;
         if (!mended)
         {
@@ -92,10 +92,10 @@ std::vector<MeshRepair::Corners> MeshRepair::Run()
     std::remove(this->Triangles.begin(), this->Triangles.end(), Gone), this->Triangles.end());
   if (changed)
   {
-    // The last pass may have mended what it had called turned.
+    // The last pass may have mended what it had called inverted.
     left.clear();
     std::copy_if(
-      this->Triangles.begin(), this->Triangles.end(), std::back_inserter(left), this->Tests.IsTurned);
+      this->Triangles.begin(), this->Triangles.end(), std::back_inserter(left), this->Tests.IsInverted);
   }
   return left;
 }
@@ -103,14 +103,14 @@ std::vector<MeshRepair::Corners> MeshRepair::Run()
 bool MeshRepair::Replace(const std::vector<std::size_t>& before, const std::vector<Corners>& after)
 {
   this->Trials += before.size() + after.size();
-  std::size_t turned[2] = { 0, 0 };
+  std::size_t inverted[2] = { 0, 0 };
   double allowed = this->Allowed;
   for (const std::size_t i : before)
   {
-    turned[0] += this->Tests.IsTurned(this->Triangles[i]) ? 1 : 0;
+    inverted[0] += this->Tests.IsInverted(this->Triangles[i]) ? 1 : 0;
     const double deviation = this->Tests.GetDeviation(this->Triangles[i]);
-    allowed =
-      deviation > this->Allowed ? std::max(allowed, std::min(WorseShare * deviation, this->Most)) : allowed;
+    allowed = deviation > this->Allowed ? std::max(allowed, std::min(WorseShare * deviation, this->Maximum))
+                                        : allowed;
   }
   for (const Corners& t : after)
   {
@@ -118,8 +118,8 @@ bool MeshRepair::Replace(const std::vector<std::size_t>& before, const std::vect
     {
       return false;
     }
-    turned[1] += this->Tests.IsTurned(t) ? 1 : 0;
-    if (turned[1] >= turned[0] || !(this->Tests.GetDeviation(t) <= allowed))
+    inverted[1] += this->Tests.IsInverted(t) ? 1 : 0;
+    if (inverted[1] >= inverted[0] || !(this->Tests.GetDeviation(t) <= allowed))
     {
       return false;
     }
@@ -199,7 +199,7 @@ bool MeshRepair::Merge(std::size_t triangle)
           after.push_back(n);
         }
       }
-      if (this->Trials >= MostTrials)
+      if (this->Trials >= MaxTrials)
       {
         return false;
       }

@@ -1,6 +1,6 @@
 /**
  * @file smMeshRepair.h
- * @brief Turns triangles back that are turned over in space though not in (u,v)
+ * @brief Repairs triangles that are inverted in space though not in (u,v)
  *
  * That happens where edges lie off their surface, and where a face is narrower than its edges bend between
  * two points.
@@ -41,10 +41,10 @@ class SMFILTERSTESSELLATION_EXPORT MeshRepair
 public:
   using Corners = std::array<int, 3>;
 
-  /// Answers whether a triangle is turned over, and bounds its distance from the surface.
+  /// Answers whether a triangle is inverted, and bounds its distance from the surface.
   struct TriangleTests
   {
-    std::function<bool(const Corners&)> IsTurned;
+    std::function<bool(const Corners&)> IsInverted;
     std::function<double(const Corners&)> GetDeviation;
   };
 
@@ -59,7 +59,7 @@ public:
 
   /**
    * Exchanges diagonals, and merges vertices that lie on no segment with a neighbour, where fewer triangles
-   * are turned over then. All stay counter-clockwise in (u,v). Returns those that are left over.
+   * are inverted then. All stay counter-clockwise in (u,v). Returns those that are left over.
    */
   std::vector<Corners> Run();
 
@@ -76,7 +76,7 @@ private:
   std::set<int> Fixed;
   const TriangleTests& Tests;
   double Allowed;
-  double Most;
+  double Maximum;
   /// Indices of the triangles at each vertex.
   std::vector<std::vector<std::size_t>> Stars;
   /// Number of triangles that were judged.

@@ -15,9 +15,9 @@ constexpr double RegularShare = 0.8;
 constexpr double LongestShape = 10.0;
 /// Points that rows may have in all. Faces that want a thousand times as many have bounds that no mesh keeps:
 /// they get none.
-constexpr double MostRowPoints = 2e6;
+constexpr double MaxRowPoints = 2e6;
 constexpr double HopelessRatio = 1e3;
-constexpr double MostRows = 1e4;
+constexpr double MaxRows = 1e4;
 
 /// Distances between points in u and v that the deflection, the angle and the size of the face allow.
 Parameters GetSteps(const SurfaceBlocks::Block& b, const Parameters& size, const MeshLimits& limits)
@@ -78,7 +78,7 @@ public:
   double GetTotal() const { return this->Sum.back(); }
   int GetSteps() const
   {
-    return std::max(static_cast<int>(std::ceil(std::min(this->GetTotal(), MostRows) - 1e-3)), 1);
+    return std::max(static_cast<int>(std::ceil(std::min(this->GetTotal(), MaxRows) - 1e-3)), 1);
   }
   /// Point k of n equal steps.
   double GetPoint(int k, int n)
@@ -201,8 +201,8 @@ int MeshSteps::ChooseRows() const
   {
     const std::size_t here = this->Blocks.GetBreaks(d).size() - 1;
     const std::size_t other = this->Blocks.GetBreaks(1 - d).size() - 1;
-    double most = 0.0;
-    double least = 1e300;
+    double maximum = 0.0;
+    double minimum = 1e300;
     for (std::size_t i = 0; i < here; ++i)
     {
       const double x = this->GetDensity(1 - d, 0, i, i);
@@ -211,17 +211,17 @@ int MeshSteps::ChooseRows() const
       {
         along = std::max(along, this->GetDensity(1 - d, k, i, i));
       }
-      most = std::max(most, along);
-      least = std::min(least, along);
+      maximum = std::max(maximum, along);
+      minimum = std::min(minimum, along);
     }
-    spread[d] = most / least;
+    spread[d] = maximum / minimum;
   }
   return spread[0] > spread[1] ? 0 : 1;
 }
 
 void MeshSteps::LayRows(const std::function<void(const Parameters& at, const Parameters& scale)>& add) const
 {
-  const double ratio = this->CountWanted() / MostRowPoints;
+  const double ratio = this->CountWanted() / MaxRowPoints;
   if (!(ratio < HopelessRatio))
   {
     return;
@@ -238,7 +238,7 @@ void MeshSteps::LayRows(const std::function<void(const Parameters& at, const Par
   Density rows(breaks, values, this->Box.Low[d], this->Box.High[d]);
   const int count = rows.GetSteps();
   double total = 0.0;
-  for (int k = 1; k < count && total < MostRowPoints; ++k)
+  for (int k = 1; k < count && total < MaxRowPoints; ++k)
   {
     const double here = rows.GetPoint(k, count);
     const double step = 1.0 / rows.GetValue();

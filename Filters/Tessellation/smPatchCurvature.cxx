@@ -11,7 +11,7 @@ namespace sm
 namespace
 {
 /// How often a part is halved where its weights differ too much for a bound, and where a bound is too coarse.
-constexpr int MostHalvings = 10;
+constexpr int MaxHalvings = 10;
 constexpr int SharpHalvings = 4;
 /// Bounds are not tried where weights change by more than this, relative to them.
 constexpr double LargestSlope = 0.5;
@@ -95,7 +95,7 @@ CurvatureBounds BoundCoarsely(const BernsteinNet& net)
   for (Homogeneous& h : moved.B)
   {
     size = std::max(size, Norm(Subtract(Project(h), center)));
-    lightest = std::min(lightest, std::max(h[3], LeastWeight));
+    lightest = std::min(lightest, std::max(h[3], MinWeight));
     for (int x = 0; x < 3; ++x)
     {
       h[x] -= h[3] * center[x];
@@ -131,7 +131,7 @@ CurvatureBounds BoundCoarsely(const BernsteinNet& net)
   return bound;
 }
 
-/// True where the weights are products of a weight of the column and one of the row.
+/// Returns true where the weights are products of a weight of the column and one of the row.
 bool IsSeparable(const BernsteinNet& net)
 {
   const double corner = net.At(0, 0)[3];
@@ -158,12 +158,12 @@ std::array<double, 2> BoundCurve(const Homogeneous* b, int degree, const Vector3
   const Homogeneous h = curve.Evaluate(0.5, &derivative);
   const Vector3 c = Project(h);
   const Vector3 d = ProjectDerivative(derivative, c, h[3]);
-  double lightest = std::max(b[degree][3], LeastWeight);
+  double lightest = std::max(b[degree][3], MinWeight);
   double slope = 0.0;
   double bend = 0.0;
   for (int i = 0; i < degree; ++i)
   {
-    lightest = std::min(lightest, std::max(b[i][3], LeastWeight));
+    lightest = std::min(lightest, std::max(b[i][3], MinWeight));
     slope = std::max(slope, degree * std::abs(b[i + 1][3] - b[i][3]));
   }
   // P'' - w'' c - 2 w' d, of degree - 1: the second differences have one degree less.
@@ -205,7 +205,7 @@ std::array<double, 2> BoundCurve(const Homogeneous* b, int degree, const Vector3
 /// The mixed derivative is bounded on parts whose weights in one direction are in about this ratio at most,
 /// on no more than so many.
 constexpr double PartRatio = 1.5;
-constexpr int MostMixedParts = 16;
+constexpr int MaxMixedParts = 16;
 
 /// Largest ratio of the weights of a separable net in each direction.
 std::array<double, 2> GetWeightRatios(const BernsteinNet& net)
@@ -213,15 +213,15 @@ std::array<double, 2> GetWeightRatios(const BernsteinNet& net)
   std::array<double, 2> ratios{};
   for (int d = 0; d < 2; ++d)
   {
-    double least = HUGE_VAL;
-    double most = 0.0;
+    double minimum = HUGE_VAL;
+    double maximum = 0.0;
     for (int i = 0; i <= (d == 0 ? net.P : net.Q); ++i)
     {
       const double w = (d == 0 ? net.At(i, 0) : net.At(0, i))[3];
-      least = std::min(least, w);
-      most = std::max(most, w);
+      minimum = std::min(minimum, w);
+      maximum = std::max(maximum, w);
     }
-    ratios[d] = most / least;
+    ratios[d] = maximum / minimum;
   }
   return ratios;
 }
@@ -246,7 +246,7 @@ std::array<double, 2> BoundMixed(const BernsteinNet& net, const Vector3& normal)
   return { factor * largest.GetLength(), factor * largest.GetComponent() };
 }
 
-/// True where all weights along a line are equal and it has no second derivative.
+/// Returns true where all weights along a line are equal and it has no second derivative.
 bool IsStraight(const Homogeneous* line, int degree)
 {
   return degree == 1 && line[0][3] == line[1][3];
@@ -295,7 +295,7 @@ bool BoundSeparable(const BernsteinNet& net, const Vector3& normal, int curvePar
       return false;
     }
     const double wanted = std::ceil(std::log(ratios[d]) / std::log(PartRatio));
-    parts[d] = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MostMixedParts)));
+    parts[d] = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MaxMixedParts)));
   }
   for (int part = 0; part < parts[0] * parts[1]; ++part)
   {
@@ -341,7 +341,7 @@ public:
         return bound;
       }
     }
-    if (halvings == MostHalvings)
+    if (halvings == MaxHalvings)
     {
       bound = BoundCoarsely(net);
       Refine(density, bound);

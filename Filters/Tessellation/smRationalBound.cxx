@@ -24,7 +24,7 @@ RationalBound::RationalBound(const BernsteinNet& net, const Vector3& normal)
       {
         h[x] -= h[3] * this->Middle.Position[x];
       }
-      this->Lightest = std::min(this->Lightest, std::max(h[3], LeastWeight));
+      this->Lightest = std::min(this->Lightest, std::max(h[3], MinWeight));
       if (i > 0)
       {
         this->Slope[0] = std::max(this->Slope[0], p * std::abs(h[3] - b[i - 1 + j * (p + 1)][3]));
@@ -150,16 +150,16 @@ bool RationalBound::Solve(const std::array<double, 3>& g, const std::array<doubl
   const std::array<double, 2>& middle, std::array<double, 3>& bound) const
 {
   const double far = 0.5 * (middle[0] + middle[1]);
-  const double least = 1e-14 * (middle[0] + middle[1]) + 1e-300;
+  const double minimum = 1e-14 * (middle[0] + middle[1]) + 1e-300;
   const std::array<double, 2>& a = this->Slope;
   std::array<double, 3> m{};
   for (int step = 0; step < 60; ++step)
   {
     const double r = far + 0.125 * (m[0] + 2.0 * m[1] + m[2]);
     const double ends[2] = { 0.5 * (m[0] + m[1]), 0.5 * (m[1] + m[2]) };
-    const std::array<double, 3> next{ g[0] + twice[0] * r + 2.0 * a[0] * ends[0] + least,
-      g[1] + twice[1] * r + a[0] * ends[1] + a[1] * ends[0] + least,
-      g[2] + twice[2] * r + 2.0 * a[1] * ends[1] + least };
+    const std::array<double, 3> next{ g[0] + twice[0] * r + 2.0 * a[0] * ends[0] + minimum,
+      g[1] + twice[1] * r + a[0] * ends[1] + a[1] * ends[0] + minimum,
+      g[2] + twice[2] * r + 2.0 * a[1] * ends[1] + minimum };
     if (next[0] <= m[0] && next[1] <= m[1] && next[2] <= m[2])
     {
       bound = m;

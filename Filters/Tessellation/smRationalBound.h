@@ -1,6 +1,6 @@
 /**
  * @file smRationalBound.h
- * @brief Bounds of the second derivatives of a rational patch whose weights are no products
+ * @brief Bounds of the second derivatives of a rational patch whose weights are not products
  *
  * With c, d_u, d_v: position and derivatives in the middle, H = (P, w):
  *     w S_uu = (P_uu - w_uu c - 2 w_u d_u)             - w_uu (S - c) - 2 w_u (S_u - d_u)
@@ -21,7 +21,7 @@ namespace sm
 {
 /// Beyond the borders of a rational surface's domain a weight may vanish: bounds are immense then, not
 /// negative.
-constexpr double LeastWeight = 1e-100;
+constexpr double MinWeight = 1e-100;
 
 class RationalBound
 {
@@ -60,7 +60,7 @@ private:
   BernsteinNet Centered;
   NetMiddle Middle;
   double Lightest;
-  /// Largest |w_u| and |w_v| over the least weight.
+  /// Largest |w_u| and |w_v| over the smallest weight.
   std::array<double, 2> Slope{};
 };
 }

@@ -14,22 +14,22 @@ namespace
 {
 /// Spans of polynomials of low degree are one block, others two per direction. Where weights differ by more
 /// than EvenWeights, parameters run unevenly towards the ends of a span, up to the ratio of the weights: its
-/// parts are halved towards its ends as often, if MostParts in a direction of the face allow. Strips stay
-/// wider than ThinShare; weights that differ by more than MostHalves allow have bounds that no mesh keeps, so
+/// parts are halved towards its ends as often, if MaxParts in a direction of the face allow. Strips stay
+/// wider than ThinShare; weights that differ by more than MaxHalves allow have bounds that no mesh keeps, so
 /// that parts do not help.
 constexpr double EvenWeights = 4.0;
-constexpr int MostHalves = 13;
-constexpr std::size_t MostParts = 64;
+constexpr int MaxHalves = 13;
+constexpr std::size_t MaxParts = 64;
 
 /// Normals are not looked for where S_u and S_v are nearer to parallel, and turns not where the speed is this
 /// part of the block's.
-constexpr double LeastSine = 1e-6;
-constexpr double LeastSpeed = 1e-2;
-/// A block that seems to turn more, in radians, is no guide to steps.
-constexpr double MostTurn = 3.2;
+constexpr double MinSine = 1e-6;
+constexpr double MinSpeed = 1e-2;
+/// A block that seems to turn more, in radians, is not a guide to steps.
+constexpr double MaxTurn = 3.2;
 
 /// Normals of a block within this sine of its own make it a graph.
-constexpr double MostSine = 0.5;
+constexpr double MaxSine = 0.5;
 
 /// A strip between knots, relative to the face, that is a crease: the first derivative changes across it by
 /// its second times its width.
@@ -96,7 +96,7 @@ CornerDerivatives EvaluateCorner(const BernsteinNet& net, int si, int sj)
   }
   const Vector3 cross = Cross(result.First[0], result.First[1]);
   const double area = Norm(cross);
-  for (int k = 0; k < 3 && area > LeastSine * result.Speed[0] * result.Speed[1]; ++k)
+  for (int k = 0; k < 3 && area > MinSine * result.Speed[0] * result.Speed[1]; ++k)
   {
     // The other parts of S_uu and S_uv lie in the tangent plane.
     result.Normal[k] = Dot(ProjectDerivative(second[k], s, b[3]), cross) / area;
@@ -121,13 +121,13 @@ void MeasureCorners(const BernsteinNet& net, SurfaceBlocks::Block& block)
   for (const CornerDerivatives& corner : corners)
   {
     // A pole has no turn.
-    if (corner.Speed[0] > LeastSpeed * fastest[0] && corner.Speed[1] > LeastSpeed * fastest[1])
+    if (corner.Speed[0] > MinSpeed * fastest[0] && corner.Speed[1] > MinSpeed * fastest[1])
     {
       for (int d = 0; d < 2; ++d)
       {
         const double turn =
           std::hypot(corner.Normal[2 * d] / corner.Speed[d], corner.Normal[1] / corner.Speed[1 - d]);
-        block.Turn[d] = std::max(block.Turn[d], std::min(turn, MostTurn));
+        block.Turn[d] = std::max(block.Turn[d], std::min(turn, MaxTurn));
       }
     }
   }
@@ -153,7 +153,7 @@ void BoundBlock(
   const double u = 0.5 * (block.Full[0] + block.Full[1]);
   const double v = 0.5 * (block.Full[1] + block.Full[2]);
   const double sine = (u * Norm(middle.First[1]) + v * Norm(middle.First[0]) + u * v) / area;
-  if (!(sine < MostSine))
+  if (!(sine < MaxSine))
   {
     return;
   }
@@ -180,7 +180,7 @@ double BoundRounding(const BernsteinNet& net, int d)
 
 void SurfaceBlocks::Block::Choose(double tilt)
 {
-  const double slope = std::sin(std::min(tilt, 1.5)) < MostSine ? std::tan(tilt) : HUGE_VAL;
+  const double slope = std::sin(std::min(tilt, 1.5)) < MaxSine ? std::tan(tilt) : HUGE_VAL;
   double* const chosen[3] = { &this->Uu, &this->Uv, &this->Vv };
   double sum[2] = { 0.0, 0.0 };
   for (int k = 0; k < 3; ++k)
@@ -217,9 +217,9 @@ int SurfaceBlocks::ListBreaks(const NURBSSurface& surface, int d, std::vector<do
   const double ratio = GetWeightRatio(surface);
   if (degree > 1 && (degree > 3 || surface.Rational))
   {
-    const bool isUneven = ratio > EvenWeights && ratio <= std::ldexp(1.0, MostHalves);
+    const bool isUneven = ratio > EvenWeights && ratio <= std::ldexp(1.0, MaxHalves);
     const int wanted = isUneven ? static_cast<int>(std::ceil(std::log2(ratio))) : 1;
-    const std::size_t allowed = std::max<std::size_t>(MostParts / (2 * (spans.size() - 1)), 1);
+    const std::size_t allowed = std::max<std::size_t>(MaxParts / (2 * (spans.size() - 1)), 1);
     const int halves = std::min(wanted, static_cast<int>(allowed));
     for (int i = halves; i > 1; --i)
     {
@@ -343,11 +343,11 @@ void SurfaceBlocks::CountThinStrips(int direction)
 {
   const std::vector<double>& breaks = this->Breaks[direction];
   const std::size_t columns = this->Breaks[0].size() - 1;
-  const double least = ThinShare * (this->Covered.High[direction] - this->Covered.Low[direction]);
+  const double minimum = ThinShare * (this->Covered.High[direction] - this->Covered.Low[direction]);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
   {
     const double width = breaks[i + 1] - breaks[i];
-    if (width >= least)
+    if (width >= minimum)
     {
       continue;
     }
@@ -464,8 +464,8 @@ double SurfaceBlocks::GetSmallJumps() const
     }
   }
   const bool isGraph = std::any_of(this->Blocks.begin(), this->Blocks.end(),
-    [](const Block& b) { return std::sin(std::min(b.Tilt, 1.5)) < MostSine; });
-  return isGraph ? error / std::sqrt(1.0 - MostSine * MostSine) : error;
+    [](const Block& b) { return std::sin(std::min(b.Tilt, 1.5)) < MaxSine; });
+  return isGraph ? error / std::sqrt(1.0 - MaxSine * MaxSine) : error;
 }
 
 bool SurfaceBlocks::IsFlat(double deflection, double angle) const

@@ -18,9 +18,9 @@
  * box has slopes of at most tan(theta) over the plane across n. From the point of the surface with the same
  * barycentric parameters one follows the surface across n as far as the triangle's point lies: its distance
  * is at most the error along n plus tan(theta) times the error across n. So M may be the second derivatives
- * along n plus tan(theta) M; and J becomes J / cos(theta), the most that |x.n| + tan(theta) |x - (x.n) n| is
- * for a vector x of length J. The least of both sums is taken. On a box in several blocks n and theta are the
- * same for all of them.
+ * along n plus tan(theta) M; and J becomes J / cos(theta), the maximum of |x.n| + tan(theta) |x - (x.n) n|
+ * for vectors x of length J. The smaller of both sums is taken. On a box in several blocks n and theta are
+ * the same for all of them.
  *
  * That form bounds the distance across the surface. Where one leaves the part on the box before the
  * triangle's point is reached, the surface is thought of as continued with slopes of at most tan(theta): a
@@ -93,7 +93,7 @@ public:
   /// limits.
   SurfaceBlocks(const NURBSSurface& surface, const ParameterBox& covered, const MeshLimits& limits = {});
 
-  /// Error of any triangle by jumps of derivatives that are rounding, or little more; they are no creases.
+  /// Error of any triangle by jumps of derivatives that are rounding, or little more; they are not creases.
   double GetSmallJumps() const;
 
   /// The bound above, without GetSmallJumps().
@@ -109,8 +109,8 @@ public:
   DerivativeChanges GetDerivativeChanges(const ParameterBox& box, double share, const Vector3& normal) const;
   /// The largest of all blocks that the box touches.
   Block GetLargest(const ParameterBox& box) const;
-  /// True where GetError() of every box and the turn of the normal across all are nothing beside the
-  /// deflection and the angle.
+  /// Returns true where GetError() of every box and the turn of the normal across all are negligible compared
+  /// with the deflection and the angle.
   bool IsFlat(double deflection, double angle) const;
 
   const ParameterBox& GetCovered() const { return this->Covered; }

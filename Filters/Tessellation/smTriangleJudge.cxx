@@ -13,10 +13,10 @@ namespace
 {
 /// A triangle is a line where twice its area is below this part of the square of its longest side.
 constexpr double LineShare = 1e-7;
-/// A triangle is not turned over where the cosines to the normals of its corners are above this.
+/// A triangle is not inverted where the cosines to the normals of its corners are above this.
 constexpr double PlainCosine = 0.5;
 /// |S_u x S_v| has no direction below this part of |S_u| |S_v|.
-constexpr double LeastCrossSine = 1e-10;
+constexpr double MinCrossSine = 1e-10;
 }
 
 TriangleJudge::TriangleJudge(
@@ -56,22 +56,22 @@ double TriangleJudge::GetError(const Corners& t) const
 double TriangleJudge::GetNormalTurn(const Corners& t, double enough) const
 {
   const ParameterBox box = this->GetBox(t);
-  double least = vtkMath::Pi();
-  for (int k = 0; k < 3 && least > enough; ++k)
+  double minimum = vtkMath::Pi();
+  for (int k = 0; k < 3 && minimum > enough; ++k)
   {
     const MeshVertex& v = this->Vertices[t[k]];
-    least = std::min(least, this->BoundTurn(box, 1.0, v.Derivatives[0], v.Derivatives[1]));
+    minimum = std::min(minimum, this->BoundTurn(box, 1.0, v.Derivatives[0], v.Derivatives[1]));
   }
-  if (least > enough)
+  if (minimum > enough)
   {
     Vector3 position;
     Vector3 du;
     Vector3 dv;
     this->Walker.Evaluate(0.5 * (box.Low[0] + box.High[0]), 0.5 * (box.Low[1] + box.High[1]), position.data(),
       du.data(), dv.data());
-    least = std::min(least, 2.0 * this->BoundTurn(box, 0.5, du, dv));
+    minimum = std::min(minimum, 2.0 * this->BoundTurn(box, 0.5, du, dv));
   }
-  return least;
+  return minimum;
 }
 
 double TriangleJudge::BoundTurn(
@@ -81,7 +81,7 @@ double TriangleJudge::BoundTurn(
   const Vector3 cross = Cross(du, dv);
   const double area = Norm(cross);
   // A cross product that is not above rounding has no direction.
-  if (!(area > LeastCrossSine * speed[0] * speed[1]))
+  if (!(area > MinCrossSine * speed[0] * speed[1]))
   {
     return vtkMath::Pi();
   }
@@ -109,7 +109,7 @@ double TriangleJudge::GetHeight(const Corners& t) const
     std::max({ Norm(sides[0]), Norm(sides[1]), Norm(Subtract(sides[0], sides[1])), 1e-300 });
 }
 
-bool TriangleJudge::IsInverted(const Corners& t) const
+bool TriangleJudge::IsAgainstCorners(const Corners& t) const
 {
   const MeshVertex* v[3];
   Vector3 mean{ 0.0, 0.0, 0.0 };
@@ -129,7 +129,7 @@ bool TriangleJudge::IsInverted(const Corners& t) const
   return Dot(normal, mean) < 0.0 && Norm(normal) > LineShare * longest;
 }
 
-bool TriangleJudge::IsTurned(const Corners& t) const
+bool TriangleJudge::IsInverted(const Corners& t) const
 {
   return this->IsAgainst(
     { this->Vertices[t[0]].Position, this->Vertices[t[1]].Position, this->Vertices[t[2]].Position }, t);

@@ -205,8 +205,8 @@ void Triangulation::Legalize(std::vector<Place>& places)
 int Triangulation::Locate(const GridPoint& point)
 {
   int at = this->Last;
-  const std::size_t most = 4 * this->Triangles.size() + 100;
-  for (std::size_t step = 0; step < most; ++step)
+  const std::size_t maximum = 4 * this->Triangles.size() + 100;
+  for (std::size_t step = 0; step < maximum; ++step)
   {
     const Triangle& t = this->Triangles[at];
     int next = -1;

@@ -8,7 +8,7 @@ namespace sm
 namespace
 {
 /// Crossings of one line with segments that are resolved one after another.
-constexpr int MostCrossings = 64;
+constexpr int MaxCrossings = 64;
 }
 
 Triangulation::Place Triangulation::FindSide(int from, int to) const
@@ -158,7 +158,7 @@ int Triangulation::InsertSegment(int a, int b, int segment, bool split)
 
 int Triangulation::InsertPart(int a, int b, int segment, int winding, bool split, int depth)
 {
-  if (depth > MostCrossings)
+  if (depth > MaxCrossings)
   {
     return -2;
   }
@@ -197,7 +197,7 @@ int Triangulation::InsertPart(int a, int b, int segment, int winding, bool split
       }
       a = middle;
       ++depth;
-      if (depth > MostCrossings)
+      if (depth > MaxCrossings)
       {
         return -2;
       }

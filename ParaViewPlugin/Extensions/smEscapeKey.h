@@ -3,10 +3,10 @@
  * @brief Detects the key Esc in a window of this process while its event loop does not run
  *
  * X11 only. The window is the one with the keyboard focus (or, where no window manager sets a focus, the one
- * below the pointer), if its property _NET_WM_PID names this process; Qt sets that property, VTK's own
- * windows do not have it. The key is grabbed for that window during the life of the object, over a connection
- * of its own: a key press between two calls of WasPressed() is not lost, and the application's own event
- * queue is not touched.
+ * below the pointer), or the nearest one around it, whose property _NET_WM_PID names this process; Qt sets
+ * that property, VTK's own windows do not have it. The key is grabbed for that window during the life of the
+ * object, over a connection of its own: a key press between two calls of WasPressed() is not lost, and the
+ * application's own event queue is not touched.
  */
 #ifndef smEscapeKey_h
 #define smEscapeKey_h

@@ -40,8 +40,8 @@ struct SelectionTerms
 /// The selected elements of a block.
 struct SelectedElements
 {
-  /// True for a selection of the block as a whole, by block or because nothing of it was excluded. Then
-  /// Elements is empty.
+  /// True if the expression keeps all elements and a set has the block as a whole, not its single elements.
+  /// Then Elements is empty.
   bool IsWhole = false;
   std::vector<vtkIdType> Elements;
 };

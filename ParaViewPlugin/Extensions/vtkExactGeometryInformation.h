@@ -1,7 +1,7 @@
 /**
  * @class   vtkExactGeometryInformation
- * @brief   tells a client whether an algorithm's output on the server holds exact NURBS geometry, and its
- * length unit
+ * @brief   reports to a client whether an algorithm's output on the server holds exact NURBS geometry, and
+ * its length unit
  *
  * ParaView's own data information knows classes of VTK only. This class examines the data object: true when
  * it, or a leaf of it, is a vtkNURBSDataSet with a model, on any rank of a parallel server. Runs no pipeline.

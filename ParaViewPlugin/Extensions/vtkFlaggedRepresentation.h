@@ -1,6 +1,6 @@
 /**
  * @class   vtkFlaggedRepresentation
- * @brief   draws flagged edges and faces, with the numbers of the worst beside them
+ * @brief   draws flagged edges and faces, with the numbers of the worst next to them
  *
  * The input is port 6 of vtkSurfaceIntegralBase. The numbers are those of the cell array Flag, by which the
  * summary names the places. They are drawn in front of everything by the process with the window, and not at

@@ -1,7 +1,7 @@
 /**
  * @class   vtkPartMaterialsInformation
- * @brief   tells a client the parts in an output on the server by their names, with material, density and
- * mass
+ * @brief   reports to a client the parts in an output on the server by their names, with material, density
+ * and mass
  *
  * Solids of one name are one part. For exact geometry (the output of a reader) the information has the
  * statements of the file; for the table of solids of Mass Properties, the masses. Runs no pipeline.

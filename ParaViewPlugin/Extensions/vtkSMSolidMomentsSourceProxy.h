@@ -8,7 +8,7 @@
  * - highlighting of the solids, faces and edges whose rows are selected in tables, and rows of what is picked
  * (smSolidHighlight.h), where the hints have `<HighlightRows/>`;
  * - the key Esc in ParaView's window, which stops a run in this process (smEscapeKey.h); ParaView 5.11 never
- * enables its own button beside the progress bar. During such a run the status bar shows "Mass Properties,
+ * enables its own button next to the progress bar. During such a run the status bar shows "Mass Properties,
  * Esc stops it". A run on a server cannot be stopped by the client: limit it by the property MaximumSeconds.
  * - the choice of series with which new plots of such filters begin (smPlotSeries.h);
  * - a plane that the filter follows while it is dragged (smLivePlane.h), where the hints have `<LivePlane/>`;

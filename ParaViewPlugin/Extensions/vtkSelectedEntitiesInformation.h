@@ -1,7 +1,7 @@
 /**
  * @class   vtkSelectedEntitiesInformation
- * @brief   tells a client which solids, faces and edges are selected in the tables and meshes of a filter on
- * the server
+ * @brief   reports to a client which solids, faces and edges are selected in the tables and meshes of a
+ * filter on the server
  *
  * The filter has the outputs of vtkSurfaceIntegralBase. A selection of rows of its tables, or of cells of its
  * meshes, gives the numbers of solids and faces, the rows of those faces, the elements to highlight in a

@@ -71,7 +71,7 @@ constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments,
   names::ClosureResidual, names::Faces, names::OpenEdges, names::FlippedShells, names::BoundsEstimated,
   names::BoundsMeasured };
 
-/// Beside Solid, a column that marks a table with several rows per solid.
+/// In addition to Solid, a column that marks a table with several rows per solid.
 constexpr const char* PartsOfSolids[] = {
   names::FaceId,
   names::EdgeId,

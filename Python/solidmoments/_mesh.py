@@ -50,7 +50,7 @@ def display_mesh(file, *, unit="mm", input_unit="mm", deflection=0.001):
     here = os.path.dirname(os.path.abspath(__file__))
     python = PYTHON if os.path.exists(PYTHON) else sys.executable
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONHOME"}
-    # A wheel may have put another VTK beside this package.
+    # A wheel may have put another VTK next to this package.
     environment["PYTHONPATH"] = os.pathsep.join([VTK_FOLDER, os.path.dirname(here)])
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "mesh")

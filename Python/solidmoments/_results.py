@@ -8,7 +8,8 @@ from typing import Optional, Tuple
 Vector = Tuple[float, float, float]
 Matrix = Tuple[Vector, Vector, Vector]
 
-# Unit of each quantity: power of the length unit L, and its other factors. A bound has the unit of its quantity.
+# Unit of each quantity: power of the length unit L, and its other factors. A bound has the unit of its
+# quantity.
 _UNITS = {"volume": (3, ""), "area": (2, ""), "center_of_mass": (1, ""), "inertia": (5, ""), "inertia_at_origin": (5, ""),
           "principal_moments": (5, ""), "principal_axes": (0, ""), "radii_of_gyration": (1, ""), "mass": (0, "kg"), "mass_center": (1, ""),
           "mass_inertia": (2, "kg"), "mass_uncertainty": (0, "kg"), "density": (0, "kg/m^3"), "closure_correction": (3, ""), "gap_squared": (3, ""), "max_gap": (1, ""),
@@ -32,7 +33,7 @@ class FlaggedResultWarning(UserWarning):
 class MassProperties:
     """Mass properties of a file, or of one of its solids (`solids`), in world coordinates.
 
-    Every quantity has its error bound beside it, one number for all its components, in the same unit; `units` has the units. A quantity
+    Every quantity has its error bound next to it, one number for all its components, in the same unit; `units` has the units. A quantity
     that could not be computed is None. `center_of_mass` and `inertia` are those of unit density: a homogeneous body; tensors have the
     negative products of inertia off the diagonal and are about the centre unless their name says otherwise. `mass_center` and
     `mass_inertia` take the densities of the solids as weight. `mass_uncertainty` has the uncertainty of the mass in kg: the sum, and its

@@ -152,7 +152,7 @@ public:
     count.HasSolid = shape.ShapeType() == TopAbs_SOLID;
     // The recursion stops at the limit, where the depth is refused anyway.
     for (TopoDS_Iterator it(shape, Standard_False, Standard_False);
-         it.More() && shape.ShapeType() < TopAbs_FACE && level <= MostLevels; it.Next())
+         it.More() && shape.ShapeType() < TopAbs_FACE && level <= MaxLevels; it.Next())
     {
       const Count& below = this->Get(it.Value(), level + 1);
       // Above the limits the exact number does not matter.
@@ -169,17 +169,17 @@ public:
   std::string FindExcess(const TopoDS_Shape& shape)
   {
     const Count& count = this->Get(shape);
-    return count.Depth > MostLevels
-      ? "its compounds are nested more than " + std::to_string(MostLevels) + " times"
-      : count.Nodes > MostInstances
-      ? "it has more than " + std::to_string(MostInstances) + " instances of solids, shells and compounds"
-      : count.Faces > MostFaces ? "it has more than " + std::to_string(MostFaces) + " faces"
-                                : std::string();
+    return count.Depth > MaxLevels
+      ? "its compounds are nested more than " + std::to_string(MaxLevels) + " times"
+      : count.Nodes > MaxInstances
+      ? "it has more than " + std::to_string(MaxInstances) + " instances of solids, shells and compounds"
+      : count.Faces > MaxFaces ? "it has more than " + std::to_string(MaxFaces) + " faces"
+                               : std::string();
   }
 
 private:
-  static constexpr int MostLevels = 100;
-  static constexpr std::uint64_t MostFaces = 10000000;
+  static constexpr int MaxLevels = 100;
+  static constexpr std::uint64_t MaxFaces = 10000000;
   static constexpr std::uint64_t Endless = std::uint64_t{ 1 } << 40;
 
   std::unordered_map<const void*, Count> Counts;
@@ -273,7 +273,7 @@ void FindLostShells(const TopoDS_Shape& shape, Document& document)
   if (shells > 0)
   {
     document.Defects.push_back(
-      "Closed shells beside the solids of the file belong to none of them and are left out: " +
+      "Closed shells outside the solids of the file belong to none of them and are left out: " +
       std::to_string(shells) + ".");
   }
 }
@@ -298,7 +298,7 @@ void Read(std::string_view bytes, const ProgressCallback& progress, Document& do
     document.Status = ReadStatus::Aborted;
     return;
   }
-  // Of FreeCAD's file three bytes are left, and the shape may be any of its parts.
+  // Three bytes of FreeCAD's file are left, and the shape may be any of its parts.
   if (!IsText(bytes) && stream.good() && stream.peek() != std::istream::traits_type::eof() &&
     IsOfFreeCAD(bytes))
   {

@@ -59,12 +59,12 @@ public:
       for (const EdgeUseStatement& use : statement.Uses)
       {
         // A face of which only one side is finite has that side, whatever the file says.
-        const bool isMended = this->IsTurned(i) && !this->IsClosed(i);
+        const bool isMended = this->IsReversed(i) && !this->IsClosed(i);
         this->Uses[use.Edge].push_back({ i, use.IsForward != isMended, use.IsArc });
       }
-      if (this->IsTurned(i) && this->IsClosed(i))
+      if (this->IsReversed(i) && this->IsClosed(i))
       {
-        this->Add(BodyContradiction::Type::Turned, i, i, 0);
+        this->Add(BodyContradiction::Type::Reversed, i, i, 0);
       }
       if (this->IsInsideOut && HasBorder(statement) && this->IsClosed(i))
       {
@@ -96,7 +96,10 @@ private:
     return this->Known[face] > 0;
   }
 
-  bool IsTurned(std::size_t face) const { return this->Faces[face].Finding.Verdict == FaceVerdict::Turned; }
+  bool IsReversed(std::size_t face) const
+  {
+    return this->Faces[face].Finding.Verdict == FaceVerdict::Reversed;
+  }
 
   void Add(BodyContradiction::Type kind, std::size_t face, std::size_t other, std::uint64_t edge)
   {
@@ -145,7 +148,7 @@ private:
     }
     const bool isBackwards = std::all_of(uses.begin(), uses.end(),
       [this](const UseOfEdge& use)
-      { return use.IsArc && this->IsTurned(use.Face) && !this->IsClosed(use.Face); });
+      { return use.IsArc && this->IsReversed(use.Face) && !this->IsClosed(use.Face); });
     if (isBackwards && this->HasOtherArcs(face))
     {
       this->Add(BodyContradiction::Type::Backwards, face, face, edge);

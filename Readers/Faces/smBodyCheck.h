@@ -2,22 +2,21 @@
  * @file smBodyCheck.h
  * @brief Finds contradictions between the faces of a body, which no check of a single face sees
  *
- * A loop on a closed surface bounds two finite faces, one on either side. If one flag of the file is turned,
- * the other one is again a consistent face, with its normal on the other side. Only the rest of the body
- * tells.
+ * A loop on a closed surface bounds two finite faces, one on either side. If one flag of the file is
+ * reversed, the other one is again a consistent face, with its normal on the other side. Only the rest of the
+ * body shows which one is meant.
  *
  * | kind of fault | found by | case that proves it (TestBodyCheck) |
  * |---|---|---|
- * | a bound, or the edges, turned; a repair turned the face | Turned | "a turned cap" |
+ * | a bound, or the edges, reversed; a repair reversed the face | Reversed | "a reversed cap" |
  * | the same, and the face was read by the letter | SameDirection | "a cap by the letter" |
- * | same_sense turned: the other part, inside out | InsideOut | "a rest that is inside out" |
- * | arcs that run backwards, so that all their faces are turned | Backwards | "arcs that run backwards" |
- * | a bound of a plane turned: one side is infinite | nothing, by intent | "a turned plane beside a cap" |
- * | same_sense of a zone turned: two caps | InPieces | "two caps as one face" |
- * | same_sense on a torus turned that crosses itself | CrossesItself | "both parts of a torus" |
- * | a whole closed surface too many | TooLarge | "more than the whole sphere" |
- * | a face that the mesh lacks | NotInMesh | "a face without triangles" |
- * | same_sense of a dimple turned: a knob | nothing | a sound part, too |
+ * | same_sense reversed: the other part, inside out | InsideOut | "a rest that is inside out" |
+ * | arcs that run backwards, so that all their faces are reversed | Backwards | "arcs that run backwards" |
+ * | a bound of a plane reversed: one side is infinite | nothing, by intent | "a reversed plane next to a cap"
+ * | | same_sense of a zone reversed: two caps | InPieces | "two caps as one face" | | same_sense on a torus
+ * reversed that crosses itself | CrossesItself | "both parts of a torus" | | a whole closed surface too many
+ * | TooLarge | "more than the whole sphere" | | a face that the mesh lacks | NotInMesh | "a face without
+ * triangles" | | same_sense of a dimple reversed: a knob | nothing | a sound part, too |
  */
 #ifndef smBodyCheck_h
 #define smBodyCheck_h
@@ -49,8 +48,8 @@ struct BodyContradiction
 {
   enum class Type
   {
-    /// The face is on a closed surface, and has the other side of its bounds than the file says.
-    Turned,
+    /// The face is on a closed surface, and has the other side of its bounds than the file states.
+    Reversed,
     /// The face is on a closed surface, and an edge has the same direction in it and in another face.
     SameDirection,
     /// The body is inside out, and the face is a part of a closed surface.
@@ -63,11 +62,11 @@ struct BodyContradiction
     TooLarge,
     /// The mesh lacks the face, whose edges bound an area.
     NotInMesh,
-    /// All faces at an arc of a closed curve have the other side of their bounds than the file says: the
+    /// All faces at an arc of a closed curve have the other side of their bounds than the file states: the
     /// other part of the curve may be meant.
     Backwards
   };
-  Type Kind = Type::Turned;
+  Type Kind = Type::Reversed;
   /// Index of the face, and of another one, or the same.
   std::size_t Face = 0;
   std::size_t Other = 0;

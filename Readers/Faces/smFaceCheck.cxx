@@ -187,22 +187,22 @@ public:
   /// `enough`.
   double GetDistance(const TrimCurve::Point& uv, const Vector3& point, double enough)
   {
-    double least = this->Follow(uv, point);
-    if (!(least <= enough) && this->HasLast)
+    double minimum = this->Follow(uv, point);
+    if (!(minimum <= enough) && this->HasLast)
     {
-      least = std::min(least, this->Follow(this->Last, point));
+      minimum = std::min(minimum, this->Follow(this->Last, point));
     }
-    if (!(least <= enough))
+    if (!(minimum <= enough))
     {
-      least = std::min(least, this->Follow(this->FindOnGrid(point), point));
+      minimum = std::min(minimum, this->Follow(this->FindOnGrid(point), point));
     }
-    return least;
+    return minimum;
   }
 
 private:
   double Follow(TrimCurve::Point uv, const Vector3& point)
   {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= FootSteps; ++i)
     {
       Vector3 x;
@@ -210,9 +210,9 @@ private:
       this->Surface.Evaluate(uv[0], uv[1], x.data(), d[0].data(), d[1].data());
       const Vector3 away = Subtract(point, x);
       const double distance = Norm(away);
-      if (distance < least)
+      if (distance < minimum)
       {
-        least = distance;
+        minimum = distance;
         this->Last = uv;
         this->HasLast = true;
       }
@@ -229,13 +229,13 @@ private:
       uv[0] = std::clamp(uv[0] + (c * f - b * g) / determinant, this->Low[0], this->High[0]);
       uv[1] = std::clamp(uv[1] + (a * g - b * f) / determinant, this->Low[1], this->High[1]);
     }
-    return least;
+    return minimum;
   }
 
   TrimCurve::Point FindOnGrid(const Vector3& point) const
   {
     TrimCurve::Point best{ this->Low[0], this->Low[1] };
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= GridSteps; ++i)
     {
       for (int j = 0; j <= GridSteps; ++j)
@@ -245,9 +245,9 @@ private:
         Vector3 x;
         this->Surface.Evaluate(uv[0], uv[1], x.data());
         const double distance = Norm(Subtract(point, x));
-        if (distance < least)
+        if (distance < minimum)
         {
-          least = distance;
+          minimum = distance;
           best = uv;
         }
       }
@@ -418,8 +418,10 @@ private:
     // The conditions are written so that a NaN differs.
     const double lever = Lever * this->GetPerimeter();
     const bool isSame = this->Areas[0] <= limit && this->Moments[0] <= limit * lever;
-    const bool isTurned = this->Areas[1] <= limit && this->Moments[1] <= limit * lever;
-    finding.Verdict = isSame ? FaceVerdict::Agrees : isTurned ? FaceVerdict::Turned : FaceVerdict::Differs;
+    const bool isReversed = this->Areas[1] <= limit && this->Moments[1] <= limit * lever;
+    finding.Verdict = isSame ? FaceVerdict::Agrees
+      : isReversed           ? FaceVerdict::Reversed
+                             : FaceVerdict::Differs;
     finding.AreaDifference = this->Areas[0];
     finding.MomentDifference = this->Moments[0];
     return isSame;

@@ -1,6 +1,6 @@
 /**
  * @file smFaceCheck.h
- * @brief Checks faces against what their file says about them in space
+ * @brief Checks faces against what their file states about them in space
  *
  * A face is integrated within loops in the parameters of its surface. If one of these is wrong (a piece is
  * lost, it is a period too long, it takes the other side), the integrals of something else are right to
@@ -20,7 +20,7 @@
  * | a part of a face | yes | yes | "half of the face" |
  * | a lost corner, an additional loop | yes | yes | "square without a side", "additional" |
  * | a face of a repair in two parts of which one is lost | yes | yes | "of which one is lost" |
- * | a loop beside its edges on the surface | yes | yes | "a loop beside its edges" |
+ * | a loop off its edges on the surface | yes | yes | "a loop off its edges" |
  *
  * What is integrated afterwards are these loops, and the integrals are not compared with the statement again:
  *
@@ -59,11 +59,11 @@ struct StatementPlace
 
 enum class FaceVerdict
 {
-  /// The file says nothing, or has a curve that is not understood.
+  /// The file states nothing, or has a curve that is not understood.
   Unknown,
   Agrees,
   /// The boundary is the file's, in the opposite direction relative to the face's normal.
-  Turned,
+  Reversed,
   Differs
 };
 

@@ -1,6 +1,6 @@
 /**
  * @file smFacePieces.h
- * @brief Whether a face is one piece of its surface, and the surface does not cross itself there
+ * @brief Counts the outer loops of a face, and finds faces on both parts of a torus that crosses itself
  */
 #ifndef smFacePieces_h
 #define smFacePieces_h
@@ -21,7 +21,7 @@ namespace sm
  * rounding of its curves: by these, 73 of 25,207 faces of 98 real files would differ, by the signs none does.
  * The integral over the curvature is therefore not computed: it would give the same whole number, and where
  * it is 0, as on planes and cylinders, it knows nothing of the region. Which region it is, the vector area
- * and the moments tell (smFaceCheck.h). Loops that cross themselves, and holes that run the wrong way, are
+ * and the moments decide (smFaceCheck.h). Loops that cross themselves, and holes that run the wrong way, are
  * found by the multiplicities of the integrals (smCoverage.h).
  *
  * A loop whose area is less than a thousandth of that of its box is not counted.

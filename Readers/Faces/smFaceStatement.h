@@ -1,6 +1,6 @@
 /**
  * @file smFaceStatement.h
- * @brief What a file says about a face in space, without parameters of its surface
+ * @brief What a file states about a face in space, without parameters of its surface
  */
 #ifndef smFaceStatement_h
 #define smFaceStatement_h

@@ -87,7 +87,7 @@ void IntegrateRange(const SpaceCurve& curve, double a, double b, const Vector3& 
 double FindOnSpline(const SpaceCurve& curve, double first, double last, const Vector3& vertex)
 {
   double best = first;
-  double least = Norm(Subtract(curve.Evaluate(first), vertex));
+  double minimum = Norm(Subtract(curve.Evaluate(first), vertex));
   double step = last - first;
   for (std::size_t k = curve.Degree; k + 1 + curve.Degree < curve.Knots.size(); ++k)
   {
@@ -96,9 +96,9 @@ double FindOnSpline(const SpaceCurve& curve, double first, double last, const Ve
     {
       const double t = curve.Knots[k] + width * i / SpanSamples;
       const double distance = Norm(Subtract(curve.Evaluate(t), vertex));
-      if (distance < least)
+      if (distance < minimum)
       {
-        least = distance;
+        minimum = distance;
         best = t;
         step = width / SpanSamples;
       }
@@ -112,7 +112,7 @@ double FindOnSpline(const SpaceCurve& curve, double first, double last, const Ve
     const double move = square > 0.0 ? std::clamp(Dot(away, derivative) / square, -step, step) : 0.0;
     const double next = std::clamp(best + move, first, last);
     const double distance = Norm(Subtract(curve.Evaluate(next), vertex));
-    if (!(distance < least) && move != 0.0)
+    if (!(distance < minimum) && move != 0.0)
     {
       step = 0.25 * std::abs(move);
       if (step <= 1e-15 * std::max(std::abs(first), std::abs(last)))
@@ -126,7 +126,7 @@ double FindOnSpline(const SpaceCurve& curve, double first, double last, const Ve
       break;
     }
     best = next;
-    least = distance;
+    minimum = distance;
   }
   return best;
 }

@@ -29,7 +29,7 @@ enum class Part21Defect : unsigned char
   NumberTooLarge,     ///< an instance or a reference has a number beyond 64 bits
   DuplicateId,        ///< a second instance with the same number; Find() gives the first
   UndefinedReference, ///< a reference to an instance that the file does not have
-  ControlCharacters,  ///< bytes below 32 that are no tabs or line ends; they are read as blanks
+  ControlCharacters,  ///< bytes below 32 that are not tabs or line ends; they are read as blanks
   UnreadInstance, ///< text with numbers of instances that is skipped, between instances or in a section that
                   ///< is not read
   BehindEnd,      ///< an instance behind END-ISO-10303-21; it is not read
@@ -63,8 +63,8 @@ struct Part21Range
 /**
  * A STEP file: its instances in the order of the text, their records, and what each refers to.
  *
- * A simple instance `#1=A(…);` has one record, a complex one `#1=(A(…)B(…));` as many as it names. Of a
- * record the type and the text of its parameters are kept; Part21Values reads them when they are asked for.
+ * A simple instance `#1=A(…);` has one record, a complex one `#1=(A(…)B(…));` as many as it names. The type
+ * of a record and the text of its parameters are kept; Part21Values reads them when they are asked for.
  * References are resolved to indices when the file is read. Instances of all DATA sections are one list;
  * ANCHOR, REFERENCE and SIGNATURE sections (third edition) are passed over. Names of types are compared in
  * capitals.

@@ -45,7 +45,7 @@ template <typename Change>
 void VisitUndefined(const Part21File& file, Part21File::Index i, const Change& change)
 {
   const std::string_view text = file.GetText(i);
-  // The instance's own number is no reference.
+  // The instance's own number is not a reference.
   Part21Cursor cursor{ text.data() + std::min<std::size_t>(1, text.size()), text.data() + text.size() };
   while (cursor.SkipBlanks() && !cursor.IsAtEnd())
   {

@@ -23,7 +23,7 @@ constexpr std::string_view PrefixesWithLists[] = { "APPLIED_", "AUTO_DESIGN_", "
 constexpr std::string_view WordsWithLists[] = { "B_SPLINE_CURVE", "B_SPLINE_SURFACE", "TOLERANCE" };
 
 /// Lists in one another beyond this level are refused; the schemas have three levels.
-constexpr std::size_t MostNestedLists = 100;
+constexpr std::size_t MaxNestedLists = 100;
 
 bool NeedsMembers(std::string_view type)
 {
@@ -65,7 +65,7 @@ bool HasEmptyList(std::string_view parameters, int levels)
   return false;
 }
 
-/// Returns true for lists in more than MostNestedLists levels. Brackets in strings and comments are counted
+/// Returns true for lists in more than MaxNestedLists levels. Brackets in strings and comments are counted
 /// only if there are so many.
 bool IsDeeplyNested(std::string_view parameters)
 {
@@ -77,12 +77,12 @@ bool IsDeeplyNested(std::string_view parameters)
     level -= c == ')' && level > 0 ? 1 : 0;
     deepest = std::max(deepest, level);
   };
-  if (parameters.size() < 2 * MostNestedLists)
+  if (parameters.size() < 2 * MaxNestedLists)
   {
     return false;
   }
   std::for_each(parameters.begin(), parameters.end(), count);
-  if (deepest <= MostNestedLists)
+  if (deepest <= MaxNestedLists)
   {
     return false;
   }
@@ -106,7 +106,7 @@ bool IsDeeplyNested(std::string_view parameters)
       count(parameters[at]);
     }
   }
-  return deepest > MostNestedLists;
+  return deepest > MaxNestedLists;
 }
 }
 

@@ -68,7 +68,7 @@ public:
   {
   }
 
-  /// Reads the next value. Returns false at the end, and at text that is no value, where IsMalformed()
+  /// Reads the next value. Returns false at the end, and at text that is not a value, where IsMalformed()
   /// becomes true.
   bool Next(Part21Value& value);
   bool IsMalformed() const { return this->Malformed; }

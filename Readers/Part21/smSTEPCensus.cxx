@@ -22,6 +22,7 @@ STEPCensus STEPCensusTaker::Take()
   this->CheckVersions();
   this->FindAlternatives();
   this->FindShapelessProducts();
+  this->ListProducts();
   this->ReadQuantities();
   this->WalkBodies();
   this->FindCycles();
@@ -69,8 +70,8 @@ STEPCensusTaker::Index STEPCensusTaker::Follow(
   if (roles != ~std::uint64_t{ 0 } && !this->Entities.Has(to, roles))
   {
     // The schemas have more types of representations and of shape definitions (for features, for example)
-    // than the table, so another type is no defect here. A solid that is reached only through one is reported
-    // as lost.
+    // than the table, so another type is not a defect here. A solid that is reached only through one is
+    // reported as lost.
     const bool mayBeUnknown = (roles & (STEPRole::Representation | STEPRole::ProductShape)) != 0;
     if (!mayBeUnknown || this->Entities.IsKnown(to))
     {
@@ -125,7 +126,7 @@ const char* GetName(CensusDefect defect)
     "an edge runs against its loop or its curve, with the same points", "face twice in a shell",
     "item twice in a representation", "exact and faceted shapes of one product, which are both counted",
     "several definitions of one product, which are all counted",
-    "a product of closed surfaces without a solid, whose volume is not counted beside solids",
+    "a product of closed surfaces without a solid, whose volume is not added to that of solids",
     "used by nothing", "shell without faces", "assembly contains itself", "missing placement",
     "placed as an occurrence and by a mapped item, which are both counted", "placement of other products",
     "in no product", "missing unit", "wrong unit", "absurd unit" };

@@ -49,7 +49,7 @@ enum class CensusDefect : unsigned char
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses
   MissingUnit,       ///< no length unit, or no angle unit
-  WrongUnit,         ///< a unit that is damaged, not positive, or not what its name says
+  WrongUnit,         ///< a unit that is damaged, not positive, or not what its name means
   AbsurdUnit,        ///< a length unit below a nanometre or above a kilometre
   Count
 };
@@ -135,7 +135,7 @@ struct CensusBody
   CensusCount Instances = 0;
   /// Number of representations of which it is an item.
   std::uint32_t Representations = 0;
-  /// Number of these that are geometry of construction, which is no shape of a product.
+  /// Number of these that are geometry of construction, which is not a shape of a product.
   std::uint32_t Constructions = 0;
   /// Index into STEPCensus::Contexts of one of these, -1 for none.
   int Context = -1;
@@ -149,6 +149,28 @@ struct CensusBody
   bool Alternative = false;
 };
 
+/// Representations that are one shape, by their numbers, in the order of the file.
+struct CensusShape
+{
+  std::vector<std::uint64_t> Representations;
+  CensusCount Instances = 0;
+  /// True if a product has it, or another shape contains it.
+  bool IsUsed = false;
+};
+
+/// A PRODUCT_DEFINITION.
+struct CensusProduct
+{
+  std::uint64_t Id = 0;
+  /// Name of its PRODUCT, or its id if the name is empty, as in the file.
+  std::string Name;
+  /// Indices into STEPCensus::Shapes.
+  std::vector<std::size_t> Shapes;
+  CensusCount Instances = 0;
+  /// True for a part of another product, by an occurrence or a mapped item.
+  bool IsPart = false;
+};
+
 /// An occurrence of a product in an assembly: NEXT_ASSEMBLY_USAGE_OCCURRENCE.
 struct CensusOccurrence
 {
@@ -160,6 +182,11 @@ struct CensusOccurrence
   /// Entity numbers of the CONTEXT_DEPENDENT_SHAPE_REPRESENTATION and its transformation; 0: none.
   std::uint64_t Placement = 0;
   std::uint64_t Transformation = 0;
+  /// The representations of the child and of the parent that the placement relates; 0 if it names others.
+  std::uint64_t ChildShape = 0;
+  std::uint64_t ParentShape = 0;
+  /// True if the placement names that of the parent first.
+  bool IsReversed = false;
   /// True if it has no placement, and a mapped item of the shape of the child into that of the parent places
   /// it.
   bool IsMapped = false;
@@ -310,6 +337,9 @@ struct SMREADERSPART21_EXPORT STEPCensus
   /// True if a shell has an ORIENTED_FACE.
   bool HasOrientedFaces = false;
   std::vector<std::uint64_t> Bounds;
+  std::vector<CensusShape> Shapes;
+  /// In the order of the file.
+  std::vector<CensusProduct> Products;
   std::vector<CensusOccurrence> Occurrences;
   std::vector<CensusMappedItem> MappedItems;
   std::vector<CensusShapelessProduct> ShapelessProducts;

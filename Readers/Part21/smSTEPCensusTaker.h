@@ -103,6 +103,7 @@ private:
   void FindShapelessProducts();
   std::unordered_map<Index, std::string> FindFilesOfProducts() const;
   std::string GetProductName(Index product) const;
+  void ListProducts();
   void ReadQuantities();
 
   // smSTEPBodies.cxx: bodies, shells, faces

@@ -2,8 +2,10 @@
 // files, quantities.
 #include "smSTEPCensusTaker.h"
 #include "smSTEPExtent.h"
+#include "smSTEPPropertyAttributes.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace sm
 {
@@ -54,7 +56,7 @@ std::vector<std::uint32_t> STEPCensusTaker::FindExactBodies(Index group) const
   return bodies;
 }
 
-/// Returns true if triangles lie beyond the exact bodies beside them, and thus are none of these in other
+/// Returns true if triangles lie beyond the exact bodies next to them, and thus are none of these in other
 /// words.
 bool STEPCensusTaker::IsElsewhere(Index group, Index tessellation) const
 {
@@ -143,7 +145,7 @@ void STEPCensusTaker::FindAlternatives()
   }
 }
 
-/// Surfaces beside solids are left out, for most of them are none of a part. A product of nothing but closed
+/// Surfaces outside solids are left out, for most of them are none of a part. A product of nothing but closed
 /// ones is a part.
 void STEPCensusTaker::CheckSurfaces(Index product, const std::vector<std::uint32_t>& bodies)
 {
@@ -243,6 +245,48 @@ std::string STEPCensusTaker::GetProductName(Index product) const
   const Index base = this->Entities.Follow(this->Entities.Get(formation, PartOfFormation));
   const std::string_view name = this->Entities.Get(base, NameOfPart).Text;
   return std::string(name.empty() ? this->Entities.Get(base, IdOfPart).Text : name);
+}
+
+/// Lists the shapes, and the products with theirs.
+void STEPCensusTaker::ListProducts()
+{
+  std::unordered_map<Index, std::size_t> places;
+  for (const Index i : this->Representations)
+  {
+    const Index group = this->Groups[i];
+    const auto [place, isNew] = places.emplace(group, this->Census.Shapes.size());
+    if (isNew)
+    {
+      this->Census.Shapes.emplace_back().Instances = this->Counts[group];
+    }
+    this->Census.Shapes[place->second].Representations.push_back(this->File.GetId(i));
+  }
+  std::unordered_set<Index> parts;
+  for (const Arc& arc : this->Arcs)
+  {
+    const auto shape = places.find(arc.To);
+    if (shape != places.end())
+    {
+      this->Census.Shapes[shape->second].IsUsed = true;
+    }
+    if (this->IsOfAssembly(arc))
+    {
+      parts.insert(arc.To);
+    }
+  }
+  for (const Index i : this->Products)
+  {
+    CensusProduct product;
+    product.Id = this->File.GetId(i);
+    product.Name = this->GetProductName(i);
+    product.Instances = this->Counts[i];
+    product.IsPart = parts.count(i) > 0 || (!this->IsMapped.empty() && this->IsMapped[i]);
+    for (const Index shape : this->GetShapes(i))
+    {
+      product.Shapes.push_back(places.at(shape));
+    }
+    this->Census.Products.push_back(std::move(product));
+  }
 }
 
 /// Returns the files that documents name for products, their formations, shapes and representations.

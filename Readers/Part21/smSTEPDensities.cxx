@@ -140,7 +140,7 @@ private:
     }
     if (!isNumber)
     {
-      density.Problem = "it is no number";
+      density.Problem = "it is not a number";
     }
     else if (!(unit > 0.0))
     {

@@ -34,7 +34,7 @@ struct STEPExplicit
  * keep their numbers, and new ones get numbers that the text does not have.
  *
  * - A unit that is converted to another converted one (a foot of 12 inches) is converted to the unit of SI,
- * and a unit that is no complex entity becomes one. OpenCASCADE takes 1 mm for both.
+ * and a unit that is not a complex entity becomes one. OpenCASCADE takes 1 mm for both.
  * - ITEM_DEFINED_TRANSFORMATION and MAPPED_ITEM move a representation so that its first placement lands on
  * the second one (ISO 10303-43), which is second * inverse(first). OpenCASCADE takes inverse(first) * second.
  * Where these differ, the first placement becomes the origin and the second one the product.

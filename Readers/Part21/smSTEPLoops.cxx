@@ -94,7 +94,7 @@ bool STEPCensusTaker::ReadVertex(Index vertex, Point3& point)
   return isKnown;
 }
 
-/// Returns the curve of an edge, without the pcurves that may stand beside it; None if there is none.
+/// Returns the curve of an edge, without the pcurves that may accompany it; None if there is none.
 STEPCensusTaker::Index STEPCensusTaker::FindSpatialCurve(Index edge) const
 {
   const Index curve = this->Entities.Follow(this->Entities.Get(edge, CurveOfEdge));

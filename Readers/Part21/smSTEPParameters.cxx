@@ -63,7 +63,7 @@ bool IsZero(std::string_view number)
 }
 
 /// Spans between knots below this part of the whole are refused: OpenCASCADE divides by powers of them.
-constexpr double LeastSpan = 1e-30;
+constexpr double MinSpan = 1e-30;
 
 /// Returns the reason why knots, multiplicities, degree and number of poles of one direction are
 /// inconsistent; null if they are consistent.
@@ -81,7 +81,7 @@ const char* FindMismatch(
   std::int64_t sum = 0;
   double first = 0.0;
   double last = -std::numeric_limits<double>::infinity();
-  double leastSpan = std::numeric_limits<double>::infinity();
+  double minimumSpan = std::numeric_limits<double>::infinity();
   while (counts.Next(count))
   {
     std::int64_t multiplicity = 0;
@@ -97,14 +97,14 @@ const char* FindMismatch(
     }
     first = sum == 0 ? knot : first;
     sum += multiplicity;
-    leastSpan = std::min(leastSpan, knot - last);
+    minimumSpan = std::min(minimumSpan, knot - last);
     last = knot;
   }
   if (positions.Next(position))
   {
     return "knots";
   }
-  if (leastSpan < LeastSpan * (last - first))
+  if (minimumSpan < MinSpan * (last - first))
   {
     return TooClose;
   }

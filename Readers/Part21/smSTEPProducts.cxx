@@ -35,11 +35,10 @@ std::string Unquote(std::string_view text)
 class ProductReader
 {
 public:
-  explicit ProductReader(const Part21File& file)
+  ProductReader(const Part21File& file, const STEPCensus& census)
     : File(file)
     , Entities(file)
   {
-    const STEPCensus census = TakeSTEPCensus(file);
     for (const STEPDensity& density : census.Densities)
     {
       this->WithDensity.insert(density.Product);
@@ -190,7 +189,7 @@ private:
     const double unit = this->ReadUnit(this->Entities.Follow(this->Entities.Get(item, UnitOfItem)), power);
     if (!GetPart21Value(measure.Text, 0).GetNumber(number))
     {
-      product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is no number";
+      product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is not a number";
     }
     else if (!(unit > 0.0))
     {
@@ -211,7 +210,7 @@ private:
     {
       if (!GetPart21Value(list, i).GetNumber(point[i]) || !(millimetres > 0.0))
       {
-        product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is no point with a length unit";
+        product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is not a point with a length unit";
         return;
       }
     }
@@ -383,7 +382,12 @@ void AddStatement(const STEPStatement& statement, EntityWriter& writer)
 
 std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file)
 {
-  return ProductReader(file).Read();
+  return ReadSTEPProducts(file, TakeSTEPCensus(file));
+}
+
+std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file, const STEPCensus& census)
+{
+  return ProductReader(file, census).Read();
 }
 
 std::string AppendSTEPValidation(const Part21File& file, const std::vector<STEPStatement>& statements)

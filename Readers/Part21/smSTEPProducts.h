@@ -8,6 +8,7 @@
 
 #include "smPart21File.h"
 #include "smReadersPart21Module.h"
+#include "smSTEPCensus.h"
 
 #include <array>
 #include <cstdint>
@@ -54,6 +55,9 @@ struct STEPProduct
  * CARTESIAN_POINT "centre point" in the unit of its representation's context.
  */
 SMREADERSPART21_EXPORT std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file);
+/// The same for a file whose census has been taken.
+SMREADERSPART21_EXPORT std::vector<STEPProduct> ReadSTEPProducts(
+  const Part21File& file, const STEPCensus& census);
 
 /// The values that AppendSTEPValidation() writes for a product: lengths are millimetres.
 struct STEPStatement

@@ -84,7 +84,7 @@ struct STEPEntityType
 SMREADERSPART21_EXPORT const STEPEntityType* FindSTEPEntityType(std::string_view name);
 
 /// Returns the roles of which the target of a reference with this letter must have one; 0 for letters that
-/// are no references.
+/// are not references.
 std::uint64_t GetRoleOfLetter(char letter);
 }
 

@@ -72,7 +72,7 @@ void STEPCensusTaker::FindPlacements()
     }
     if (isOther && relation != None && HasTransformation(this->Entities, relation))
     {
-      // A usage that is no occurrence, or another place for one instance in a part of the assembly.
+      // A usage that is not an occurrence, or another place for one instance in a part of the assembly.
       this->Add(
         CensusDefect::PlacementMismatch, used, this->File.GetId(i), "a usage of a type that is not read");
     }
@@ -170,7 +170,7 @@ bool STEPCensusTaker::IsShapeOf(Index representation, Index product) const
     this->ShapesOfProducts.begin(), this->ShapesOfProducts.end(), std::make_pair(product, Index{ 0 }));
   if (first == this->ShapesOfProducts.end() || first->first != product)
   {
-    // A product without a shape is no contradiction.
+    // A product without a shape is not a contradiction.
     return true;
   }
   return std::binary_search(
@@ -214,7 +214,13 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
   {
     this->KernelArcs.push_back({ parent, owner->second, i, true });
   }
-  if (!forward && !backward)
+  occurrence.IsReversed = !forward && backward;
+  if (forward || backward)
+  {
+    occurrence.ChildShape = this->File.GetId(occurrence.IsReversed ? second : first);
+    occurrence.ParentShape = this->File.GetId(occurrence.IsReversed ? first : second);
+  }
+  else
   {
     this->Add(CensusDefect::PlacementMismatch, i, occurrence.Placement, "representations of other products");
   }
@@ -335,7 +341,7 @@ void STEPCensusTaker::AddPlacedShapes()
   }
 }
 
-/// A placement that is no frame in space places nothing: OpenCASCADE takes none for it.
+/// A placement that is not a frame in space places nothing: OpenCASCADE takes none for it.
 void STEPCensusTaker::CheckFrame(Index user, Index placement)
 {
   std::string_view record;

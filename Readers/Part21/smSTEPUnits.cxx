@@ -17,7 +17,7 @@ constexpr STEPAttribute UncertaintiesOfContext = { "GLOBAL_UNCERTAINTY_ASSIGNED_
 /// Largest number of conversions from unit to unit; inch to millimetre is one.
 constexpr int LongestConversion = 8;
 /// The record of a complex unit, the unit of SI, what it is in the unit of the result, the smallest and
-/// largest that is no damage, and the relative accuracy with which factors are written: 0.01745 for a degree
+/// largest that is not damage, and the relative accuracy with which factors are written: 0.01745 for a degree
 /// is off by 1.9e-4, 0.4536 for a pound by 2e-5; of lengths, which are exact, the foot of American surveyors
 /// by 2e-6.
 struct SIKind

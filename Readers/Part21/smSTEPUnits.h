@@ -35,8 +35,8 @@ CensusUnit ReadSTEPUnit(const STEPAttributes& entities, Part21File::Index unit, 
 
 /// Reads the units of length and angle of a context, whose Id is set. `used` gets the entities that were
 /// read.
-void ReadSTEPUnits(const STEPAttributes& entities, Part21File::Index context, CensusContext& result,
-  std::vector<Part21File::Index>& used);
+SMREADERSPART21_EXPORT void ReadSTEPUnits(const STEPAttributes& entities, Part21File::Index context,
+  CensusContext& result, std::vector<Part21File::Index>& used);
 
 /// Reads an entity with a number and a unit; returns false if either is missing or damaged.
 bool ReadSTEPMeasure(

@@ -8,6 +8,7 @@
 #include "smReadersPart21Module.h"
 
 #include <string>
+#include <string_view>
 
 namespace sm
 {
@@ -18,6 +19,10 @@ namespace sm
  * compared with that of reading it.
  */
 SMREADERSPART21_EXPORT std::string ToUTF8(std::string text);
+
+/// Returns the text of a string of Part 21 (ISO 10303-21, 6.4.3) without its escapes: '', \\, \X\, \X2\, \X4\,
+/// and \S\ for ISO 8859-1. Incomplete escapes are kept as they are.
+SMREADERSPART21_EXPORT std::string DecodePart21Text(std::string_view text);
 }
 
 #endif

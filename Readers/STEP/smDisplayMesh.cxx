@@ -48,7 +48,7 @@ public:
     {
       this->Missing.push_back(face);
     }
-    else if (mesh.TurnedOver > 0)
+    else if (mesh.InvertedTriangles > 0)
     {
       this->Turned[mesh.Reason].push_back(face);
     }

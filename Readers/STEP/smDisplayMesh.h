@@ -18,7 +18,7 @@ class vtkPolyData;
 namespace sm
 {
 /// The deflection for a body of that diagonal: at least 1e-5 of it, and 1e-3 when the one that was asked for
-/// is no number above 0.
+/// is not a number above 0.
 SMREADERSSTEP_EXPORT double LimitDeflection(double deflection, double diagonal);
 
 /// Limits of the mesh that a body's scales are taken from, whatever is shown: a part of its box's diagonal,
@@ -28,8 +28,8 @@ MeshLimits GetScaleLimits(double diagonal);
 
 /// Joins the meshes of all faces to one of the body in part coordinates, faces moved by `origin`, with
 /// normals and the arrays of vtkNURBSDataSet. Every face has its own points; triangles are wound outward. It
-/// remembers the deflection it was made for. Says in a sentence each what faces have no triangles, and what
-/// meshes may be open.
+/// remembers the deflection it was made for. Reports in a sentence each what faces have no triangles, and
+/// what meshes may be open.
 vtkSmartPointer<vtkPolyData> JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMesh> meshes,
   const double origin[3], double deflection, std::vector<std::string>& messages);
 

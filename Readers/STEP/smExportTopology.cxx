@@ -20,7 +20,7 @@ constexpr double SameVertex = 1e-5;
 /// check allows 0.01.
 constexpr double JumpFraction = 0.005;
 
-/// Number of samples of an edge between two of its breaks, and the least total number. OpenCASCADE's check
+/// Number of samples of an edge between two of its breaks, and the smallest total number. OpenCASCADE's check
 /// takes 23.
 constexpr int SamplesPerPiece = 4;
 constexpr int LeastSamples = 46;

@@ -21,7 +21,7 @@ namespace sm
  * placement. If it finds no shape, it uses the last one of the others. All of these but the last are removed.
  * - The items of the assembly's representation, among which the transfer searches the placement, to detect
  * that origin and target are interchanged. Placements that are not interchanged in any relationship, and that
- * are no origin of one, are removed.
+ * are not origin of one, are removed.
  */
 void ShortenAssemblies(const Handle(XSControl_WorkSession) & session, const ModelEntities& entities);
 }

@@ -149,7 +149,7 @@ private:
   }
 
   /// Calls convert(i) for all i on the application's threads. An edge or face for which it throws is left
-  /// out, and a message says why.
+  /// out, and a message reports why.
   template <class Work>
   void Run(std::size_t count, const Work& convert, const char* kind, double done)
   {

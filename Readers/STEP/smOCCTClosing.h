@@ -25,7 +25,7 @@ double MeasureSize(const std::vector<std::shared_ptr<const Edge>>& edges);
 /// Returns the larger one of the distances of the curve's ends from the vertices of the edge.
 double GetVertexGap(const Edge& edge);
 
-/// Returns the largest distance that is no defect; `size`: of the body.
+/// Returns the largest distance that is not a defect; `size`: of the body.
 double GetVertexLimit(const Edge& edge, double size);
 
 /// Adds the number of places where loops are open to the defects of the draft, and writes a message. Gaps are

@@ -8,6 +8,7 @@
 #endif
 
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #if !__has_include(<XSAlgo_ShapeProcessor.hxx>)
@@ -120,6 +121,11 @@ STEPConstruct_UnitContext GetUnitFactors(const Handle(StepRepr_GlobalUnitAssigne
 TransferFilter::TransferFilter(Callback) {}
 
 TransferFilter::~TransferFilter() = default;
+
+TopoDS_Shape RepairTransferred(const TopoDS_Shape& shape, double, double, ShapeChanges&)
+{
+  return shape;
+}
 #else
 namespace
 {
@@ -211,6 +217,42 @@ TransferFilter::TransferFilter(Callback isSound)
 TransferFilter::~TransferFilter()
 {
   XSAlgo::SetAlgoContainer(Handle(XSAlgo_AlgoContainer)::DownCast(this->Previous));
+}
+
+namespace
+{
+constexpr const char* RepairResource = "read.step.resource.name";
+constexpr const char* RepairSequence = "read.step.sequence";
+
+template <typename... Last>
+TopoDS_Shape Process(TopoDS_Shape (XSAlgo_AlgoContainer::*method)(const TopoDS_Shape&, Standard_Real,
+                       Standard_Real, Standard_CString, Standard_CString, Handle(Standard_Transient) &,
+                       const Message_ProgressRange&, Standard_Boolean, Last...) const,
+  const TopoDS_Shape& shape, double precision, double maximum, Handle(Standard_Transient) & info)
+{
+  return ((*XSAlgo::AlgoContainer()).*method)(shape, precision, maximum, RepairResource, RepairSequence, info,
+    Message_ProgressRange(), false, std::decay_t<Last>()...);
+}
+}
+
+TopoDS_Shape RepairTransferred(
+  const TopoDS_Shape& shape, double precision, double maximum, ShapeChanges& changes)
+{
+  Handle(Standard_Transient) info;
+  const TopoDS_Shape result = Process(&XSAlgo_AlgoContainer::ProcessShape, shape, precision, maximum, info);
+  changes = [info](const std::function<void(const TopoDS_Shape&, const TopoDS_Shape&)>& visit)
+  {
+    const auto context = Handle(ShapeProcess_ShapeContext)::DownCast(info);
+    if (context.IsNull())
+    {
+      return;
+    }
+    for (TopTools_DataMapIteratorOfDataMapOfShapeShape it(context->Map()); it.More(); it.Next())
+    {
+      visit(it.Key(), it.Value());
+    }
+  };
+  return result;
 }
 #endif
 }

@@ -65,7 +65,7 @@ using FaceRepair = std::function<TopoDS_Shape(
  * During the lifetime of this object `isSound` is called for each shape of a STEP transfer before OpenCASCADE
  * repairs it. If it returns true, the shape, which it may exchange or repair in part, is not repaired. The
  * hook is global: hold a KernelSession. From OpenCASCADE 7.9 on it is never called and all shapes are
- * repaired, because the repair is no virtual function any more.
+ * repaired, because the repair is not a virtual function any more.
  */
 class TransferFilter
 {
@@ -80,6 +80,15 @@ public:
 private:
   Handle(Standard_Transient) Previous;
 };
+
+/// Calls visit(from, to) for each shape that a repair replaced.
+using ShapeChanges =
+  std::function<void(const std::function<void(const TopoDS_Shape&, const TopoDS_Shape&)>&)>;
+
+/// Repairs a shape as the transfer of a STEP file would; the conditions of TransferFilter apply. `precision`
+/// and the largest tolerance are in millimetres. From OpenCASCADE 7.9 on the shape is returned as it is.
+TopoDS_Shape RepairTransferred(
+  const TopoDS_Shape& shape, double precision, double maximum, ShapeChanges& changes);
 }
 
 #endif

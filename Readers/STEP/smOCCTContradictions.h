@@ -49,7 +49,7 @@ Handle(StepGeom_Surface) GetBasisOfFace(const Handle(StepShape_FaceSurface) & fa
 /// Returns true if no edge bounds the face: it is the whole surface.
 bool IsWithoutEdges(const Handle(StepShape_FaceSurface) & face);
 
-/// Reads the point of a vertex, in the unit of the file. Returns false if it is no point in space.
+/// Reads the point of a vertex, in the unit of the file. Returns false if it is not a point in space.
 bool GetPoint(const Handle(StepShape_Vertex) & vertex, gp_Pnt& position);
 
 /// Reports faces that are a whole torus whose minor radius exceeds the major one. It crosses itself, and

@@ -78,8 +78,8 @@ bool IsShapeType(const Standard_Type& type)
     IsPlacing(type);
 }
 
-/// Returns true for failures that do not matter: a name that is no string, or a value that the parser itself
-/// replaced.
+/// Returns true for failures that do not matter: a name that is not a string, or a value that the parser
+/// itself replaced.
 bool IsHarmless(const std::string& failure)
 {
   return failure.find("not a quoted String") != std::string::npos ||

@@ -19,6 +19,7 @@
 #include "smPart21File.h"
 #include "smPart21Remains.h"
 #include "smPart21Unparsable.h"
+#include "smSTEPDirect.h"
 #include "smSTEPExplicit.h"
 #include "smSTEPFaceStatements.h"
 #include "smSTEPReconciliation.h"
@@ -157,7 +158,7 @@ void TurnNegativeTori(const ModelEntities& entities)
 }
 
 /// Keeps OpenCASCADE from reading other files, which it would seek in the working directory: their bodies
-/// would have numbers that are none of this file, and nothing would tell whether they are complete.
+/// would have numbers that are none of this file, and nothing would show whether they are complete.
 /// Reconcile() reports the products that lack them.
 void ForgetOtherFiles(const ModelEntities& entities)
 {
@@ -346,6 +347,33 @@ struct DeclaredContent
   }
 };
 
+/// Takes the sound faces, defects and messages of the repairs over into the document.
+void ApplyLog(const RepairLog& log, Document& document)
+{
+  for (const auto& [shape, face] : log.SoundFaces)
+  {
+    document.Table[shape].AsInFile = face;
+  }
+  for (const std::string& face : log.FoldedFaces)
+  {
+    document.Defects.push_back("The sense of " + face +
+      " of the file contradicts its neighbours: the face folds back at their common edges. The other part of "
+      "its surface may be meant.");
+  }
+  for (const std::string& face : log.OutsideFaces)
+  {
+    document.Defects.push_back("The direction of the loops of " + face +
+      " of the file selects the part of its surface outside them. OpenCASCADE's repair may have taken the "
+      "part "
+      "inside.");
+  }
+  document.TrimSeconds = log.Seconds;
+  for (std::string& message : Describe(log))
+  {
+    document.Messages.push_back(std::move(message));
+  }
+}
+
 /// Transfers all shapes of the file; returns false if `progress` stopped it.
 bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, RepairMode repair,
   const ProgressCallback& progress, Document& document, RepairLog& log)
@@ -362,41 +390,48 @@ bool Transfer(STEPCAFControl_Reader& reader, Handle(TDocStd_Document) & xde, Rep
     reader.Transfer(xde, indicator->Start());
   }
   indicator->Rethrow();
-  for (const auto& [shape, face] : log.SoundFaces)
-  {
-    document.Table[shape].AsInFile = face;
-  }
-  for (const std::string& face : log.FoldedFaces)
-  {
-    document.Defects.push_back("Of " + face +
-      " of the file the sense contradicts its neighbours: it folds back where it meets them. The other part "
-      "of its surface may be meant.");
-  }
-  for (const std::string& face : log.OutsideFaces)
-  {
-    document.Defects.push_back("Of " + face +
-      " of the file the part outside its loops is meant, by their direction. OpenCASCADE's repair may have "
-      "taken the part inside.");
-  }
-  document.TrimSeconds = log.Seconds;
-  for (std::string& message : Describe(log))
-  {
-    document.Messages.push_back(std::move(message));
-  }
+  ApplyLog(log, document);
   return progress(1.0);
 }
 
-void Read(std::string content, const FileCheck& check, RepairMode repair, const ProgressCallback& progress,
-  Document& document)
+/// Reads the file without OpenCASCADE's reader. Returns false if that has to read it.
+bool ReadDirectly(const DeclaredContent& declared, RepairMode repair, const ProgressCallback& progress,
+  double start, Document& document)
+{
+  RepairLog log;
+  bool isAborted = false;
+  const double parsed = vtkTimerLog::GetUniversalTime() - start;
+  const std::string reason =
+    ReadSTEPDirectly(declared.Text, declared.Census, repair, progress, document, log, isAborted);
+  if (!reason.empty())
+  {
+    return false;
+  }
+  if (isAborted)
+  {
+    document.Status = ReadStatus::Aborted;
+    return true;
+  }
+  document.ParseSeconds = parsed;
+  ApplyLog(log, document);
+  ReportTurnedShells(log, document);
+  Reconcile(declared.Census, document);
+  document.Statements = ReadFaceStatements(declared.Text, declared.Census);
+  document.Status = document.Bodies.empty() ? ReadStatus::Empty : ReadStatus::Ok;
+  return true;
+}
+
+void Read(std::string content, const FileCheck& check, RepairMode repair, ReaderMode mode,
+  const ProgressCallback& progress, Document& document)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   const DeclaredContent declared(std::move(content), document);
   const CensusCount instances = CountDeclaredInstances(declared.Census);
-  if (instances > MostInstances)
+  if (instances > MaxInstances)
   {
     document.Problem = "it declares " +
       (instances == CensusMaximum ? "more than 10^19" : std::to_string(instances)) +
-      " instances of bodies and sub-assemblies, and at most " + std::to_string(MostInstances) +
+      " instances of bodies and sub-assemblies, and at most " + std::to_string(MaxInstances) +
       " are read; export its sub-assemblies one by one";
     return;
   }
@@ -409,6 +444,10 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
     return;
   }
   const KernelSession kernel;
+  if (mode == ReaderMode::Direct && ReadDirectly(declared, repair, progress, start, document))
+  {
+    return;
+  }
   STEPCAFControl_Reader reader;
   Configure(reader);
   STEPExplicit completed;
@@ -492,7 +531,7 @@ void Read(std::string content, const FileCheck& check, RepairMode repair, const 
 }
 }
 
-Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress)
+Document ReadSTEP(std::string content, RepairMode repair, ReaderMode reader, const ProgressCallback& progress)
 {
   Document document;
   const FileCheck check = CheckText(content);
@@ -511,7 +550,7 @@ Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback
     document.Messages.push_back("The file does not end with END-ISO-10303-21: part of it may be missing.");
   }
   const std::string failure =
-    CatchFailure([&]() { Read(std::move(content), check, repair, progress, document); });
+    CatchFailure([&]() { Read(std::move(content), check, repair, reader, progress, document); });
   if (!failure.empty())
   {
     document.Status = ReadStatus::Unreadable;

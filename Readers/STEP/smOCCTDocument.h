@@ -86,7 +86,7 @@ struct Document
   ProductNode Root;
   int FreeFaces = 0;
   ShapeTable Table;
-  /// What a STEP file says about its faces in space.
+  /// What a STEP file states about its faces in space.
   FaceStatements Statements;
   /// Wall-clock seconds until the entities are in memory, and those of the inspection of faces, which finds
   /// missing trim curves. The rest of the time of reading is the transfer of entities to shapes.
@@ -96,7 +96,7 @@ struct Document
 
 /// Largest number of instances of bodies and sub-assemblies that are read. Each becomes a node of the tree,
 /// and each instance of a body a leaf with points of its own.
-constexpr std::uint64_t MostInstances = 100000;
+constexpr std::uint64_t MaxInstances = 100000;
 
 /// Largest number of levels of assemblies, and of geometric entities that refer to one another, that are
 /// read: OpenCASCADE recurses over them, and its stack ends at about 3500 levels for 8 MB.
@@ -110,11 +110,21 @@ enum class RepairMode
   OnNeed
 };
 
+/// What makes shapes of the entities of a STEP file.
+enum class ReaderMode
+{
+  /// OpenCASCADE's reader.
+  Kernel,
+  /// Ours (smSTEPDirect.h), and OpenCASCADE's for files that it does not read.
+  Direct
+};
+
 /**
  * Reads the bytes of a STEP file. `progress` gets a fraction in [0,1] and returns false to stop. Holds a
  * KernelSession, so that one thread of the process reads at a time. Throws only std::bad_alloc.
  */
-Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress);
+Document ReadSTEP(
+  std::string content, RepairMode repair, ReaderMode reader, const ProgressCallback& progress);
 }
 
 #endif

@@ -39,7 +39,7 @@ constexpr double AxisTolerance = 1e-9;
 /// mistaken the unit of the trim curve.
 constexpr double RoughTrim = 0.02;
 
-/// Relative difference of numbers that are equal but for their digits in the file.
+/// Relative difference of numbers that are equal except for their digits in the file.
 constexpr double Rounded = 1e-14;
 
 /// Two parts of a surface are the same if points of one are closer than this to the other, relative to the

@@ -170,7 +170,7 @@ std::string FindWideGap(const DraftFace& face, double tolerance, double largestG
     {
       if (!(coedge.EdgeDistance <= std::max(tolerance, largestGap)))
       {
-        return "an edge lies beside it";
+        return "an edge lies off it";
       }
       if (!(coedge.Overhang <= largestGap))
       {

@@ -95,9 +95,10 @@ double GetDistance(const NURBSSurface& a, const NURBSSurface& b, double scale, d
   return distance;
 }
 
-FileSurface Compare(const Handle(StepGeom_BSplineSurface) & entity, const Handle(Geom_BSplineSurface) & read)
+}
+
+FileSurface CompareSurfaces(const Handle(Geom_BSplineSurface) & own, const Handle(Geom_BSplineSurface) & read)
 {
-  const auto own = Handle(Geom_BSplineSurface)::DownCast(MakeEntitySurface(entity));
   const bool isAsRead =
     !own.IsNull() && own->IsUPeriodic() == read->IsUPeriodic() && own->IsVPeriodic() == read->IsVPeriodic();
   if (own.IsNull() || isAsRead)
@@ -129,7 +130,6 @@ FileSurface Compare(const Handle(StepGeom_BSplineSurface) & entity, const Handle
   }
   return result;
 }
-}
 
 FileSurface FindFileSurface(const Handle(StepShape_FaceSurface) & entity, const TopoDS_Face& face)
 {
@@ -141,7 +141,8 @@ FileSurface FindFileSurface(const Handle(StepShape_FaceSurface) & entity, const 
   if (!read.IsNull() && !own.IsNull() && (read->IsUPeriodic() || read->IsVPeriodic()))
   {
     // What cannot be compared is reported where the face itself is converted.
-    CatchFailure([&] { result = Compare(own, read); });
+    CatchFailure(
+      [&] { result = CompareSurfaces(Handle(Geom_BSplineSurface)::DownCast(MakeEntitySurface(own)), read); });
   }
   return result;
 }

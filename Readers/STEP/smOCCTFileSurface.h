@@ -27,6 +27,10 @@ struct FileSurface
   double Distance = 0.0;
 };
 
+/// Compares a surface with the periodic one that OpenCASCADE made of it.
+FileSurface CompareSurfaces(
+  const Handle(Geom_BSplineSurface) & own, const Handle(Geom_BSplineSurface) & read);
+
 /// Compares the surface of a face with that of its entity.
 FileSurface FindFileSurface(const Handle(StepShape_FaceSurface) & entity, const TopoDS_Face& face);
 

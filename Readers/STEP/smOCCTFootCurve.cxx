@@ -36,7 +36,7 @@ constexpr double StraightTolerance = 1e-10;
 /// followed to rounding.
 constexpr double PoleReach = 0.05;
 
-/// Part of a curve between its last sample beside a pole and the one before.
+/// Part of a curve between its last sample near a pole and the one before.
 constexpr double PoleShare = 2.0 * PoleTolerance;
 
 /// What may be missed between samples.
@@ -265,7 +265,7 @@ double FootCurve::GetLineValue(int d, double t) const
   return this->Offset[d] + this->Slope[d] * t;
 }
 
-/// Moves the samples to the line of coordinate d. Samples beside a pole, which are not in [first, last), may
+/// Moves the samples to the line of coordinate d. Samples near a pole, which are not in [first, last), may
 /// be on its other side: their displacement counts as a length.
 void FootCurve::SetLine(int d, std::size_t first, std::size_t last)
 {

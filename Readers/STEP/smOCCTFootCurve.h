@@ -21,7 +21,7 @@ namespace sm
 /**
  * The foot points of an edge's curve on a surface, in the curve's own parameter: closed forms on cylinders,
  * cones, spheres and tori, Newton's method to rounding elsewhere. A coordinate that is constant, or the
- * parameter plus a constant, within 1e-10 of the size (beside poles 1e-7 mm, 1e-6 of the size of small
+ * parameter plus a constant, within 1e-10 of the size (near poles 1e-7 mm, 1e-6 of the size of small
  * curves, 1e-9 of large ones) is made so exactly, see GetResidual(): circles and rulings become straight
  * lines. On periodic surfaces the curve is continuous and may leave the base period; at a pole the
  * undetermined coordinate is continued from its neighbours. Const methods may be called by several threads.
@@ -48,8 +48,8 @@ public:
   double GetOverhang() const;
   /// Returns OpenCASCADE's approximation of the same curve, to 1e-7 mm at best; null if it fails.
   Handle(Geom2d_Curve) Approximate() const;
-  /// Calls visit(u, v) for points that are no less extreme than the curve's, but for what two more parabolas
-  /// would find.
+  /// Calls visit(u, v) for points that are no less extreme than the curve's, except for what two more
+  /// parabolas would find.
   void VisitExtremes(const std::function<void(double, double)>& visit) const;
   /// Largest distance of a coordinate from the foot points' that it was made constant or linear from; 0 if it
   /// was not.

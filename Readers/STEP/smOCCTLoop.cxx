@@ -225,7 +225,7 @@ double GetTotalRawGap(const DraftLoop& loop)
   return total;
 }
 
-/// Returns true if both uses of a seam have the same place in (u,v): foot points do not tell them apart.
+/// Returns true if both uses of a seam have the same place in (u,v): foot points do not distinguish them.
 bool HasSharedPlace(const DraftLoop& loop, double limit)
 {
   for (std::size_t i = 0; i < loop.size(); ++i)

@@ -100,7 +100,7 @@ struct DraftFace
   int Defects = 0;
 };
 
-/// The trim curve that a coedge without a pcurve gets on a surface that is no plane.
+/// The trim curve that a coedge without a pcurve gets on a surface that is not a plane.
 enum class MissingTrim
 {
   /// OpenCASCADE's approximation, computed at once.

@@ -13,7 +13,7 @@ namespace sm
 /// two poles.
 bool IsOnClosedSurface(const DraftFace& face);
 
-/// Returns true if the face uses an edge twice. Its loop runs along a seam then, and is no hole even if it
+/// Returns true if the face uses an edge twice. Its loop runs along a seam then, and is not a hole even if it
 /// runs clockwise.
 bool HasSeam(const DraftFace& face);
 
@@ -22,7 +22,7 @@ bool HasSeam(const DraftFace& face);
  * direction. A loop on a sphere or torus that encloses no pole bounds two parts of it; the face is the part
  * on its left, which for a loop that runs clockwise in (u,v) is the rest of the surface. `face` has completed
  * loops, all of them holes. Returns false, and leaves the face as it is, if the surface is not closed in both
- * directions or if no straight seam passes beside all holes.
+ * directions or if no straight seam passes clear of all holes.
  */
 bool AddNaturalBoundary(DraftFace& face);
 }

@@ -52,12 +52,12 @@ namespace
 /// Fractions of an edge at which it is compared. Its ends are left out: they may lie at a pole.
 constexpr std::array<double, 4> Fractions = { 0.13, 0.37, 0.61, 0.86 };
 
-/// Parameter curves may lie this far beside their edges, relative to the size of all: the default of
+/// Parameter curves may lie this far from their edges, relative to the size of all: the default of
 /// vtkSurfaceIntegralBase::SetGapLimit().
 constexpr double GapLimit = 1e-3;
 
 /// Up to this distance, relative to the size of all, a parameter curve may be a rough approximation; of 23
-/// real files with parameter curves one has such that are 2e-3 beside, and none has larger ones.
+/// real files with parameter curves one has such that are 2e-3 off, and none has larger ones.
 constexpr double ApproximationLimit = 1e-2;
 
 /// Calls `visit` once with each edge of a face that is in a shell.
@@ -160,7 +160,7 @@ public:
 
   /// Returns the distance of a point at the parameter `t` of the edge: from the point at the same parameter
   /// or, if that is above `limit`, from the whole curve, of the point's foot on the surface. A point that is
-  /// farther than that from the surface has a gap there, which is told elsewhere, and no distance.
+  /// farther than that from the surface has a gap there, which is reported elsewhere, and no distance.
   double GetDistance(const gp_Pnt& point, double t, double limit)
   {
     const bool isInside = t >= this->Curve->FirstParameter() && t <= this->Curve->LastParameter();
@@ -199,7 +199,7 @@ private:
   /// Parameter curves may be moved by whole periods.
   static constexpr int MostTurns = 2;
 
-  /// Lowers `least` to the distance of `foot` from the point of the curve that is nearest to `uv` in the
+  /// Lowers `minimum` to the distance of `foot` from the point of the curve that is nearest to `uv` in the
   /// parameters.
   void Approach(const gp_Pnt2d& uv, const gp_Pnt& foot, double& least) const
   {
@@ -214,8 +214,8 @@ private:
     }
   }
 
-  /// Returns the least distance near `s`, which is nearest in the parameters, where a unit of u may be longer
-  /// than one of v. The interval is divided by the golden ratio.
+  /// Returns the smallest distance near `s`, which is nearest in the parameters, where a unit of u may be
+  /// longer than one of v. The interval is divided by the golden ratio.
   double Improve(double s, const gp_Pnt& foot) const
   {
     constexpr double ratio = 0.6180339887498949;
@@ -298,7 +298,7 @@ public:
     {
       return;
     }
-    // What OpenCASCADE makes no curve of is told elsewhere.
+    // What OpenCASCADE makes no curve of is reported elsewhere.
     CatchFailure([&]() { this->AddSamples(edge, onSurface); });
   }
 
@@ -362,7 +362,7 @@ private:
         {
           return "Edge #" + std::to_string(this->Model->IdentLabel(edge.Edge)) +
             " of the file: its parameter curve #" + std::to_string(this->Model->IdentLabel(stated)) +
-            " lies " + FormatDistance(distance * unit) + " mm beside its curve #" +
+            " lies " + FormatDistance(distance * unit) + " mm from its curve #" +
             std::to_string(this->Model->IdentLabel(edge.Curve->Curve3d())) +
             (isPreferred ? ", which is taken, although the file prefers the parameter curve."
                          : ", which is taken.");

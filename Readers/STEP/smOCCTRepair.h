@@ -54,7 +54,7 @@ struct RepairLog
   std::vector<TopoDS_Shape> ReversedBodies;
 };
 
-/// Returns messages with the numbers of repaired and turned shapes and the reasons.
+/// Returns messages with the numbers of repaired and reversed shapes and the reasons.
 std::vector<std::string> Describe(const RepairLog& log);
 
 /**

@@ -265,7 +265,7 @@ private:
     {
       double outwards = 0.0;
       problem = problem.empty() ? this->InspectShell(shell, outwards) : problem;
-      // A void with the wrong orientation is detected later by exact volumes, but the shell may also be no
+      // A void with the wrong orientation is detected later by exact volumes, but the shell may also not be a
       // void: one outside the outer shell needs a repair.
       if (problem.empty() && this->Sign * outwards > 0.0 &&
         !shells[0].Box.Contains(shell.Box, this->Tolerance))

@@ -17,8 +17,8 @@ namespace sm
 {
 namespace
 {
-/// Returns true if the edge bounds the face that uses it: it is no pole, and has neither orientation INTERNAL
-/// nor EXTERNAL.
+/// Returns true if the edge bounds the face that uses it: it is not a pole, and has neither orientation
+/// INTERNAL nor EXTERNAL.
 bool IsBoundary(const TopoDS_Shape& edge)
 {
   return !BRep_Tool::Degenerated(TopoDS::Edge(edge)) &&

@@ -57,7 +57,7 @@ struct RevolvedConic
 bool FindConic(const EntityGeometry& geometry, RevolvedConic& result)
 {
   const auto surface = Handle(Geom_SurfaceOfRevolution)::DownCast(geometry.MakeSurface(result.Entity));
-  // As it is in the file: MakeSurface() may have turned its parameter.
+  // As it is in the file: MakeSurface() may have moved the origin of its parameter.
   const auto conic = Handle(Geom_Conic)::DownCast(geometry.MakeCurve(result.Entity->SweptCurve()));
   if (surface.IsNull() || conic.IsNull())
   {

@@ -15,7 +15,7 @@ namespace sm
  * on the surface.
  *
  * Such a surface has two parameters at every point, with opposite normals. The turn is centred about the
- * parameter curves that the file has on the surface; it begins at 0 if there are none that tell. A face
+ * parameter curves that the file has on the surface; it begins at 0 if there are none that decide. A face
  * without edges gets the half turn whose normals lead outwards. `angle` is the file's unit of angles in
  * radians.
  */

@@ -12,7 +12,7 @@ namespace sm
 /**
  * Reverses coedges whose direction contradicts the order of the file's loop: afterwards each begins at the
  * vertex at which the one before ends. Only a face with one loop without stored trim curves on a surface
- * without periods is changed, for there the direction of the whole loop, which the vertices do not tell,
+ * without periods is changed, for there the direction of the whole loop, which the vertices do not determine,
  * follows from its area; see TurnLoop().
  */
 void TurnEdges(DraftFace& face);

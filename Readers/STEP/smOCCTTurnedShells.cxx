@@ -31,10 +31,10 @@ struct TurnedShells
 {
   int Turned = 0;
   int Kept = 0;
-  /// Turned shells that the file has as such, so that it says which is the outer one and which are voids.
+  /// Reversed shells that the file has as such, so that it says which is the outer one and which are voids.
   /// Others were parts of one shell.
   int Declared = 0;
-  /// Entity number of a face of the first turned shell that is not declared, else of the first one.
+  /// Entity number of a face of the first reversed shell that is not declared, else of the first one.
   int Face = 0;
 };
 
@@ -112,14 +112,14 @@ void ReportTurnedShells(const RepairLog& log, Document& document)
     {
       document.Messages.push_back(FormatCount(shells.Turned, "shell of solid", "shells of solid") + " #" +
         std::to_string(body.FileId) + (shells.Turned > 1 ? " are" : " is") +
-        " inside out in the file, and turned, that with face #" + std::to_string(shells.Face) +
+        " inside out in the file, and reversed, that with face #" + std::to_string(shells.Face) +
         (shells.Turned > 1 ? " first." : "."));
     }
     else if (shells.Turned > 0 && shells.Kept > 0)
     {
       document.Defects.push_back("In solid #" + std::to_string(body.FileId) +
         " of the file a shell is inside out, that with face #" + std::to_string(shells.Face) +
-        ": OpenCASCADE turned it, against what the file says. Correct the file.");
+        ": OpenCASCADE reversed it, against what the file states. Correct the file.");
     }
     else if (shells.Turned > 0 || sound.count(body.Shape.TShape().get()) > 0)
     {
@@ -129,7 +129,7 @@ void ReportTurnedShells(const RepairLog& log, Document& document)
   if (!whole.empty())
   {
     document.Messages.push_back(FormatCount(whole.size(), "solid is", "solids are") +
-      " inside out in the file, and turned: #" + std::to_string(*whole.begin()) +
+      " inside out in the file, and reversed: #" + std::to_string(*whole.begin()) +
       (whole.size() > 1 ? ", .." : "") + ".");
   }
 }

@@ -14,7 +14,7 @@
 
 namespace sm
 {
-/// Returns the path of solidmoments-read, which is in the folder bin beside that of the library or beside a
+/// Returns the path of solidmoments-read, which is in the folder bin next to that of the library or next to a
 /// folder above it; empty if it is not there.
 std::string FindReadProgram();
 

@@ -12,6 +12,9 @@ namespace sm
 {
 namespace
 {
+/// A parameter that lies this far before the start of a period, in radians, is the start.
+constexpr double SameStart = 1e-9;
+
 constexpr STEPAttribute SenseOfEdge = { "EDGE_CURVE", 1, 4, "sense" };
 
 /// Finds the range of a curve between two vertices.
@@ -68,6 +71,8 @@ private:
     this->Edge.Last = FindCurveParameter<3>(this->Curve, this->Edge.End);
     const double low = this->Curve.GetDomain().Low;
     this->Edge.First -= std::floor((this->Edge.First - low) / period) * period;
+    // A vertex at the start may be before it, by its digits.
+    this->Edge.First -= low + period - this->Edge.First < SameStart ? period : 0.0;
     this->Edge.Last -= std::floor((this->Edge.Last - this->Edge.First) / period) * period;
     if (this->IsSame || this->Edge.Last <= this->Edge.First)
     {
@@ -181,7 +186,7 @@ const STEPEdge* STEPEdges::GetEdge(Index entity)
     std::string_view record;
     if (file.IsDamaged(entity) || !this->Entities.FindRecord(entity, SenseOfEdge.Record, record))
     {
-      throw STEPGeometryFailure{ "it is no EDGE_CURVE, or damaged" };
+      throw STEPGeometryFailure{ "it is not an EDGE_CURVE, or is damaged" };
     }
     found->second = std::make_unique<STEPEdge>(this->Make(entity));
     ++this->Ledger.Converted[SenseOfEdge.Record];

@@ -115,7 +115,7 @@ bool IsMirror(const StatementPlace& place)
   return Dot(place.Linear[0], Cross(place.Linear[1], place.Linear[2])) < 0.0;
 }
 
-/// Returns 1 if the body's normal on a face is that which the file says, -1 if it is the opposite one.
+/// Returns 1 if the body's normal on a face is that which the file states, -1 if it is the opposite one.
 int GetSide(const StatedFace& face, const StatementPlace& place)
 {
   const bool isForward = face.Parts[0]->Reversed == IsMirror(place);
@@ -187,9 +187,9 @@ std::string DescribeContradiction(const BodyContradiction& found, double area,
   const std::string edge = "edge #" + std::to_string(found.Edge);
   switch (found.Kind)
   {
-    case BodyContradiction::Type::Turned:
+    case BodyContradiction::Type::Reversed:
       return name + " is a part of a closed surface, and was read on the other side of its bounds (" +
-        NameEdges(*face.Statement) + ") than their directions say." + DescribeVolumes(face, checked) +
+        NameEdges(*face.Statement) + ") than their directions state." + DescribeVolumes(face, checked) +
         " Correct the senses of the face, its bounds and edges, or export the file again.";
     case BodyContradiction::Type::SameDirection:
       return name + " is a part of a closed surface, and uses " + edge + " in the same direction as face #" +
@@ -221,7 +221,7 @@ std::string DescribeContradiction(const BodyContradiction& found, double area,
         "). Area and volume are in doubt; export the file again, or correct the face.";
     default:
       return name + " and all others at " + edge +
-        " lie on the other side of their bounds than the file says: the rest of the edge's curve may be "
+        " lie on the other side of their bounds than the file states: the rest of the edge's curve may be "
         "meant. Correct the sense of the edge, or export the file again.";
   }
 }

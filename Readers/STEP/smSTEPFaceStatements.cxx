@@ -479,7 +479,7 @@ private:
   /// Faces by their numbers that a shell uses as an oriented face, and whether this reverses them.
   std::unordered_map<std::uint64_t, bool> Oriented;
   FaceStatements Result;
-  /// Of the face that is being read.
+  /// Data of the face that is being read.
   std::vector<Vector3> Vertices;
   std::vector<LoopUse> Loop;
   std::vector<LoopUse> Mended;

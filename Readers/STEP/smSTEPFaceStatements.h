@@ -1,6 +1,6 @@
 /**
  * @file smSTEPFaceStatements.h
- * @brief Reads what a STEP file says about its faces in space: from entities alone
+ * @brief Reads what a STEP file states about its faces in space: from entities alone
  */
 #ifndef smSTEPFaceStatements_h
 #define smSTEPFaceStatements_h

@@ -32,7 +32,8 @@ constexpr STEPAttribute SurfaceOfPcurve = { "PCURVE", 0, 1, "surface" };
 constexpr STEPAttribute CurveOfPcurve = { "PCURVE", 1, 2, "curve" };
 constexpr STEPAttribute ItemsOfDefinition = { "REPRESENTATION", 1, 1, "items" };
 
-/// Largest difference of the ends of a trimmed periodic curve, relative to the period, that is no difference.
+/// Largest difference of the ends of a trimmed periodic curve, relative to the period, that is not a
+/// difference.
 constexpr double SameTrim = 1e-12;
 }
 
@@ -76,7 +77,7 @@ STEPCurve<Dimension> STEPCurveMaker<Dimension>::Make(Index entity)
   {
     return this->MakeSpline(entity);
   }
-  throw STEPGeometryFailure{ "it is no curve of a kind that can be read" };
+  throw STEPGeometryFailure{ "it is not a curve of a kind that can be read" };
 }
 
 template <int Dimension>
@@ -248,7 +249,7 @@ double STEPCurveMaker<Dimension>::ReadTrim(
   if (!std::isfinite(result))
   {
     throw STEPGeometryFailure{ std::string("its ") + trim.Name +
-      " is no point and no parameter of its curve" };
+      " is neither a point nor a parameter of its curve" };
   }
   return result;
 }

@@ -108,7 +108,7 @@ double RequireNumber(const Part21Value& value, const char* name)
   const Part21Value inner = value.Kind == Part21Kind::Typed ? GetPart21Value(value.Text, 0) : value;
   if (!inner.GetNumber(number))
   {
-    throw STEPGeometryFailure{ std::string("its ") + name + " is no number" };
+    throw STEPGeometryFailure{ std::string("its ") + name + " is not a number" };
   }
   return number;
 }
@@ -131,8 +131,8 @@ std::array<double, Dimension> ReadGeometryPoint(
   if (!entities.FindRecord(point, CoordinatesOfPoint.Record, record) || entities.File.IsDamaged(point) ||
     !ReadCoordinates<Dimension>(entities.Get(point, CoordinatesOfPoint), result))
   {
-    throw STEPGeometryFailure{ "one of its points is no CARTESIAN_POINT with " + std::to_string(Dimension) +
-      " coordinates" };
+    throw STEPGeometryFailure{ "one of its points is not a CARTESIAN_POINT with " +
+      std::to_string(Dimension) + " coordinates" };
   }
   for (double& x : result)
   {
@@ -173,7 +173,7 @@ GeometricFrame ReadGeometryFrame(const STEPAttributes& entities, Part21File::Ind
   std::string_view record;
   if (!entities.FindRecord(placement, AxisOfPlacement.Record, record) || entities.File.IsDamaged(placement))
   {
-    throw STEPGeometryFailure{ "its placement is no AXIS2_PLACEMENT_3D" };
+    throw STEPGeometryFailure{ "its placement is not an AXIS2_PLACEMENT_3D" };
   }
   GeometricFrame frame;
   frame.Origin =
@@ -212,7 +212,7 @@ std::array<std::array<double, 2>, 3> ReadGeometryAxes<2>(
   std::string_view record;
   if (!entities.FindRecord(placement, ReferenceInPlane.Record, record) || entities.File.IsDamaged(placement))
   {
-    throw STEPGeometryFailure{ "its placement is no AXIS2_PLACEMENT_2D" };
+    throw STEPGeometryFailure{ "its placement is not an AXIS2_PLACEMENT_2D" };
   }
   const Part21Value reference = entities.Get(placement, ReferenceInPlane);
   std::array<std::array<double, 2>, 3> axes{};

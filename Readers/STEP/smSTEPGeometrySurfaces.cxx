@@ -67,7 +67,7 @@ STEPSurface STEPSurfaceMaker::Make(Index entity)
   }
   throw STEPGeometryFailure{ this->Entities.FindRecord(entity, "RECTANGULAR_COMPOSITE_SURFACE", record)
       ? "surfaces of several patches are not read"
-      : "it is no surface of a kind that can be read" };
+      : "it is not a surface of a kind that can be read" };
 }
 
 STEPSurface STEPSurfaceMaker::Finish(GeometricSurface::Variant value) const

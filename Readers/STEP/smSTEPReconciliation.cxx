@@ -48,7 +48,7 @@ std::string Count(CensusCount count)
 }
 
 /// Returns true for a face whose boundary and surface need nothing of the file's entity: it has an edge, and
-/// its surface is no spline that OpenCASCADE made periodic.
+/// its surface is not a spline that OpenCASCADE made periodic.
 bool IsPlainFace(const TopoDS_Face& face)
 {
   TopLoc_Location location;

@@ -23,11 +23,11 @@ double GetSide(const Point2& a, const Point2& b, const Point2& p)
 /// counts as left of it.
 bool AreCrossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
 {
-  constexpr double least = 1e-9;
+  constexpr double limit = 1e-9;
   const double start = GetSide(c, d, a);
   const double end = GetSide(c, d, b);
-  return (GetSide(a, b, c) > -least) != (GetSide(a, b, d) > -least) &&
-    ((start > least && end < -least) || (start < -least && end > least));
+  return (GetSide(a, b, c) > -limit) != (GetSide(a, b, d) > -limit) &&
+    ((start > limit && end < -limit) || (start < -limit && end > limit));
 }
 
 /// Returns true if no loop, nor its copies in other periods, crosses the line.
@@ -65,7 +65,7 @@ bool IsFree(const DraftFace& face, const Point2& a, const Point2& b, int directi
 std::vector<Point2> FindSeamWay(
   const DraftFace& face, const Point2& a, const Point2& b, int direction, bool isStraight)
 {
-  constexpr int turns = 8;
+  constexpr int detours = 8;
   std::vector<std::vector<Point2>> ways;
   if (isStraight)
   {
@@ -73,10 +73,10 @@ std::vector<Point2> FindSeamWay(
   }
   for (const double share : { 0.3, 0.1, 0.03 })
   {
-    for (int k = 1; k < 2 * turns && !isStraight; ++k)
+    for (int k = 1; k < 2 * detours && !isStraight; ++k)
     {
       // Detours alternate between the two sides, the smaller ones first.
-      const double aside = (k % 2 == 1 ? 0.5 : -0.5) * (k / 2 + k % 2) / turns * face.Period[direction];
+      const double aside = (k % 2 == 1 ? 0.5 : -0.5) * (k / 2 + k % 2) / detours * face.Period[direction];
       Point2 way[2];
       for (int i = 0; i < 2; ++i)
       {

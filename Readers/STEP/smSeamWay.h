@@ -13,7 +13,8 @@
 namespace sm
 {
 /// Returns the corners of a path from a to b, across the periodic `direction`, that crosses no loop nor its
-/// copies in other periods: the straight line, or a detour around a hole. Empty if none is found.
+/// copies in other periods: the straight line if `isStraight`, else one with a detour along
+/// `direction`, smaller ones tried first. Empty if none is found.
 std::vector<std::array<double, 2>> FindSeamWay(const DraftFace& face, const std::array<double, 2>& a,
   const std::array<double, 2>& b, int direction, bool isStraight);
 }

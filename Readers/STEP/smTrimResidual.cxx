@@ -19,7 +19,7 @@ namespace
 TrimCurve::Point MeasureResidual(
   CellSurface& cells, const TrimCurve& trim, const EdgeCurve& edge, int first, int last)
 {
-  // What may be missed between the points, and the least speed along a parameter, relative to the largest
+  // What may be missed between the points, and the smallest speed along a parameter, relative to the largest
   // one.
   constexpr double between = 1.25;
   constexpr double leastSpeed = 0.01;

@@ -372,8 +372,8 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
   if (document.FreeFaces > 0)
   {
     this->Last->Messages.push_back(sm::FormatCount(document.FreeFaces,
-      "face lies in the file beside its solids; it belongs to no body and is left out.",
-      "faces lie in the file beside its solids; they belong to no body and are left out."));
+      "face of the file lies outside its solids; it belongs to no body and is left out.",
+      "faces of the file lie outside its solids; they belong to no body and are left out."));
   }
   this->Last->Defects = document.Defects;
   this->Last->Messages.insert(this->Last->Messages.end(), document.Defects.begin(), document.Defects.end());

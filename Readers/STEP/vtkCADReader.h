@@ -186,8 +186,8 @@ public:
    * OpenCASCADE crashes or does not terminate, only this file is lost, not the session. The output has the
    * same bits. Starting the program takes some tenths of a second, and during the reading the models and
    * meshes need about three times their memory; content is passed by a file in memory. If the program is not
-   * in the folder bin beside the library or above it, or does not start, the file is read in this process,
-   * and a message says so. Default: off; on in ParaView.
+   * in the folder bin next to the library or above it, or does not start, the file is read in this process,
+   * and a message reports it. Default: off; on in ParaView.
    */
   vtkSetMacro(Isolated, bool);
   vtkGetMacro(Isolated, bool);
@@ -263,8 +263,8 @@ public:
 
   ///@{
   /**
-   * Requests the display mesh, if it is made by need, and updates the reader. If the mesh is made only now, a
-   * model of the output that was edited in place is replaced by that of the file: edit a copy.
+   * Requests the display mesh, if it is made on demand, and updates the reader. If the mesh is made only now,
+   * a model of the output that was edited in place is replaced by that of the file: edit a copy.
    */
   using vtkPartitionedDataSetCollectionAlgorithm::Update;
   void Update(int port) override;
@@ -292,7 +292,7 @@ protected:
   /// Reads the bytes of a file with OpenCASCADE, whose KernelSession this thread holds. `progress` gets a
   /// fraction in [0,1] and returns false to stop. Throws only std::bad_alloc.
   virtual sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) = 0;
-  /// Returns the reason why bytes that begin with `head` are no file of this format; empty if they may be
+  /// Returns the reason why bytes that begin with `head` are not file of this format; empty if they may be
   /// one.
   virtual std::string FindMistakeOfHead(const std::string& head) const = 0;
   /// Returns a mistake in the settings that only this format has; empty if there is none.

@@ -11,7 +11,7 @@
  * closes; solids with their voids, and free shells. Tolerances are measured: the largest distance of a face
  * from its edge.
  * - leaves of one model as instances of one part. A mirrored instance is written as a part of its own,
- * because files hold rigid placements only; a message says so.
+ * because files hold rigid placements only; a message reports it.
  * - a body that an edit opened is written as it is, with a warning.
  *
  * Geometry that is saved and read again differs by rounding: the same faces, edges and trim curves with

@@ -13,8 +13,8 @@
 
 namespace
 {
-/// Least size of a store: a binding of 0 bytes is an error, so an empty buffer has a small store, too.
-constexpr std::size_t LeastBytes = 16;
+/// Smallest size of a store: a binding of 0 bytes is an error, so an empty buffer has a small store, too.
+constexpr std::size_t MinBytes = 16;
 
 /// Stores up to this size are never replaced by smaller ones.
 constexpr std::size_t SmallStore = 65536;
@@ -326,13 +326,13 @@ bool ComputeBuffer::Bind(unsigned int binding, std::size_t offset, std::size_t b
   }
   if (bytes == 0)
   {
-    if ((this->Name == 0 || this->IsLost() || this->Capacity < LeastBytes) && !this->Create(LeastBytes))
+    if ((this->Name == 0 || this->IsLost() || this->Capacity < MinBytes) && !this->Create(MinBytes))
     {
       return false;
     }
     this->Size = size;
     offset = 0;
-    bytes = LeastBytes;
+    bytes = MinBytes;
   }
   const std::int64_t limit = this->Resources->MaximumStorageBlockSize;
   if (static_cast<std::uint64_t>(bytes) > static_cast<std::uint64_t>(limit))
@@ -342,7 +342,7 @@ bool ComputeBuffer::Bind(unsigned int binding, std::size_t offset, std::size_t b
   }
   if (offset % static_cast<std::size_t>(this->Resources->StorageOffsetAlignment) != 0)
   {
-    return this->Fail("offset " + std::to_string(offset) + " is no multiple of " +
+    return this->Fail("offset " + std::to_string(offset) + " is not a multiple of " +
       std::to_string(this->Resources->StorageOffsetAlignment));
   }
   DrainErrors();

@@ -24,8 +24,9 @@ namespace sm
  * bindings. Compute code must not change any other state.
  *
  * Inside the scope of an EGL context no X window may render or be deleted: VTK would make its GLX context
- * current beside the EGL context, which is an X error that ends the process. Scopes nest, of one context or
- * of several. The context may end inside the scope; then the previous context is restored all the same.
+ * current in addition to the EGL context, which is an X error that ends the process. Scopes nest, of one
+ * context or of several. The context may end inside the scope; then the previous context is restored all the
+ * same.
  */
 class SMRENDERINGCOMPUTE_EXPORT ContextScope
 {

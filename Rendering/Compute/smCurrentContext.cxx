@@ -181,7 +181,7 @@ Display* OpenDisplayWithGLX(const char*& reason)
     reason = "the X server has no GLX";
     return nullptr;
   }
-  // The least configuration that vtkXOpenGLRenderWindow accepts; without one it aborts the process.
+  // The minimum configuration that vtkXOpenGLRenderWindow accepts; without one it aborts the process.
   static const int wanted[] = { GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT, GLX_RENDER_TYPE, GLX_RGBA_BIT,
     GLX_RED_SIZE, 1, GLX_GREEN_SIZE, 1, GLX_BLUE_SIZE, 1, GLX_ALPHA_SIZE, 1, GLX_DEPTH_SIZE, 1, None };
   int count = 0;

@@ -6,14 +6,14 @@ namespace sm
 {
 namespace
 {
-/// Least size of the memory: a small part's work lists have a third of it.
-constexpr std::size_t LeastCapacity = std::size_t{ 1 } << 19;
+/// Smallest size of the memory: a small part's work lists have a third of it.
+constexpr std::size_t MinCapacity = std::size_t{ 1 } << 19;
 /// Alignment of the memory of an upload.
 constexpr std::size_t Alignment = 64;
 /// Nanoseconds after which waiting begins anew.
 constexpr unsigned long long WaitNanoseconds = 1000000000ull;
 
-/// Waits until the GPU has done all it was told.
+/// Waits until the GPU has executed all commands.
 void WaitForCopies()
 {
   const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -35,7 +35,7 @@ bool TransferStage::Map(std::size_t bytes)
   }
   // The driver keeps the memory until pending copies have read it.
   this->Free();
-  this->Capacity = LeastCapacity;
+  this->Capacity = MinCapacity;
   while (this->Capacity < bytes)
   {
     this->Capacity *= 2;

@@ -96,7 +96,8 @@ int vtkComputeContext::vtkInternals::TryWindow()
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(this->Given);
   if (!window)
   {
-    return this->Fail(label, std::string(this->Given->GetClassName()) + " is no OpenGL window", NO_CONTEXT);
+    return this->Fail(
+      label, std::string(this->Given->GetClassName()) + " is not an OpenGL window", NO_CONTEXT);
   }
   const sm::ScopedErrorSilencer silencer(window);
   if (!sm::MakeWindowCurrent(window) && !this->WasOpened)

@@ -41,7 +41,7 @@ public:
   /// Returns null, with `error`, without OpenGL.
   static std::shared_ptr<ResidentStore> Open(vtkComputeContext* context, bool isShared, std::string& error);
 
-  /// True while the OpenGL context lasts in which the store was made.
+  /// Returns true while the OpenGL context lasts in which the store was made.
   bool IsAlive() const { return this->Host->GetGeneration() == this->Generation; }
 
   /// See ResidentFaces::Acquire(). `uploads` is increased by the faces that were uploaded for it.

@@ -1,4 +1,4 @@
-// AccuracyBenchmark [--certified FILE.json] [--output FOLDER] FILE.step...: errors of volumes beside the
+// AccuracyBenchmark [--certified FILE.json] [--output FOLDER] FILE.step...: errors of volumes against the
 // seconds of the processor that they take once the file is read, by our filter, by OpenCASCADE's BRepGProp,
 // and by meshes of OpenCASCADE and vtkMassProperties.
 //
@@ -83,10 +83,10 @@ const std::vector<Method> Methods = { { Program::Ours, 1e-3 }, { Program::Ours, 
 
 constexpr double ReferenceTolerance = 1e-13;
 /// Relative half width of a reference: a file whose reference is known less well is left out.
-constexpr double LeastKnown = 1e-10;
+constexpr double MinKnown = 1e-10;
 constexpr double SameBody = 1e-3;
 /// Smaller errors are drawn at this value.
-constexpr double LeastError = 1e-16;
+constexpr double MinError = 1e-16;
 /// The mesher's angle: OpenCASCADE's usual one.
 constexpr double MeshAngle = 0.5;
 
@@ -259,7 +259,7 @@ std::string AddFile(const std::string& path, const std::map<std::string, Measure
   const TopoDS_Shape shape = ReadShape(path);
   const auto known = certified.find(GetFileName(path));
   const Measured truth = known != certified.end() ? known->second : MeasureOurs(path, ReferenceTolerance);
-  if (shape.IsNull() || !(truth.Bound <= LeastKnown * truth.Volume))
+  if (shape.IsNull() || !(truth.Bound <= MinKnown * truth.Volume))
   {
     return "the volume is not known";
   }
@@ -300,7 +300,7 @@ smfigure::Figure MakeFigure(const std::vector<Column>& columns)
   figure.LegendColumns = 2;
   figure.AboveAndBelow = 100.0f;
   figure.X = { "Seconds of the processor, all files", 1.0, 1.0, {}, true, true, 228, {} };
-  figure.Y = { "Relative error of the volume", LeastError, 1.0, MakeDecadeTicks(-16, 0, 2), true, true, 228,
+  figure.Y = { "Relative error of the volume", MinError, 1.0, MakeDecadeTicks(-16, 0, 2), true, true, 228,
     {} };
   const auto add = [&](const std::string& label, Program by, double share, const Color& hue, Marker symbol)
   {
@@ -310,7 +310,7 @@ smfigure::Figure MakeFigure(const std::vector<Column>& columns)
     {
       if (Methods[i].By == by)
       {
-        points.emplace_back(columns[i].Seconds, std::max(columns[i].GetQuantile(share), LeastError));
+        points.emplace_back(columns[i].Seconds, std::max(columns[i].GetQuantile(share), MinError));
       }
     }
     std::sort(points.begin(), points.end());
@@ -327,20 +327,20 @@ smfigure::Figure MakeFigure(const std::vector<Column>& columns)
   add("largest", Program::Kernel, 1.0, colors::Orange, Marker::Square);
   add("triangles of BRepMesh, median", Program::Mesh, 0.5, colors::Green, Marker::Diamond);
   add("largest", Program::Mesh, 1.0, colors::Green, Marker::Diamond);
-  double least = HUGE_VAL;
-  double most = 0.0;
+  double minimum = HUGE_VAL;
+  double maximum = 0.0;
   figure.Table.Columns = { "method", "seconds", "median_error", "largest_error", "largest_bound" };
   for (std::size_t i = 0; i < Methods.size(); ++i)
   {
     const Column& c = columns[i];
-    least = std::min(least, c.Seconds);
-    most = std::max(most, c.Seconds);
+    minimum = std::min(minimum, c.Seconds);
+    maximum = std::max(maximum, c.Seconds);
     figure.Table.Rows.push_back({ "\"" + GetName(Methods[i]) + "\"", FormatNumber(c.Seconds),
       FormatNumber(c.GetMedian()), FormatNumber(c.GetQuantile(1.0)),
       Methods[i].By == Program::Ours ? FormatNumber(c.LargestBound) : "" });
   }
-  const int low = static_cast<int>(std::floor(std::log10(std::max(least, 1e-6))));
-  const int high = static_cast<int>(std::ceil(std::log10(most)));
+  const int low = static_cast<int>(std::floor(std::log10(std::max(minimum, 1e-6))));
+  const int high = static_cast<int>(std::ceil(std::log10(maximum)));
   figure.X.Minimum = std::pow(10.0, low);
   figure.X.Maximum = std::pow(10.0, std::max(high, low + 1));
   figure.X.Ticks = MakeDecadeTicks(low, std::max(high, low + 1), 1);

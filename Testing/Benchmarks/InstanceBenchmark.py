@@ -1,7 +1,7 @@
 """InstanceBenchmark.py FILE.step LEVELS: what instances of one solid cost with and without a display mesh.
 
 The solid of the file becomes an assembly of 2^LEVELS instances. Each line is a process of its own, with the seconds of its processor, the
-memory that it holds at its end and at most, and the triangles of the reader's output: mass properties alone (by need), with a mesh
+memory that it holds at its end and at most, and the triangles of the reader's output: mass properties alone (on demand), with a mesh
 (always), and a reader for a view, with its coarse mesh above 100,000 triangles, and refined.
 """
 import os

@@ -254,7 +254,7 @@ int PrintTable(const std::vector<std::string>& only, const std::string& folder, 
   return right ? 0 : 1;
 }
 
-/// Counts of the small models: `most` is how much a count may grow faster than the model, which has a part
+/// Counts of the small models: `maximum` is how much a count may grow faster than the model, which has a part
 /// that does not grow.
 int CheckCounts(const std::string& folder)
 {

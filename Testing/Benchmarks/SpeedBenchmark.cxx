@@ -1,15 +1,15 @@
 // SpeedBenchmark [--json FILE] [--read] [--ours] [--repeat N] FILE.step...: seconds of the processor from
-// file to numbers, beside OpenCASCADE's, in one run.
+// file to numbers, compared with OpenCASCADE's, in one run.
 //
 // Per file: OpenCASCADE's default reader (parse, transfer); its BRepGProp, volume and area, by its default
 // rule and with Eps = 1e-6; our reader and our mass properties on the CPU backend at a tolerance of 1e-9, by
 // stages. One thread computes, and seconds are those of the process's processor time, so that other work on
 // the machine hardly matters. The references of evaluations a second are the kernel by itself, on bicubic
-// panels of 20 x 20 points that stay in the cache: with the most lanes that the processor has, and as a plain
+// panels of 20 x 20 points that stay in the cache: with as many lanes as the processor has, and as a plain
 // kernel with the two doubles of SSE2, for which compilers make code by default. Peak memory is the process's
 // up to the end of a file. --read: reading alone. --ours: without OpenCASCADE's. --repeat: the integrals N
-// times, the least of their seconds. Exit status 1: wrong usage, or a file whose volume is not OpenCASCADE's
-// to a thousandth.
+// times, the minimum of their seconds. Exit status 1: wrong usage, or a file whose volume is not
+// OpenCASCADE's to a thousandth.
 #include "Items/smBatchParameters.h"
 #include "Items/smItemKernels.h"
 #include "smJson.h"
@@ -121,7 +121,7 @@ sm::FacePanels MakeBicubicFace()
 /// The doubles side by side that every x86-64 processor has.
 constexpr int PlainLanes = 2;
 
-/// Evaluations a second of the kernel alone: with the most lanes, and with PlainLanes.
+/// Evaluations a second of the kernel alone: with as many lanes as it has, and with PlainLanes.
 struct KernelRates
 {
   double Widest;
@@ -170,7 +170,7 @@ double MeasureArithmetic(int lanes)
   return best;
 }
 
-/// True if both measured the same: only then times can be compared.
+/// Returns true if both measured the same: only then times can be compared.
 bool IsSame(const Json& file)
 {
   const double expected = file.value("occt_gprop_1e-6_volume", std::nan(""));

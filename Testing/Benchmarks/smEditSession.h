@@ -21,7 +21,7 @@ enum class EditKind
   /// One control point inside a face.
   Point,
   /// The control points between the ends of a boundary row, on the face and its neighbour; on a face whose
-  /// boundary is no such row it is the face's own.
+  /// boundary is not such a row it is the face's own.
   Row,
   /// A lattice of 3 x 2 x 2 points over the body, one of them moved: all faces.
   Lattice,

@@ -119,7 +119,7 @@ void MeasureStages(const std::string& path, int repeats, sm::Json& seconds, sm::
   const double trims = reader->GetTrimSeconds();
   const double parse = reader->GetParseSeconds();
   seconds["parse"] = parse;
-  // The reader's work beside its stages belongs to the transfer.
+  // The reader's work outside its stages belongs to the transfer.
   seconds["transfer"] = read.GetRest(parse + trims + mesh + convert);
   seconds["trims"] = trims;
   seconds["mesh"] = mesh;

@@ -18,8 +18,8 @@ const std::vector<std::string>& GetStageNames();
 
 /**
  * Reads a file and computes its mass properties at a tolerance of 1e-9, with vtkSMPTools' backend as it is,
- * the integrals `repeats` times. `seconds` gets a number per stage, of the integrals the least; `result` the
- * faces of all parts, the points and triangles of their meshes, the status, volume and centre with their
+ * the integrals `repeats` times. `seconds` gets a number per stage, for the integrals the minimum; `result`
+ * the faces of all parts, the points and triangles of their meshes, the status, volume and centre with their
  * bounds, and evaluations. All are the processor's seconds, of all threads together: in a program with this
  * function vtkTimerLog::GetUniversalTime() is the processor's time.
  */

@@ -158,7 +158,8 @@ many.SMProxy.CleanSelectionInputs(1)
 check_equal("and stay selected", total, count_selected_cells(many, 5))
 check_equal("with the rows of all solids", list(range(COUNT)), get_selected_rows(many, 1))
 
-# Two cells of the third solid and one of the tenth; composite indices count every partitioned dataset before its partition.
+# Two cells of the third solid and one of the tenth; composite indices count every partitioned dataset before
+# its partition.
 many.SMProxy.SetSelectionInput(5, pick("CompositeDataIDSelectionSource", "IDs", [6, 0, 1, 6, 0, 2, 20, 0, 0]), 0)
 check_equal("rows of picked faces", [2, 9], get_selected_rows(many, 1))
 check_true("their faces light up as a whole", 3 < count_selected_cells(many, 5) < 24, str(count_selected_cells(many, 5)))

@@ -56,7 +56,8 @@ evaluations = 0
 
 def cycle(i):
     global errors, evaluations
-    # Another shape with new faces; another tolerance, then the first again; a density, which needs no evaluation.
+    # Another shape with new faces; another tolerance, then the first again; a density, which needs no
+    # evaluation.
     if i % 4 == 0:
         bend.Displacement = [1e-3 * (1 + i % 50), 0.0, 0.0]
     elif i % 4 == 2:

@@ -84,8 +84,9 @@ for i in range(warm):
 check_counting(window)
 start, end, growth = run_counted(cycle, warm, cycles, count, lambda objects: f"view: {sum(objects.values())} objects")
 check_equal("OpenGL errors", 0, errors)
-# In brief cycles of its own sources ParaView keeps 25 to 60 kB of the heap, and takes 0.5 MB of memory at first and 0.1 MB after fifty; these cycles
-# take 1 to 2 MB at first, 0.2 MB after fifty. A mesh of the sample part has 1 MB, and its faces 600 kB on the GPU, which with Mesa's
-# llvmpipe is the heap too; what a driver maps itself shows only in memory.
+# In brief cycles of its own sources ParaView keeps 25 to 60 kB of the heap, and takes 0.5 MB of memory at
+# first and 0.1 MB after fifty; these cycles take 1 to 2 MB at first, 0.2 MB after fifty. A mesh of the sample
+# part has 1 MB, and its faces 600 kB on the GPU, which with Mesa's llvmpipe is the heap too; what a driver
+# maps itself shows only in memory.
 check_held(start, end, growth, heap=150e3, resident=4e6)
 finish()

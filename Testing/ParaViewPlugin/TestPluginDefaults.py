@@ -42,7 +42,7 @@ def collect_hierarchy(element):
 
 check_equal("every proxy of the XML is tested", sorted(proxy[:2] for proxy in PROXIES) + [("writers", name) for name in ("CADTableWriter", "BREPWriter")], sorted(
     key for key in DEFINITIONS if key[0] in ("sources", "filters") and key[1] not in ("ConvertSelection", "MassPropertiesByWords")) + sorted(key for key in DEFINITIONS if key[0] == "writers")[::-1])
-# ParaView's search knows labels only: a second label has the words by which a user searches, and makes the filter itself.
+# ParaView's search knows labels only: a second label has the words of a user, and makes the filter itself.
 label = DEFINITIONS["filters", "MassPropertiesByWords"].get("label").lower()
 check_equal("words of the search", [], [word for word in ("volume", "inertia", "gravity", "centre of", "center of mass", "mass properties") if word not in label])
 manager = servermanager.ProxyManager().SMProxyManager
@@ -57,7 +57,7 @@ refusals = []
 
 
 def refuse(instance, element):
-    """Gives the property values that are no numbers, and a direction of length 0."""
+    """Gives the property values that are not numbers, and a direction of length 0."""
     def note(_caller, _event, text):
         refusals.append(re.sub(r"^ERROR: In .*, line \d+\n\w+ \(0x[0-9a-f]+\): ", "", text).strip())
 
@@ -120,7 +120,8 @@ for group, proxy_name, label, module, class_name in PROXIES:
             check_equal(f"{name}: the proxy's defaults are the class's", actual, values)
             continue
         value = smproperty.GetElement(0)
-        # A session is worth more than some tenths of a second; ParaView asks for arrays and sizes before it draws.
+        # A session is worth more than some tenths of a second; ParaView asks for arrays and sizes before it
+        # draws.
         expected = {"Isolated": 1, "DisplayMesh": 1, "CoarseAbove": 5000000}.get(name, type(value)(actual))
         check_equal(f"{name}: the proxy's default is the class's", expected, value)
         limits = element.find("DoubleRangeDomain[@min]")
@@ -136,13 +137,15 @@ for group, proxy_name, label, module, class_name in PROXIES:
             outside = (bound / 2 if limit == "min" else bound * 2) if bound > 0 else bound + (-1 if limit == "min" else 1)
             getattr(instance, "Set" + name)(outside)
             check_equal(f"{name}: the class clamps at {limit}", bound, getattr(instance, "Get" + name)())
-        # Above a maximum, ParaView 5.11 calls values valid where there is a minimum too, in its own sources as well.
+        # Above a maximum, ParaView 5.11 calls values valid where there is a minimum too, in its own sources
+        # as well.
         if limits is not None:
             smproperty.SetUncheckedElement(0, 0.0 if float(limits.get("min")) > 0.0 else -1.0)
             check_equal(f"{name}: the domain refuses less than its minimum", 0, smproperty.IsInDomains())
             smproperty.ClearUncheckedElements()
 
-# No text of the GUI names a class or a method, the device in a name, or a word that the project has replaced by the field's own.
+# No text of the GUI names a class or a method, the device in a name, or a word that the project has replaced
+# by the field's own.
 UNWANTED = re.compile(r"\bvtk[A-Z]|\b(?-i:([GS]et|Add)[A-Z]\w*)|\(GPU\)|\b(leak|plumb|sanity|turned|hush|remark|outcome|deflection|glyph|isolated|cache|partitioned dataset|shaders?)\b|what comes out|does it stand",
                       re.IGNORECASE)
 check_true("the pattern finds what it seeks", all(UNWANTED.search(text) for text in ("Mass Properties (GPU)", "see GetMessage()", "Turned", "Glyph Scale")))

@@ -150,7 +150,8 @@ if has("SolidSection"):
     check_true("the summary has it", "Section area: " in servermanager.Fetch(cut, idx=2).GetValueByName(0, "Text").ToString())
     check_equal("and the volume of the input stays", total(MassProperties(Input=source), "Volume"), plain_volume)  # noqa: F821
 
-# A value that a script gives stays, 0 0 0 too, whether the input has run or not; without one there is the same value in both cases.
+# A value that a script gives stays, 0 0 0 too, whether the input has run or not; without one there is the
+# same value in both cases.
 for name, property_name in (("Buoyancy", "Point"), ("Section", "Point"), ("NURBSDeform", "Displacement")):
     make = globals().get(name)
     values = []

@@ -39,7 +39,7 @@ def get_labels(assembly, parent):
 top = tree.GetChildNodes(0, False)[0]
 check_equal("labels of siblings", ["arm (1)", "arm (2)", "base", "a-b (1)", "ab (2)"], get_labels(tree, top))
 check_equal("labels of nuts", ["nut (1)", "nut (2)", "rod"], get_labels(tree, tree.GetChildNodes(top, False)[1]))
-check_equal("the name in the file beside it", "nut",
+check_equal("the name in the file with it", "nut",
             tree.GetAttributeOrDefault(tree.GetChildNodes(tree.GetChildNodes(top, False)[1], False)[1], "name", ""))
 check_equal("labels of blocks", ["nut (1)", "nut (2)", "rod (1)", "nut (3)", "nut (4)", "rod (2)", "base", "a-b (1)", "ab (2)"], get_labels(blocks, 0))
 for name, assembly in (("Assembly", tree), ("Hierarchy", blocks)):

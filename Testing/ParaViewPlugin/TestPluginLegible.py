@@ -43,7 +43,7 @@ def luminance(colors):
 
 
 def check_contrast(what):
-    """Of the summary: its text and the status."""
+    """Measures the text of the summary and its status."""
     drawn = picture()
     summary.Opacity = 0.0
     behind = picture()

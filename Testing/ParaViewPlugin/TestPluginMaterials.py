@@ -110,7 +110,7 @@ edit(mass, "rail", material="unobtainium", density="")
 check_equal("a material without a density", ["unobtainium", "", "no density"], get_rows(mass)["rail"])
 edit(mass, "rail", material="aluminium")
 edit(mass, "Total", material="lead", density="3")
-check_table("what is typed beside the total", mass, mixed, ["bolt", "my alloy", "8000.5", "rail", "aluminium", "2700"])
+check_table("what is typed next to the total", mass, mixed, ["bolt", "my alloy", "8000.5", "rail", "aluminium", "2700"])
 
 # States have the rules.
 states = [os.path.join(folder, "PluginMaterials." + end) for end in ("pvsm", "py")]

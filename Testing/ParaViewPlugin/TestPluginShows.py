@@ -1,4 +1,4 @@
-"""TestPluginShows.py PLUGIN.so SOLIDS OUTPUT HELP.qch: what Apply shows beside the numbers: the colours of the file, several summaries, units in
+"""TestPluginShows.py PLUGIN.so SOLIDS OUTPUT HELP.qch: what Apply shows in addition to the numbers: the colours of the file, several summaries, units in
 colour bars, values of a new NURBS Deform, the button that runs a filter again, arrays per face, and the pages behind "?"."""
 import os
 import re
@@ -110,7 +110,7 @@ if servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", "SolidSt
 if servermanager.ProxyManager().SMProxyManager.HasDefinition("filters", "SolidSection"):
     cut = show_all(Section(Input=red, Point=[0.0, 0.0, 5.0]))  # noqa: F821
     check_equal("the clipped part", ("SectionRepresentation", "Color"), (display(cut, 7).SMProxy.GetXMLName(), display(cut, 7).ColorArrayName[1]))
-    check_true("the solids beside it are not shown", view.SMProxy.FindRepresentation(cut.SMProxy, 5) is None)
+    check_true("the solids next to it are not shown", view.SMProxy.FindRepresentation(cut.SMProxy, 5) is None)
     simple.Delete(cut)
 tilted = show_all(Buoyancy(Input=red, Point=[0.0, 0.0, 5.0]))  # noqa: F821
 for source in (mass, tilted):
@@ -168,7 +168,7 @@ check("its radius is a quarter of the part", 0.25 * diagonal, deform.Radius, 1e-
 for mode in ("Displace", "Lattice"):
     deform.Mode = mode
     deform.UpdatePipeline()
-    check_equal(f"{mode}: nothing moves until told to", before, points(deform))
+    check_equal(f"{mode}: nothing moves at first", before, points(deform))
 deform.LatticeDisplacements = [number for corner in range(4) for number in (corner % 2, corner // 2, 1, 3.0, 0.0, 0.0)]
 deform.UpdatePipeline()
 check("the lattice shears it", before[1] + 3.0, points(deform)[1], 0.02, "(the lattice is a little larger than the part)")

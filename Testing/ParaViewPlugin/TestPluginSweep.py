@@ -101,7 +101,7 @@ def list_filters():
     return sorted(names)
 
 
-# Filters that ParaView has without the plugin, but for those that run scripts of the user.
+# Filters that ParaView has without the plugin, except for those that run scripts of the user.
 SKIPPED = {"ProgrammableFilter", "PythonCalculator", "PythonAnnotation", "PythonView", "LiveProgrammableFilter"}
 filters = [name for name in list_filters() if name not in SKIPPED]
 simple.LoadPlugin(plugin, ns=globals())

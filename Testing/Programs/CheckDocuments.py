@@ -9,7 +9,7 @@ Without a program:
   lines "// [MARK]" or "# [MARK]", which CTest builds or runs; the indentation of the region is taken off;
 - in the table of accuracy every cell whose error exceeds its bound has a mark, and a line below the table names its solid.
 With a program:
-- the block behind <!-- Sample: FILE.step --> is what the program prints for that file, but for what differs from machine to machine:
+- the block behind <!-- Sample: FILE.step --> is what the program prints for that file, except for what differs from machine to machine:
   OpenGL's driver, times, numbers of evaluations, and the last digits;
 - the pages of the user guide name every option of --help, every key of the JSON and every column of the CSV.
 
@@ -24,7 +24,7 @@ import re
 import subprocess
 import sys
 
-# Most lines of documents.
+# Maximum lines of documents.
 LINES = {"README.md": 130, "Documentation/DeveloperGuide.md": 260, "Documentation/Performance.md": 120, "CHANGELOG.md": 60}
 GUIDE = ("UserGuide", "CommandLine", "Outputs", "Reference", "Products", "Analyses", "ParaView", "Python")
 SNIPPET = re.compile(r"(?P<head><!-- Snippet: (?P<example>\S+) \[(?P<mark>[^]]+)\] -->\n```(?:cpp|python)\n)(?P<code>.*?)(?=^```$)",
@@ -35,7 +35,8 @@ PATH = re.compile(r"(?<![\w./-])(?:Documentation|Examples|Filters|ParaViewPlugin
 # Paths below the build folder that the documents may name.
 BUILT = ("Testing/output", "Testing/solids")
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[-+]?\d+)?")
-# Bounds and gaps are printed with two digits and are sums over all samples; of other numbers the last digit may be rounded otherwise.
+# Bounds and gaps are printed with two digits and are sums over all samples; of other numbers the last digit
+# may be rounded otherwise.
 BOUND_FACTOR = 1.5
 LAST_DIGITS = 2.0
 # The options of the schemes are in --help alone.
@@ -197,7 +198,7 @@ def check_sample(checker, path):
         old, new = sample["text"].splitlines(), printed.splitlines()
         checker.check(len(old) == len(new), f"{path}: the sample has {len(old)} lines, the program prints {len(new)}")
         for a, b in zip(old, new):
-            checker.check(is_same_line(a, b), f"{path}: the sample says\n  {a}\nand the program prints\n  {b}")
+            checker.check(is_same_line(a, b), f"{path}: the sample has\n  {a}\nand the program prints\n  {b}")
 
 
 def list_keys(value):

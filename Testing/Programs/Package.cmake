@@ -1,7 +1,8 @@
 # A project outside the tree, against an install in the build folder; and everything else that is installed.
 set(package_options)
 if (SOLIDMOMENTS_WRAP_PYTHON)
-  # Python's modules of the VTK that ours were built with: there may be others, Debian's ParaView has some on the default path.
+  # Python's modules of the VTK that ours were built with: there may be others, Debian's ParaView has some on
+  # the default path.
   set(vtk_python_path "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
   list(APPEND package_options "-DPYTHON=${Python3_EXECUTABLE}" "-DPYTHON_DESTINATION=${SOLIDMOMENTS_PYTHON_DESTINATION}"
     "-DVTK_PYTHON_PATH=${vtk_python_path}")

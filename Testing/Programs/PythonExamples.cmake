@@ -1,6 +1,7 @@
 # The scripts of Examples/Python, in every interpreter that runs them, with and without a display.
 #
-# solidmoments_add_python_example(<name> <flavour of TestPythonExamples.py> <interpreter> [MODES <option>...] <more of
+# solidmoments_add_python_example(<name> <flavour of TestPythonExamples.py> <interpreter> [MODES <option>...]
+# <more of
 #   solidmoments_add_test>...)
 function(solidmoments_add_python_example name flavour interpreter)
   cmake_parse_arguments(example "" "" "MODES" ${ARGN})
@@ -24,6 +25,8 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
     COMMAND ${small_example} volume "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/volume.py")
   solidmoments_add_test(NAME PythonExamples_one_call LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND ${small_example} one-call "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/one_call.py")
+  solidmoments_add_test(NAME PythonExamples_three_lines LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
+    COMMAND ${small_example} three-lines "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/three_lines.py")
   solidmoments_add_test(NAME CertifiedSet_vtk LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND ${certified_test} --other "${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/Examples/Certified/vtk_mass_properties.py" other)
   # pvpython has ParaView's VTK.

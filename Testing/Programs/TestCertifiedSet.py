@@ -1,5 +1,5 @@
 """The certified set (Examples/Certified): made anew it is what is committed, its intervals agree with other ways to compute the same,
-the program's results are right but for named files, and a wrong interval is found.
+the program's results are right except for named files, and a wrong interval is found.
 
     TestCertifiedSet.py --folder Examples/Certified --output FOLDER [--program solidmoments] [--other COMMAND]
                         made | formulas | checker | program | few | other

@@ -87,7 +87,8 @@ def integrals():
     table = run(*arguments).stdout
     check_true("table", "moment_2_0_0" in table and "willmore" in table and "34.48718" in table, table)
 
-    # A mistake is wrong usage. One that only a driver's compiler finds costs its own integral alone; the CPU has no expressions.
+    # A mistake is wrong usage. One that only a driver's compiler finds costs its own integral alone; the CPU
+    # has no expressions.
     result = run("--integral", "bad=2 * foo * dA", "--integral", "area=dA", part["path"])
     check_equal("exit status of a mistake", 1, result.returncode)
     check_true("its integral and its column", "the integral bad cannot be computed: column 5: 'foo' is not defined" in result.stderr,
@@ -98,8 +99,8 @@ def integrals():
     check_equal("mistake", {"value": None, "bound": None}, files[0]["integrals"]["bad"])
     check_true("its column", any("column " in text and "cross" in text for text in files[0]["messages"]),
                str(files[0]["messages"]))
-    check("beside it", part["area"], files[0]["integrals"]["area"]["value"], 1e-9 * part["area"])
-    check("volume beside it", part["volume"], files[0]["total"]["volume"], 1e-9 * part["volume"])
+    check("next to it", part["area"], files[0]["integrals"]["area"]["value"], 1e-9 * part["area"])
+    check("volume next to it", part["volume"], files[0]["total"]["volume"], 1e-9 * part["volume"])
     result, files = run_json("--backend", "cpu", "--moments", "0", "--integral", "area=dA", part["path"])
     check_true("no expression on the CPU", files[0]["integrals"]["area"]["value"] is None and
                any("area was not computed" in text for text in files[0]["messages"]), str(files[0]["messages"]))
@@ -252,7 +253,8 @@ def check_boxes():
         check_true("bound of the box", 0 < bound < 1e-9, str(bound))
         for i in range(3):
             half = big * math.sqrt(max(0.0, 1 - (inertia[i] - across) / (along - across))) + small
-            # The axis is known to the rounding of the inertia, and its sine to the root of that where it is small.
+            # The axis is known to the rounding of the inertia, and its sine to the root of that where it is
+            # small.
             for end, sign in ((0, -1), (1, 1)):
                 check(f"side {i} {end}", part["center_of_mass"][i] + sign * half, total["bounding_box"][end][i], bound + 1e-6)
     result, files = run_json(manifest.solid("box")["path"])
@@ -324,7 +326,7 @@ def no_context():
     check_equal("exit status", 0, result.returncode)
     check_equal("backend", "cpu", files[0]["backend"])
     check_true("renderer", files[0]["renderer"].startswith("CPU, "), files[0]["renderer"])
-    check_true("why is told", files[0]["backend_reason"].startswith("estimated "), files[0]["backend_reason"])
+    check_true("why is reported", files[0]["backend_reason"].startswith("estimated "), files[0]["backend_reason"])
     check_equal("status", "ok", files[0]["status"])
     check_true("volume", abs(files[0]["total"]["volume"] - solid["volume"]) <= 1e-9 * solid["volume"])
 
@@ -333,7 +335,7 @@ def no_context():
     check_equal("backend", "none", files[0]["backend"])
     check_equal("status", "not-computed", files[0]["status"])
     check_true("no numbers", all(files[0]["total"][key] is None for key in ("volume", "area", "center_of_mass")))
-    check_true("a message tells why", any("OpenGL" in text for text in files[0]["messages"]), str(files[0]["messages"]))
+    check_true("a message reports why", any("OpenGL" in text for text in files[0]["messages"]), str(files[0]["messages"]))
     csv = os.path.join(options.output, "nothing.csv")
     result = run("--backend", "opengl", "--csv", csv, manifest.solid("box")["path"])
     check_true("the table prints no number that is none", not re.search(r"\b(nan|inf)\b", result.stdout, re.IGNORECASE),
@@ -347,7 +349,7 @@ def no_context():
     result, files = run_json("--backend", "cpu", solid["path"])
     check_equal("exit status", 0, result.returncode)
     check_equal("backend", "cpu", files[0]["backend"])
-    check_equal("who asks for the CPU is told nothing", [], files[0]["messages"])
+    check_equal("who asks for the CPU gets no message", [], files[0]["messages"])
 
 
 {"results": results, "integrals": integrals, "sections": sections, "stability": stability, "packages": packages,

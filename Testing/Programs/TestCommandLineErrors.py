@@ -32,18 +32,18 @@ def check_quiet_reason(good):
     result = run("-q", "--backend", "x", good)
     check_equal("exit status without a display", 3, result.returncode)
     check_equal("nothing on standard output", "", result.stdout)
-    check_true("the reason is told", "nothing was computed" in result.stderr and "display" in result.stderr, result.stderr)
+    check_true("the reason is reported", "nothing was computed" in result.stderr and "display" in result.stderr, result.stderr)
     for wanted, said in ((("--tolerance", "1e-300"), "is tolerance-not-met: .*bounds above the tolerance.*"), (("--require", "mass"), "has no mass$"),
                          (("--require", "mass", "--tolerance", "1e-300"), "has no mass, and is tolerance-not-met: .*")):
         result = run("-q", "--backend", "cpu", *wanted, good)
         check_equal(f"exit status with {wanted}", 3, result.returncode)
         check_equal("nothing on standard output", "", result.stdout)
-        check_true("one line tells what fails", re.fullmatch(f"solidmoments: {re.escape(good)} {said}", result.stderr.rstrip("\n")) is not None,
+        check_true("one line reports what fails", re.fullmatch(f"solidmoments: {re.escape(good)} {said}", result.stderr.rstrip("\n")) is not None,
                    result.stderr)
         result = run("--backend", "cpu", *wanted, good)
-        check_equal("a table has it, and nothing is told twice", (3, ""), (result.returncode, result.stderr))
+        check_equal("a table has it, and nothing is reported twice", (3, ""), (result.returncode, result.stderr))
     result = run("-q", "--backend", "cpu", "--tolerance", "1e-300", "--fail-on", "suspect", good)
-    check_equal("what does not fail is not told", (0, ""), (result.returncode, result.stderr))
+    check_equal("what does not fail is not reported", (0, ""), (result.returncode, result.stderr))
 
 
 def check_name_that_is_not_utf8(good):
@@ -75,8 +75,8 @@ def check_facts_once():
     _, files = run_json(path)
     messages = files[0]["messages"]
     facts = [re.sub(r"^.*?[Ff]ace #", "face #", message.split(": ", 1)[-1]) for message in messages]
-    check_true("there is something to tell", len(facts) > 1, str(messages))
-    check_equal("facts told twice", [], sorted(fact for fact in set(facts) if facts.count(fact) > 1))
+    check_true("there is something to report", len(facts) > 1, str(messages))
+    check_equal("facts reported twice", [], sorted(fact for fact in set(facts) if facts.count(fact) > 1))
     check_true("the body's name is not said for every instance", len(messages) < 10, f"{len(messages)} messages")
     check_equal("messages on the loop", 1, sum("does not close" in message for message in messages))
 
@@ -228,7 +228,8 @@ def outputs():
     check_equal("exit status of a table on a closed stream", 1, result.returncode)
     check_true("it says so", "standard output" in result.stderr, result.stderr)
 
-    # Bounds are shown with two digits, and never below what they bound and its rounding, a twentieth; units in any case.
+    # Bounds are shown with two digits, and never below what they bound and its rounding, a twentieth; units
+    # in any case.
     target = os.path.join(folder, "bounds.json")
     result = run("--unit", "INCH", "--json", target, manifest.solid("slanted_hole", "moved")["path"])
     check_equal("exit status with INCH", 0, result.returncode)
@@ -267,7 +268,7 @@ def errors():
         check("area", 2000.0, files[0]["total"]["area"], 2e-6)
     result, files = run_json(manifest.special("junk_header")["path"])
     check_equal("exit status of junk before the header", 0, result.returncode)
-    check_true("a message tells of the junk", files[0]["messages"], str(files[0]["messages"]))
+    check_true("a message reports the junk", files[0]["messages"], str(files[0]["messages"]))
 
     # One bad file does not cost the others, and 2 wins over 3.
     result, files = run_json(missing, good, manifest.special("open_solid")["path"])
@@ -299,7 +300,8 @@ def errors():
         check_equal("exit status of files after an option", 0, result.returncode)
         check_equal("the files", [good, other], [file["file"] for file in files])
 
-    # A folder that cannot be written (root may write anywhere, so a folder that is not there stands in for it).
+    # A folder that cannot be written (root may write anywhere, so a folder that is not there stands in for
+    # it).
     folder = os.path.join(options.output, "read-only")
     os.makedirs(folder, exist_ok=True)
     os.chmod(folder, 0o555)

@@ -142,7 +142,7 @@ def products():
                  "changed", "plate")
     check_difference("the same volume", 0, plate["difference"]["volume"])
 
-    # A new name is no new part.
+    # A new name is not a new part.
     new = write("renamed", make_product(bolt=make_bolt("screw")))
     comparison = compare(old, new, status=0, counts={"unchanged": 5})
     screw = find(comparison, "unchanged", "screw")
@@ -263,7 +263,7 @@ def solids():
         check(f"axis {i}", x / math.sqrt(21), body["rotation_axis"][i], 1e-8)
     # An angle of a rotation is that of the smallest that does.
     body = compare(path("sphere", "plain"), path("sphere", "moved"), status=4)["parts"][0]["bodies"][0]
-    check_equal("a sphere is not turned", 0.0, body["rotation_angle"])
+    check_equal("a sphere is not rotated", 0.0, body["rotation_angle"])
     body = compare(path("cylinder", "plain"), path("cylinder", "moved"), status=4)["parts"][0]["bodies"][0]
     check_true("the axis of a cylinder is", 0.0 < body["rotation_angle"] <= 90.0 + 1e-9, str(body))
 

@@ -82,22 +82,22 @@ def check_unread():
 
 
 def check_parameter_curves():
-    """Parameter curves beside the curves of their edges, which are taken. What they prefer is stated by each curve."""
+    """Parameter curves off the curves of their edges, which are taken. What they prefer is stated by each curve."""
     cylinder, said = "cylinder-plain.step", "which is taken, although the file prefers the parameter curve"
     for name, edge, change in (("circle", 21, (r"(#49 = CIRCLE\('',#\d+,)8\.", r"\g<1>6.")), ("line", 21, (r"(#38 = CARTESIAN_POINT\('',\([^,]*,)2\.5", r"\g<1>2.0")),
                                ("seam", 55, (r"(#66 = CARTESIAN_POINT\('',\()6\.", r"\g<1>5."))):
         damage(cylinder, "parameter_" + name, [change], FLAGGED, [f"Edge #{edge} of the file: its parameter curve", said])
     damage(cylinder, "parameter_circle_not_preferred", [(r"(#49 = CIRCLE\('',#\d+,)8\.", r"\g<1>6."), (r"(#24 = SURFACE_CURVE.*\.)PCURVE_S1", r"\1CURVE_3D")],
-           {"ok"}, ["its parameter curve #42 lies 2 mm beside its curve #25, which is taken."])
+           {"ok"}, ["its parameter curve #42 lies 2 mm from its curve #25, which is taken."])
     damage("wavy_plate-plain.step", "parameter_spline", [(r"(#98 = CARTESIAN_POINT\('',\()0\.0", r"\g<1>0.3")], FLAGGED, [said])
-    # Whole turns are no difference, and angles may be in radians where the file's unit is a degree.
+    # Whole turns are not difference, and angles may be in radians where the file's unit is a degree.
     degree = (r"\( NAMED_UNIT\(\*\) PLANE_ANGLE_UNIT\(\) SI_UNIT\(\$,\.RADIAN\.\) \);", "(CONVERSION_BASED_UNIT('DEGREE',#901)NAMED_UNIT(*)PLANE_ANGLE_UNIT());\n"
               "#901=PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.0174532925199432958),#902);\n#902=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));")
     for name, changes in (("turned", [(r"(#66 = CARTESIAN_POINT\('',\()6\.2831853071795862", r"\g<1>12.5663706143591725")]), ("in_degrees", [degree, (
             r"(#66 = CARTESIAN_POINT\('',\()6\.2831853071795862", r"\g<1>360.")]), ("in_radians", [degree])):
         damage(cylinder, "parameter_curve_" + name, changes, {"ok"}, [])
         code, entry = run(os.path.join(options.output, f"damaged_parameter_curve_{name}.step"))
-        check_equal("nothing is told", (0, []), (code, entry["messages"]))
+        check_equal("nothing is reported", (0, []), (code, entry["messages"]))
 
 
 def check_solids():
@@ -111,12 +111,13 @@ def check_solids():
            ["#15", "item twice in a representation"])
     damage(box, "tilted_plane", [(r"(#35 = DIRECTION\('',\()1\.0+E\+00,0\.0+E\+00,\s*0\.0+E\+00", r"\g<1>1.,0.,0.4")], FLAGGED,
            ["closing the gaps between its faces changes the volume by"])
-    # The planes are right, and so is the volume; the edge's own line leads elsewhere, or its circle does not reach its vertex.
+    # The planes are right, and so is the volume; the edge's own line leads elsewhere, or its circle does not
+    # reach its vertex.
     damage(box, "line_elsewhere", [(r"(#30 = DIRECTION\('',\()[^)]*", r"\g<1>.6,.64,.48")],
            FLAGGED, ["Entity #21 of the file: a curve does not pass through the vertices of its edge", "export it again"])
     damage("cylinder-plain.step", "circle_beside_its_vertex", [(r"(CIRCLE\('',#\d+,)8\.0+E\+00", r"\g<1>9.")], FLAGGED,
            ["Entity #21 of the file: a curve does not pass through the vertices of its edge", "#25"])
-    # The vertex of a closed circle may be rounded, but the circle lies beside its faces.
+    # The vertex of a closed circle may be rounded, but the circle lies off its faces.
     damage("cylinder-plain.step", "circle_beside_its_faces", [(r"(CIRCLE\('',#\d+,)8\.0+E\+00", r"\g<1>8.2")], FLAGGED, ["Edge #21", "#25"])
     # The same points in both directions.
     damage(box, "line_reversed", [(r"(#21 = EDGE_CURVE\('',#\d+,#\d+,#\d+,)\.T\.", r"\1.F.")], {"ok"},
@@ -126,16 +127,17 @@ def check_solids():
     damage("box-nopcurves.step", "composite_edge", [(r"(EDGE_CURVE\('',#\d+,#\d+,)(#\d+)(,\.T\.\);)", r"\1#901\3\n#901=COMPOSITE_CURVE('',(#902),.F.);\n"
            r"#902=COMPOSITE_CURVE_SEGMENT(.DISCONTINUOUS.,.T.,#903);\n#903=TRIMMED_CURVE('',\2,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(10.)),.T.,.PARAMETER.);")],
            FLAGGED, ["is on a composite curve (#901)", "Export it with an edge for each segment"])
-    # The same occurrences with a record for each of their types; a quantity beside them is another usage.
+    # The same occurrences with a record for each of their types; a quantity next to them is another usage.
     parts = (r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\(([^;]*),\s*(\$)\s*\);", r"(ASSEMBLY_COMPONENT_USAGE(\2)NEXT_ASSEMBLY_USAGE_OCCURRENCE()"
              r"PRODUCT_DEFINITION_RELATIONSHIP(\1)PRODUCT_DEFINITION_USAGE());")
     damage("assembly.step", "occurrence_in_parts", [parts], {"ok"}, [])
     entries = [run(path)[1] for path in (os.path.join(options.output, "damaged_occurrence_in_parts.step"), os.path.join(options.solids, "assembly.step"))]
     check_equal("an occurrence in parts: the same", entries[1]["total"], entries[0]["total"])
-    check_equal("an occurrence in parts: nothing is told", entries[1]["messages"], entries[0]["messages"])
+    check_equal("an occurrence in parts: nothing is reported", entries[1]["messages"], entries[0]["messages"])
     damage("assembly.step", "occurrence_with_another_type", [parts, (r"PRODUCT_DEFINITION_USAGE\(\)", "PRODUCT_DEFINITION_USAGE()QUANTIFIED_ASSEMBLY_COMPONENT_USAGE($)")],
            FLAGGED | {"unreadable"}, ["export"])
-    # References to nothing, numbers out of range and lists that are too short. OpenCASCADE alone survives each of them.
+    # References to nothing, numbers out of range and lists that are too short. OpenCASCADE alone survives
+    # each of them.
     damage("bicylinder-plain.step", "edge_of_nothing", [(r"(#\d+) = (ORIENTED_EDGE\('',\*,\*,)#\d+", r"\1 = \2#99999")],
            FLAGGED, ["undefined reference", "left out"])
     damage(box, "surface_of_nothing", [(r"(#\d+) = PLANE\('',#\d+\)", r"\1 = RECTANGULAR_TRIMMED_SURFACE('',#99999,0.,1.,0.,1.,.T.,.T.)")], FLAGGED,
@@ -165,7 +167,7 @@ def check_solids():
     # Not a unit any more, or another entity: millimetres were assumed for inches.
     damage("box-inch.step", "inch_with_a_digit_before_it", [(r"\( CONVERSION_BASED_UNIT", "(8CONVERSION_BASED_UNIT")], FLAGGED, ["wrong unit", "#346"])
     damage("box-inch.step", "a_face_for_the_inch", [(r"(GLOBAL_UNIT_ASSIGNED_CONTEXT\s*\(\()#\d+", r"\1#17")], FLAGGED, ["wrong unit", "#17"])
-    # A length in steradians beside one in millimetres: OpenCASCADE takes metres.
+    # A length in steradians next to one in millimetres: OpenCASCADE takes metres.
     damage(box, "two_units_of_length", [(r"SOLID_ANGLE_UNIT\(\)", "LENGTH_UNIT()")], FLAGGED, ["wrong unit"])
     # No finite box is left.
     damage("ellipsoid-plain.step", "huge_weight", [(r"(\(1\.0+E\+00,7\.0710678118654757E-01\s*,)1\.0+E\+00", r"\g<1>99999999999999999999")],
@@ -188,7 +190,8 @@ HOSTILE = {
     "01g_plain_solid_odri_motor": (FLAGGED, ["#453"], None),
     "02a_solid_lost_silently": (FLAGGED, ["#57", "was lost"], None),
     "02d_instance_lost_silently": (FLAGGED, ["#47", "#219", "was lost"], None),
-    # A context is damaged, behind which OpenCASCADE's lexer loses seven of eight solids: these are read, and the solid of the context is not.
+    # A context is damaged, behind which OpenCASCADE's lexer loses seven of eight solids: these are read, and
+    # the solid of the context is not.
     "02e_solid_lost_silently": (FLAGGED, ["Entity #1076 of the file: damaged entity (context)", "#978", "was lost"],
                                 1030835.0894588461),
     "02f_three_solids_lost": (FLAGGED, ["#503", "was lost"], None),

@@ -64,7 +64,7 @@ def raised(error, *arguments, **options):
 
 check_true("a missing file", raised(FileNotFoundError, os.path.join(folder, "no such file.step")))
 found = raised(solidmoments.SolidMomentsError, os.path.abspath(__file__))
-check_true("a file that is no STEP file", found and found.status == "unreadable" and found.messages, str(found))
+check_true("a file that is not a STEP file", found and found.status == "unreadable" and found.messages, str(found))
 for wrong in ({"unit": "mile"}, {"input_unit": "file"}, {"deflection": 0.0}):
     check_true(f"{wrong} is refused", raised(ValueError, sample, **wrong))
 

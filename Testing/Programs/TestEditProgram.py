@@ -65,7 +65,7 @@ def play():
     first, last = values["first"], values["last"]
     check_true("the volume grew", last["volume"] > 1.01 * first["volume"], f"{first['volume']} {last['volume']}")
     check_true("bounds", all(0 < body["bounds"]["volume"] < 1e-9 * body["volume"] for body in (first, last)))
-    # The file is symmetric in x, but for the digits that it was written with; what was dragged is not.
+    # The file is symmetric in x, except for the digits that it was written with; what was dragged is not.
     check("first centre", 0.0, first["center_of_mass"][0], 1e-10)
     check_true("last centre", abs(last["center_of_mass"][0]) > 0.1)
     axes = last["principal_axes"]

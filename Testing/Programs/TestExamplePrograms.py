@@ -1,5 +1,5 @@
 """TestExamplePrograms.py --pipeline P --sample FILE --output DIR PROGRAM...: help and wrong usage of all example programs, and the digits
-that MassPropertiesPipeline prints beside a bound.
+that MassPropertiesPipeline prints next to a bound.
 """
 import argparse
 import decimal

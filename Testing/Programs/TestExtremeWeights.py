@@ -159,11 +159,13 @@ check_box("cubic_huge", 3, lambda i, j: HUGE if (i, j) == (1, 2) else 1.0)
 check_box("cubic_tiny", 3, lambda i, j: 1.0 / HUGE if (i, j) == (1, 2) else 1.0)
 check_box("cubic_edge", 3, lambda i, j: HUGE if (i, j) == (0, 2) else 1.0)
 check_box("cubic_spread", 3, lambda i, j: 10.0 ** exponents[i][j])
-# One weight of a hundred, or of thousands: the mesh keeps what it promises, or says that it does not, with a number of triangles that can be had.
+# One weight of a hundred, or of thousands: the mesh keeps what it promises, or says that it does not, with a
+# number of triangles that can be had.
 check_mesh("mesh_10", 3, 10.0, 20000, True)
 check_mesh("mesh_100", 3, 100.0, 100000, True)
 check_mesh("mesh_5000", 3, 5000.0, 200000, False)
 check_mesh("mesh_1e4", 3, 1e4, 100000, False)
-# A surface that can be integrated: its tolerance follows from its size, not from what its weights let its mesh deviate.
+# A surface that can be integrated: its tolerance follows from its size, not from what its weights let its
+# mesh deviate.
 check_box("cubic_1e4", 3, lambda i, j: 1e4 if (i, j) == (1, 2) else 1.0, limit=1e-6)
 finish()

@@ -1,5 +1,6 @@
-# Installs the build tree BUILD into PREFIX, builds the project CONSUMER against it and runs it on PART: it must print VOLUME. Then runs
-# what else is installed: the command line, the Python modules and the ParaView plugin.
+# Installs the build tree BUILD into PREFIX, builds the project CONSUMER against it and runs it on PART: it
+# must print VOLUME. Then runs what else is installed: the command line, the Python modules and the ParaView
+# plugin.
 cmake_policy(VERSION 3.16)
 
 function(run_step what)
@@ -13,7 +14,8 @@ endfunction ()
 
 file(REMOVE_RECURSE "${PREFIX}" "${BUILD}/test-consumer")
 run_step("install" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}" --config "${CONFIG}")
-# The metadata that an older version left for Python is removed by the next install; those of other packages stay.
+# The metadata that an older version left for Python is removed by the next install; those of other packages
+# stay.
 file(GLOB metadata "${PREFIX}/lib*/python*/site-packages/solidmoments-*.dist-info/METADATA")
 if (metadata)
   get_filename_component(folder "${metadata}" DIRECTORY)
@@ -49,7 +51,7 @@ foreach (file IN LISTS files)
   endif ()
 endforeach ()
 
-# The consumer includes every header that is installed beside its own.
+# The consumer includes every header that is installed in addition to its own.
 file(COPY "${CONSUMER}/" DESTINATION "${BUILD}/test-consumer/source")
 file(GLOB headers RELATIVE "${PREFIX}/include/solidmoments" "${PREFIX}/include/solidmoments/*.h")
 if (NOT headers)

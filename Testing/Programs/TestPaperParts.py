@@ -74,7 +74,8 @@ def check_values(options):
         check_equal(f"{name}: solids", part["solids"], len(documents[name]["solids"]))
         if "volume" in part:
             check_exact(part, total)
-        # OpenCASCADE's adaptive integration is another program's answer; far off its claim, but not by a thousandth.
+        # OpenCASCADE's adaptive integration is another program's answer; far off its claim, but not by a
+        # thousandth.
         occt = ask_occt(options, name, "--eps", "1e-6")
         check(f"{name}: volume by OCCT", occt["volume"], total["volume"], 1e-3 * total["volume"])
         check_equal(f"{name}: solids of OCCT", part["solids"], occt["solids"])

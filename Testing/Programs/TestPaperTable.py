@@ -17,7 +17,8 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 
-# Stands for both programs: what it answers is in the file that it is given, by scheme. "abort", "sleep" and text are failures.
+# Stands for both programs: what it answers is in the file that it is given, by scheme. "abort", "sleep" and
+# text are failures.
 STAND_IN = """#!{python}
 import json, os, sys, time
 scheme = sys.argv[sys.argv.index("--scheme") + 1] if "--scheme" in sys.argv else "adaptive"
@@ -27,7 +28,7 @@ path = sys.argv[-1]
 answers = json.load(open(path))
 answer = answers["occt" if "--json" not in sys.argv else scheme]
 if isinstance(answer, list):
-    # A run each, in turn; which one this is, a file beside counts.
+    # A run each, in turn; which one this is, a file next to it counts.
     count = path + "." + scheme
     done = os.path.getsize(count) if os.path.exists(count) else 0
     open(count, "a").write("x")
@@ -58,8 +59,8 @@ KNOWN = {
     "estimate_below": {"gauss2": answer(101.0, None, 0.5, 2.0), "adaptive": answer(100.0, 1e-9), "occt": OCCT},
     "gap_explains": {"gauss2": answer(101.0, None, 0.5, 0.6), "adaptive": answer(100.0, 1e-9, moved=0.7), "occt": OCCT},
     "bound_exceeded": {"gauss2": answer(101.0, None, 3.0, 4.0), "adaptive": answer(100.5, 0.25), "occt": OCCT},
-    # Chords of 1e-8 * 3e4 times an area of 200, as a fraction of 100, are doubt of 6e-4: more than the 4e-4 and less than the 1e-2
-    # by which the difference exceeds the two estimates.
+    # Chords of 1e-8 * 3e4 times an area of 200, as a fraction of 100, are doubt of 6e-4: more than the 4e-4
+    # and less than the 1e-2 by which the difference exceeds the two estimates.
     "chords_explain": {"gauss2": answer(101.0, None, 0.0, 0.96, diagonal=3e4), "adaptive": answer(100.0, 1e-9), "occt": OCCT},
     # The second run is the faster one on the whole; the third would be asked by nobody.
     "two_runs": {"gauss2": [answer(101.0, None, 2.0, 3.0, seconds=(0.25, 9.0)), answer(101.0, None, 2.0, 3.0, seconds=(0.5, 0.75)),
@@ -145,8 +146,8 @@ def check_known(options):
             check_true(f"{name}: {column}", reason in said and bool(reason) == bool(said), repr(said))
     bars = {line.replace("\\|", "").count("|") for line in text.splitlines() if line.startswith("|")}
     check_equal("bars in every line", {21}, bars)
-    # estimate_below, chords_explain, own_reference, by_formula of the seven models with GAUSS2's volume; with the boundary the
-    # first two not, which takes the chords' doubt of the second.
+    # estimate_below, chords_explain, own_reference, by_formula of the seven models with GAUSS2's volume; with
+    # the boundary the first two not, which takes the chords' doubt of the second.
     check_true("Eq. 36 below the error", "smaller than the true error on 4 of 7 models" in text, text[-1500:])
     check_true("with boundary", "counted whole on 2 of 7;" in text)
     check_true("bound exceeded", "is smaller than its difference on 1 of 8 models" in text)

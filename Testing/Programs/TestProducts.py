@@ -95,7 +95,8 @@ def masses():
     check_true("both centres in the table", re.search(r"centre of volume +\d.* mm +\+/- .*\n  mass .*\n  centre of mass", table), table)
     check_true("densities in the table", re.search(r"steel block .* 0\.0471 +7850 ", table), table)
 
-    # Nested, with a sub-assembly that is used twice, and parts in inches and in mm; the results in three units.
+    # Nested, with a sub-assembly that is used twice, and parts in inches and in mm; the results in three
+    # units.
     machine = make_machine()
     path = write_product(os.path.join(folder, "machine.step"), machine)
     boxes = expand(machine)
@@ -173,7 +174,7 @@ def materials():
     check_mass(file["total"], boxes, [2 if b[0] == "bolt" else 7850 for b in boxes])
 
     # A table of materials that cannot be used is wrong usage, reported before any file is read.
-    for text, said in (("a\n", "line 1: write NAME"), ("a,unobtainium\n", "line 1: unobtainium is none"), ("a,b,-1", "-1 is no density"),
+    for text, said in (("a\n", "line 1: write NAME"), ("a,unobtainium\n", "line 1: unobtainium is none"), ("a,b,-1", "-1 is not a density"),
                        (",steel", "the name is empty"), ("[{]", "no JSON"), ('[{"name":"a"}]', "entry 1"), ('{"a":1}', "no list")):
         with open(table, "w", encoding="utf-8") as file:
             file.write(text)
@@ -217,7 +218,7 @@ def frames():
     check_equal("no frame", None, run_json(path)["total"]["about"])
     for text in ("somewhere", "1,2", "0,0,0,0,0,1,0,0,2", "0,0,nan", "0,0,0,0,0,0,1,0,0"):
         result = run("--about", text, path)
-        check_true(f"{text} is wrong usage", result.returncode == 1 and "is no frame" in result.stderr, result.stderr)
+        check_true(f"{text} is wrong usage", result.returncode == 1 and "is not a frame" in result.stderr, result.stderr)
 
 
 def find(entries, name):
@@ -409,7 +410,8 @@ def robots():
 
 
 def validation():
-    # Stated in the part's unit and coordinates: right; volume wrong by 1 %; a centroid that is moved; of a name that two products have.
+    # Stated in the part's unit and coordinates: right; volume wrong by 1 %; a centroid that is moved; of a
+    # name that two products have.
     bolt = Part("bolt", [((1, 2, 3), (2, 2, 10))], "7.85", "g/cm^3", validation=("40.", "88.", ("2.", "3.", "8.")))
     plate = Part("plate", [((0, 0, 0), (2, 1, "0.25"))], None, unit="inch", validation=("0.505", "5.5", ("1.", "0.5", "0.125")))
     rail = Part("rail", [((0, 0, 0), (200, 10, 10))], None, validation=(None, "8200.", ("100.", "5.", "5.1")))
@@ -437,7 +439,8 @@ def validation():
                                              for more in ((), ("--require", "validation"), ("--require", "validation", "--validation-limit", "0.02"))])
     check_equal("all together", 4, len({e["result"] + e["quantity"] for e in run_json("--validate", "--validation-limit", "0.02", path)["validation"]}))
 
-    # Written: the text stays as it is but for what is added, the file can be read, and states what was computed.
+    # Written: the text stays as it is except for what is added, the file can be read, and states what was
+    # computed.
     plain = Assembly("plain", [(Part("bolt", [((1, 2, 3), (2, 2, 10))], None), (40, 5, 0), QUARTER),
                                (Part("plate", [((0, 0, 0), (2, 1, "0.25"))], "2700.", unit="inch"), (0, 0, 0), None)], unit="inch")
     path = write_product(os.path.join(folder, "unstated.step"), plain)
@@ -472,7 +475,8 @@ def validation():
     run("-q", "--write-validation", again, target)
     with open(again, encoding="ascii") as text:
         check_true("nothing is stated twice", text.read() == new)
-    # An open box beside a closed one: its volume depends on the origin, and is not stated, nor is that of both.
+    # An open box next to a closed one: its volume depends on the origin, and is not stated, nor is that of
+    # both.
     points, faces = make_box(Fraction(4), Fraction(5), Fraction(6), (Fraction(0),) * 3)
     pair = Assembly("pair", [(Part("open", [], None, polyhedra=[(points, faces[1:])]), (0, 0, 0), None),
                              (Part("closed", [((0, 0, 0), (1, 2, 3))], None), (20, 0, 0), None)])
@@ -490,7 +494,7 @@ def validation():
 
 
 def systems():
-    """One assembly, written by three CAD systems: the same parts as often, and the same volumes, but for the bolt, which one of them modelled
+    """One assembly, written by three CAD systems: the same parts as often, and the same volumes, except for the bolt, which one of them modelled
     otherwise; that one has its numbers in inches."""
     lists = []
     for name in ("caxif_as1_oc_214", "caxif_as1_tu_203", "caxif_as1_pe_203"):

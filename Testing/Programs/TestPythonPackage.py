@@ -101,9 +101,9 @@ def check_brep_and_memory():
         check_equal("its name", "a name", result.file)
         try:
             solidmoments.mass_properties(sample, content=b"")
-            check_true("no bytes are no file", False)
+            check_true("an empty file is not a BREP file", False)
         except solidmoments.SolidMomentsError as error:
-            check_true("no bytes are no file", "it is empty" in str(error), str(error))
+            check_true("an empty file is not a STEP file", "it is empty" in str(error), str(error))
         step = os.path.join(output, "step.brep")
         shutil.copy(sample, step)
         check_row("a STEP file of another name", run(sample)[0]["total"], quietly(step)[0])
@@ -139,7 +139,7 @@ def check_failures():
     check_true("a missing file", raised(FileNotFoundError, os.path.join(folder, "no such file.step")))
     here = os.path.abspath(__file__)
     found = raised(solidmoments.SolidMomentsError, here)
-    check_true("a file that is no STEP file", found and found.status == "unreadable" and found.messages and str(found).startswith(here), str(found))
+    check_true("a file that is not a STEP file", found and found.status == "unreadable" and found.messages and str(found).startswith(here), str(found))
     found = raised(solidmoments.SolidMomentsError, os.path.join(folder, "no_geometry.step"))
     check_equal("a file without solids", "empty", found and found.status)
     for wrong in ({"density": -1.0}, {"density": 0.0}, {"density": math.nan}, {"density_tolerance": 2.0}, {"density_tolerance": math.nan}, {"tolerance": 2.0}, {"unit": "mile"}, {"input_unit": "file"}, {"backend": "gpu"},
@@ -231,7 +231,7 @@ def check_model():
     for i in range(3):
         check(f"box: centre {i}", 0.5 * size[i], box.center_of_mass[i], box.center_of_mass_bound)
     for what, words, call in (("knots that decrease", "decrease", lambda: model.add_face(1, knots[::-1], 1, knots, numpy.zeros((2, 2, 3)))),
-                              ("a net that is turned", "shape (2, 3, 3)", lambda: model.add_face(1, numpy.array([0.0, 0, 1, 1]), 1, numpy.array([0.0, 0, 0.5, 1, 1]), numpy.zeros((2, 3, 3)))),
+                              ("a net that is reversed", "shape (2, 3, 3)", lambda: model.add_face(1, numpy.array([0.0, 0, 1, 1]), 1, numpy.array([0.0, 0, 0.5, 1, 1]), numpy.zeros((2, 3, 3)))),
                               ("a missing control point", "control points", lambda: model.add_face(1, knots, 1, knots, numpy.zeros((3, 3)))),
                               ("a flat curve", "shape", lambda: model.add_edge([0.0, 1.0], [0.0, 1.0])),
                               ("an edge that is not there", "does not exist", lambda: model.add_coedge(0, 0, 12, False, [0.0, 1.0], unit[:2])),

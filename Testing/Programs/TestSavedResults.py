@@ -219,7 +219,7 @@ def check_several_at_a_time():
         told = read_text(target)
         with open(GOOD, "rb") as file:
             process.communicate(file.read(), timeout=100)
-    check_true("a file is told before standard input ends", GOOD in told)
+    check_true("a file is reported before standard input ends", GOOD in told)
     check_true("standard input, too", read_text(target).count("\n") > told.count("\n"))
 
 
@@ -318,7 +318,7 @@ def check_no_time():
 
 
 def write_many_points():
-    """A box with so many points beside it that OpenCASCADE's records of the file take most of the memory."""
+    """A box with so many points next to it that OpenCASCADE's records of the file take most of the memory."""
     text = read_text(GOOD)
     points = "".join(f"#{10 ** 6 + i}=CARTESIAN_POINT('',({i}.,0.,0.));\n" for i in range(150000))
     at = text.rindex("ENDSEC;")

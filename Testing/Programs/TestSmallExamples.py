@@ -1,16 +1,19 @@
-"""TestSmallExamples.py [--solids FOLDER] half-ball|volume|one-call COMMAND...: the short examples as a user runs them.
+"""TestSmallExamples.py [--solids FOLDER] half-ball|volume|one-call|three-lines COMMAND...: the short examples as a user runs them.
 
 half-ball: BuildByHand or build_by_hand.py. What it prints is compared here with the closed forms of half a ball; bounds must hold and must
 be small; a wrong argument ends with a sentence and exit status 1.
 volume: volume.py or OneCall on a box of the generated solids, and on a file that does not exist.
 one-call: one_call.py on that box, with its mass.
+three-lines: three_lines.py where that box is part.step.
 """
 import argparse
 import math
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
@@ -18,9 +21,9 @@ from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E4
 NUMBER = r"(-?[0-9.]+(?:e[-+]?[0-9]+)?)"
 
 
-def run(*arguments):
+def run(*arguments, folder=None):
     result = subprocess.run([*options.command, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
-                            timeout=200, env=dict(os.environ, PYTHONDONTWRITEBYTECODE="1"), check=False)
+                            timeout=200, env=dict(os.environ, PYTHONDONTWRITEBYTECODE="1"), cwd=folder, check=False)
     print("$", os.path.basename(options.command[-1]), *arguments, "->", result.returncode)
     return result
 
@@ -76,10 +79,22 @@ def one_call():
         check("mass in kg", 7850e-9 * box["volume"], mass, mass_bound, "(its bound)")
 
 
+def three_lines():
+    box = Manifest(options.solids).solid("box")
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copy(box["path"], os.path.join(folder, "part.step"))
+        result = run(folder=folder)
+    check_equal("exit status", 0, result.returncode)
+    found = re.fullmatch(rf"{NUMBER} \+/- {NUMBER} kg ok\n", result.stdout)
+    if check_true("one line", found, result.stdout + result.stderr):
+        mass, bound = map(float, found.groups())
+        check("mass in kg", 7850e-9 * box["volume"], mass, bound, "(its bound)")
+
+
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=("half-ball", "volume", "one-call"))
+parser.add_argument("mode", choices=("half-ball", "volume", "one-call", "three-lines"))
 parser.add_argument("--solids")
 parser.add_argument("command", nargs=argparse.REMAINDER)
 options = parser.parse_args()
-{"half-ball": half_ball, "volume": volume, "one-call": one_call}[options.mode]()
+{"half-ball": half_ball, "volume": volume, "one-call": one_call, "three-lines": three_lines}[options.mode]()
 finish()

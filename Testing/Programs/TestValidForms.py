@@ -165,7 +165,7 @@ def add_mapped(body, shape, at):
 
 
 def check_mapped(runner):
-    """Parts whose shapes are mapped into that of an assembly are no products beside it."""
+    """Parts whose shapes are mapped into that of an assembly are not products next to it."""
     for count in (1, 2, 3):
         body = Body()
         part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
@@ -204,7 +204,7 @@ def check_mapped(runner):
     body.product("part", part)
     body.product("other", body.shape([body.solid(body.box((20, 0, 0), (1, 1, 1)))]))
     body.product("asm", body.shape([body.identity, add_mapped(body, part, body.identity)]))
-    runner.check_value("a product beside them", body.get_text(), 7.0)
+    runner.check_value("a product next to them", body.get_text(), 7.0)
 
 
 def make_box_text(body):
@@ -288,7 +288,7 @@ def check_closed_circles(runner):
     none = [(0, 0, 0), (0, 0, 0)]
     runner.check_value("a seam", make_disc(none, 1.0, 5.0, seam=True), 5 * math.pi)
     runner.check_flagged("vertices far from their circles", make_disc([(0.5, 0, 0), (0, 0, 0)], 1.0, 5.0))
-    runner.check_flagged("circles beside their cylinder", make_disc(none, 1.0, 5.0, circle_radius=1.03))
+    runner.check_flagged("circles off their cylinder", make_disc(none, 1.0, 5.0, circle_radius=1.03))
 
 
 def check_oriented_faces(runner):
@@ -307,7 +307,7 @@ def check_oriented_faces(runner):
     faces = body.box((0, 0, 0), (2, 3, 4))
     body.product("part", body.shape([body.solid(faces[:1] + [body.add(f"ORIENTED_FACE('',*,{faces[1]},.F.)")] + faces[2:])]))
     code, entry = runner.run("oriented against the others", body.get_text())
-    check_true("oriented against the others: not ok, or told of", entry["status"] != "ok" or entry["messages"], f"{code} {entry['status']} {entry['messages']}")
+    check_true("oriented against the others: not ok, or reported", entry["status"] != "ok" or entry["messages"], f"{code} {entry['status']} {entry['messages']}")
 
 
 def reverse_face(body, face):
@@ -323,15 +323,15 @@ def reverse_face(body, face):
 def check_representations(runner):
     """Representations that are one shape, related in chains, and defined several times."""
     for links in (1, 2, 3, 5):
-        for turned in (False, True):
+        for is_reversed in (False, True):
             body = Body()
             shapes = [body.shape([body.solid(body.box((0, 0, 0), (2, 3, 4)))])]
             for k in range(links):
                 shapes.append(body.shape([body.axes((0, 0, 0))], "SHAPE_REPRESENTATION"))
-                ends = shapes[-2:] if turned else shapes[:-3:-1]
+                ends = shapes[-2:] if is_reversed else shapes[:-3:-1]
                 body.add(f"SHAPE_REPRESENTATION_RELATIONSHIP('','',{ends[0]},{ends[1]})")
             body.product("part", shapes[-1])
-            runner.check_value(f"a chain of {links} relations{', turned' if turned else ''}", body.get_text(), 24.0)
+            runner.check_value(f"a chain of {links} relations{', reversed' if is_reversed else ''}", body.get_text(), 24.0)
     for order in (0, 1):
         body = Body()
         brep = body.shape([body.solid(body.box((0, 0, 0), (2, 3, 4)))])

@@ -176,7 +176,7 @@ int CheckMoves(
   return moved;
 }
 
-/// Undo, redo and reset by keys; a click beside the part removes the net and the notice.
+/// Undo, redo and reset by keys; a click outside the part removes the net and the notice.
 void CheckUndo(EditSession& session, int steps, const std::vector<double>& first, vtkImageData* before)
 {
   vtkMassPropertiesGPU* mass = session.Scene.GetMass();

@@ -75,7 +75,7 @@ void CheckView(EditSession& session)
   session.Add("MouseWheelForwardEvent", 360, 280);
   session.Play();
   CheckTrue("changes no number", HaveSameBits(before, GetFieldNumbers(session.Scene.GetMass())));
-  CheckEqual("and is no update", static_cast<long long>(updates),
+  CheckEqual("and is not an update", static_cast<long long>(updates),
     static_cast<long long>(session.Scene.GetTimes().size()));
 }
 }

@@ -27,7 +27,7 @@ BOUND_KEYS = {"volume", "area", "center_of_mass", "inertia", "mass", "mass_cente
 FILE_KEYS = {"file", "file_bytes", "length_unit", "status", "messages", "scheme", "scheme_options", "backend", "renderer",
              "backend_reason", "estimate", "frame", "total", "solids", "faces", "free_faces", "integrals", "waterlines", "sections", "diagonal",
              "evaluations", "dispatches", "seconds"}
-# Names of files may be no UTF-8.
+# Names of files may not be UTF-8.
 run = functools.partial(smprogram.run, options.program, errors="surrogateescape")
 
 

@@ -1,8 +1,8 @@
 # cmake [-DFOLDER=<folder>] -P CheckShaderLiterals.cmake
 #
-# Fails when a .glsl file below FOLDER (default: the source tree) has a floating literal without the suffix LF:
-# 0.1 in double code is 0.10000000149, and the same chunk compiled as C++ hides it. Vertex and fragment shaders
-# (…VS.glsl, …FS.glsl) may say f where they mean single precision.
+# Fails when a .glsl file below FOLDER (default: the source tree) has a floating literal without the suffix
+# LF: 0.1 in double code is 0.10000000149, and the same chunk compiled as C++ hides it. Vertex and fragment
+# shaders (…VS.glsl, …FS.glsl) may say f where they mean single precision.
 cmake_policy(VERSION 3.16)
 if (NOT FOLDER)
   get_filename_component(FOLDER "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)

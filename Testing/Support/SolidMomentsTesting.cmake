@@ -5,8 +5,9 @@ if (NOT SOLIDMOMENTS_XVFB_RUN)
     "-DSOLIDMOMENTS_BUILD_TESTING=OFF to do without them.")
 endif ()
 
-# solidmoments_resolve_command(<variable>): puts the file of a target, or the driver of a test and the test's name, in place of the
-# first word of a command. add_test itself finds a target only where no launcher stands before it.
+# solidmoments_resolve_command(<variable>): puts the file of a target, or the driver of a test and the test's
+# name, in place of the first word of a command. add_test itself finds a target only where no launcher stands
+# before it.
 function(solidmoments_resolve_command variable)
   list(GET ${variable} 0 program)
   list(REMOVE_AT ${variable} 0)
@@ -20,12 +21,14 @@ function(solidmoments_resolve_command variable)
 endfunction ()
 
 # solidmoments_add_test(NAME <name> LABELS <label>... [XVFB | NODISPLAY] [TIMEOUT <seconds>]
-#   [ENVIRONMENT <NAME=value>...] [FIXTURE <setup>...] [STATUS <n> TEXT <regex> [WITHOUT <regex>]] COMMAND <command>...)
+#   [ENVIRONMENT <NAME=value>...] [FIXTURE <setup>...] [STATUS <n> TEXT <regex> [WITHOUT <regex>]]
+#   COMMAND <command>...)
 #
-# XVFB runs the command on a virtual X display of its own, NODISPLAY without any; neither leaves the display to the
-# caller's environment, for programs that do not care. Labels: value image error gpu plugin package robust. The command may begin
-# with a target or with a test of a driver (solidmoments_add_test_driver). With STATUS and TEXT the command must end with that status
-# and print a text that matches, and none that matches WITHOUT: PASS_REGULAR_EXPRESSION would ignore the status.
+# XVFB runs the command on a virtual X display of its own, NODISPLAY without any; neither leaves the display
+# to the caller's environment, for programs that do not care. Labels: value image error gpu plugin package
+# robust. The command may begin with a target or with a test of a driver (solidmoments_add_test_driver). With
+# STATUS and TEXT the command must end with that status and print a text that matches, and none that matches
+# WITHOUT: PASS_REGULAR_EXPRESSION would ignore the status.
 function(solidmoments_add_test)
   cmake_parse_arguments(test "XVFB;NODISPLAY" "NAME;TIMEOUT;STATUS;TEXT;WITHOUT" "LABELS;ENVIRONMENT;FIXTURE;COMMAND" ${ARGN})
   foreach (label IN LISTS test_LABELS)
@@ -38,7 +41,8 @@ function(solidmoments_add_test)
   endif ()
   set(launcher)
   if (test_XVFB)
-    # A first display number for each test: xvfb-run -a alone lets two tests that start together choose the same.
+    # A first display number for each test: xvfb-run -a alone lets two tests that start together choose the
+    # same.
     get_property(number GLOBAL PROPERTY solidmoments_display)
     if (NOT number)
       set(number 200)
@@ -67,8 +71,9 @@ function(solidmoments_add_test)
     FIXTURES_REQUIRED "${test_FIXTURE}")
 endfunction ()
 
-# solidmoments_add_mpi_test(NAME <name> RANKS <n> LABELS ... COMMAND <command>...): without a display, on `n` ranks of Open
-# MPI, which share the cores that there are, root or not. `mpirun` must be in SOLIDMOMENTS_MPIRUN.
+# solidmoments_add_mpi_test(NAME <name> RANKS <n> LABELS ... COMMAND <command>...): without a display, on `n`
+# ranks of Open MPI, which share the cores that there are, root or not. `mpirun` must be in
+# SOLIDMOMENTS_MPIRUN.
 function(solidmoments_add_mpi_test)
   cmake_parse_arguments(mpi "" "NAME;RANKS" "COMMAND;ENVIRONMENT" ${ARGN})
   solidmoments_resolve_command(mpi_COMMAND)
@@ -77,14 +82,16 @@ function(solidmoments_add_mpi_test)
     COMMAND "${SOLIDMOMENTS_MPIRUN}" -np ${mpi_RANKS} ${mpi_COMMAND})
   set_tests_properties(${mpi_NAME} PROPERTIES PROCESSORS ${mpi_RANKS})
 endfunction ()
-# Open MPI needs this to run as root, with more ranks than cores, waiting without taking a core, and in a container.
+# Open MPI needs this to run as root, with more ranks than cores, waiting without taking a core, and in a
+# container.
 set(SOLIDMOMENTS_MPI_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
   OMPI_MCA_btl_vader_single_copy_mechanism=none
   PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none)
 
-# Gives a test executable the headers of Testing/Support, VTK's OpenGL classes and the precompiled header of all tests. The latter
-# requires the same definitions everywhere: VTK's registration of OpenGL is therefore an object of its own.
+# Gives a test executable the headers of Testing/Support, VTK's OpenGL classes and the precompiled header of
+# all tests. The latter requires the same definitions everywhere: VTK's registration of OpenGL is therefore an
+# object of its own.
 function(solidmoments_set_up_test_executable name)
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE
@@ -95,7 +102,8 @@ function(solidmoments_set_up_test_executable name)
   solidmoments_warnings(${name})
 endfunction ()
 
-# solidmoments_add_test_program(<name> [SOURCES <file>...] LIBRARIES <target>...): <name>.cxx is a program with a main of its own.
+# solidmoments_add_test_program(<name> [SOURCES <file>...] LIBRARIES <target>...): <name>.cxx is a program
+# with a main of its own.
 function(solidmoments_add_test_program name)
   cmake_parse_arguments(program "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${name}.cxx ${program_SOURCES})
@@ -103,8 +111,9 @@ function(solidmoments_add_test_program name)
   solidmoments_set_up_test_executable(${name})
 endfunction ()
 
-# solidmoments_add_test_driver(<name> TESTS <test>... [SOURCES <file>...] LIBRARIES <target>...): one executable for the tests of a
-# room. <test>.cxx defines `int <test>(int argc, char* argv[])`; `bin/<name> <test> <arguments>` runs it.
+# solidmoments_add_test_driver(<name> TESTS <test>... [SOURCES <file>...] LIBRARIES <target>...): one
+# executable for the tests of a room. <test>.cxx defines `int <test>(int argc, char* argv[])`; `bin/<name>
+# <test> <arguments>` runs it.
 function(solidmoments_add_test_driver name)
   cmake_parse_arguments(driver "" "" "TESTS;SOURCES;LIBRARIES" ${ARGN})
   set(files ${driver_TESTS})
@@ -118,7 +127,8 @@ function(solidmoments_add_test_driver name)
   endforeach ()
 endfunction ()
 
-# solidmoments_add_test_library(<name> LIBRARIES <target>...): <name>.cxx holds checks that executables of several rooms link.
+# solidmoments_add_test_library(<name> LIBRARIES <target>...): <name>.cxx holds checks that executables of
+# several rooms link.
 function(solidmoments_add_test_library name)
   cmake_parse_arguments(library "" "" "LIBRARIES" ${ARGN})
   add_library(${name} STATIC ${name}.cxx)

@@ -1,4 +1,4 @@
-"""Proves by the compiler that a module includes headers of the rooms below it and none of those above or beside it, and that vtk.module
+"""Proves by the compiler that a module includes headers of the rooms below it and none of those above or next to it, and that vtk.module
 files and the table of Documentation/DeveloperGuide.md name the same rooms.
 
     check_arrows.py --compiler C++ --modules FILE --source FOLDER
@@ -107,7 +107,7 @@ def main():
         for line in file:
             name, includes, definitions = line.rstrip("\n").split("|")
             modules[name] = ([word for word in includes.split(";") if word], [word for word in definitions.split(";") if word])
-    problems = [f"{name} is no room of the table" for name in modules if name not in ROOMS] + check_statements(options.source)
+    problems = [f"{name} is not a room of the table" for name in modules if name not in ROOMS] + check_statements(options.source)
     with tempfile.TemporaryDirectory() as folder:
         for room in set(modules) & set(ROOMS):
             problems += check_room(options, modules, room, folder)

@@ -146,10 +146,10 @@ inline double GetDistanceFromFaces(vtkNURBSDataSet* leaf)
   return distance;
 }
 
-/// Least cosine between the normal of a cell and those of its points: near 1 on a fine mesh.
-inline double GetLeastCosine(vtkNURBSDataSet* leaf)
+/// Smallest cosine between the normal of a cell and those of its points: near 1 on a fine mesh.
+inline double GetMinimumCosine(vtkNURBSDataSet* leaf)
 {
-  double least = 1.0;
+  double minimum = 1.0;
   vtkDataArray* normals = leaf->GetPointData()->GetNormals();
   for (vtkIdType i = 0; i < leaf->GetNumberOfCells(); ++i)
   {
@@ -161,10 +161,10 @@ inline double GetLeastCosine(vtkNURBSDataSet* leaf)
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
     {
       const double* n = normals->GetTuple(ids->GetId(k));
-      least = std::fmin(least, n[0] * cell[0] + n[1] * cell[1] + n[2] * cell[2]);
+      minimum = std::fmin(minimum, n[0] * cell[0] + n[1] * cell[1] + n[2] * cell[2]);
     }
   }
-  return least;
+  return minimum;
 }
 
 /// Runs the filter, which must fail with an error that holds `words`, and leave nothing.

@@ -24,7 +24,7 @@ struct MeshMeasures
   int OpenSides = 0;
   /// Triangles, no lines, whose normal is against the surface's in the middle.
   int Inverted = 0;
-  /// The number of triangles turned over that the meshes state themselves.
+  /// The number of triangles inverted that the meshes state themselves.
   int Named = 0;
   /// Largest distance of a sample from the surface, also as a part of the face's promise.
   double Deviation = 0.0;
@@ -66,8 +66,8 @@ inline double FindDistance(sm::NURBSSurface::Walker& walker, const sm::NURBSSurf
   return best;
 }
 
-/// True for a triangle, no line, whose normal is against the surface's at its middle.
-inline bool IsTurnedOver(const sm::Face& face, sm::NURBSSurface::Walker& walker, const sm::FaceMesh& mesh,
+/// Returns true for a triangle, no line, whose normal is against the surface's at its middle.
+inline bool IsInverted(const sm::Face& face, sm::NURBSSurface::Walker& walker, const sm::FaceMesh& mesh,
   const std::array<int, 3>& t)
 {
   double uv[2] = { 0.0, 0.0 };
@@ -88,7 +88,7 @@ inline bool IsTurnedOver(const sm::Face& face, sm::NURBSSurface::Walker& walker,
 }
 
 /// The largest angle of the surface's normals at samples of a triangle from the normal at one of its corners,
-/// the one for which it is least.
+/// the one for which it is smallest.
 inline double MeasureTurn(
   sm::NURBSSurface::Walker& walker, const sm::FaceMesh& mesh, const std::array<int, 3>& t)
 {
@@ -114,18 +114,18 @@ inline double MeasureTurn(
     }
   }
   // The square of the distance of the ends of two unit vectors.
-  double least = corners == 0 ? 0.0 : 4.0;
+  double minimum = corners == 0 ? 0.0 : 4.0;
   for (std::size_t k = 0; k < corners; ++k)
   {
-    double most = 0.0;
+    double maximum = 0.0;
     for (const sm::Vector3& n : normals)
     {
       const sm::Vector3 d = sm::Subtract(n, normals[k]);
-      most = std::max(most, sm::Dot(d, d));
+      maximum = std::max(maximum, sm::Dot(d, d));
     }
-    least = std::min(least, most);
+    minimum = std::min(minimum, maximum);
   }
-  return 2.0 * std::asin(std::min(0.5 * std::sqrt(least), 1.0));
+  return 2.0 * std::asin(std::min(0.5 * std::sqrt(minimum), 1.0));
 }
 
 /// `skip`: one of so many triangles is sampled for its deviation.
@@ -140,7 +140,7 @@ inline MeshMeasures MeasureMesh(
   {
     const sm::FaceMesh& mesh = meshes[f];
     result.EmptyFaces += mesh.Triangles.empty() ? 1 : 0;
-    result.Named += mesh.TurnedOver;
+    result.Named += mesh.InvertedTriangles;
     result.Points += static_cast<long long>(mesh.Points.size());
     result.Triangles += static_cast<long long>(mesh.Triangles.size());
     std::vector<int> ids;
@@ -168,7 +168,7 @@ inline MeshMeasures MeasureMesh(
         continue;
       }
       result.WorstTurnShare = std::max(result.WorstTurnShare, MeasureTurn(walker, mesh, t) / mesh.NormalTurn);
-      result.Inverted += IsTurnedOver(*faces[f], walker, mesh, t) ? 1 : 0;
+      result.Inverted += IsInverted(*faces[f], walker, mesh, t) ? 1 : 0;
       constexpr double Samples[7][3] = { { 1. / 3, 1. / 3, 1. / 3 }, { .5, .5, 0 }, { 0, .5, .5 },
         { .5, 0, .5 }, { .6, .2, .2 }, { .2, .6, .2 }, { .2, .2, .6 } };
       for (const auto& w : Samples)

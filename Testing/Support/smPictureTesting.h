@@ -24,11 +24,11 @@ namespace smtest
 {
 /// Colours that differ by no more are the same, of 255: drivers round differently.
 constexpr int ColorTolerance = 24;
-/// Most of the pixels that may differ. The same driver gives 0.
+/// Maximum share of the pixels that may differ. The same driver gives 0.
 constexpr double PictureLimit = 3e-4;
 
-/// True when `picture` has the colour that `other` has at (x, y), there or in one of the eight pixels around
-/// it.
+/// Returns true when `picture` has the colour that `other` has at (x, y), there or in one of the eight pixels
+/// around it.
 inline bool HasColorNear(vtkImageData* picture, vtkImageData* other, int x, int y)
 {
   const int* size = picture->GetDimensions();

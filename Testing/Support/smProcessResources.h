@@ -28,7 +28,7 @@ struct ProcessResources
 inline ProcessResources GetProcessResources()
 {
   ProcessResources now;
-  // Free pages of the heap are no memory in use.
+  // Free pages of the heap are not memory in use.
   malloc_trim(0);
   const struct mallinfo2 heap = mallinfo2();
   now.Heap = static_cast<double>(heap.uordblks) + static_cast<double>(heap.hblkhd);

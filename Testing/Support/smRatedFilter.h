@@ -23,7 +23,7 @@ public:
   void SetRates(const sm::BackendRates& rates) { this->GetEngine().SetRates(rates); }
 };
 
-/// Rates of a slow processor beside a GPU that needs `seconds` for any run.
+/// Rates of a slow processor next to a GPU that needs `seconds` for any run.
 inline sm::BackendRates MakeGPURates(double seconds)
 {
   sm::BackendRates rates;

@@ -1,6 +1,6 @@
 /**
  * @file smTestManifest.h
- * @brief The expected values that smMakeSolids wrote beside the exact solids
+ * @brief The expected values that smMakeSolids wrote next to the exact solids
  */
 #ifndef smTestManifest_h
 #define smTestManifest_h

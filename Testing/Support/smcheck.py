@@ -45,7 +45,7 @@ def finish():
 
 
 class Manifest:
-    """Expected values that smMakeSolids wrote beside the exact solids."""
+    """Expected values that smMakeSolids wrote next to the exact solids."""
 
     def __init__(self, folder):
         self.folder = folder

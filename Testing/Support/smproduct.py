@@ -73,7 +73,7 @@ class Writer(Part21):
         return definition, shape, origin, context
 
     def _add_product(self, name, application, shape):
-        """A product of its own, also beside one with the same name."""
+        """A product of its own, also next to one with the same name."""
         context = self.add(f"PRODUCT_CONTEXT('',{application},'mechanical')")
         product = self.add(f"PRODUCT('{len(self.done) + 1}','{name}','',({context}))")
         formation = self.add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
@@ -131,7 +131,7 @@ class Writer(Part21):
 
 
 def write_product(path, root, *more):
-    """`more` are products beside the first one, without an assembly of them all."""
+    """`more` are products next to the first one, without an assembly of them all."""
     writer = Writer()
     for node in (root, *more):
         writer.add_node(node)

@@ -59,7 +59,7 @@ class Display:
         return data
 
     def _receive_reply(self):
-        """The head of the next reply. The display tells every client when a pressed key changes the keyboard: such events are skipped."""
+        """The head of the next reply. Events are skipped: every client gets one when a pressed key changes the keyboard."""
         while (head := self._receive(32))[0] > 1:
             pass
         if head[0] == 0:

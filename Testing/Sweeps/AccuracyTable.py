@@ -5,7 +5,7 @@
 
 Every cell is "error / bound", both relative: volume and area to themselves, the centre to the size of the solid,
 inertia to its trace. The bounds are those the program states; gaps between faces and edges, which it states apart, and
-the file's own digits are no part of them. Where an error exceeds its bound but not all three together, the cell has a `*` and a
+the file's own digits are not part of them. Where an error exceeds its bound but not all three together, the cell has a `*` and a
 line below the table says how much the file leaves open; "est." is a bound that is an estimate. Exit status 1 when an error
 exceeds bound, gaps and digits together. --document also puts the table between the document's marks.
 """

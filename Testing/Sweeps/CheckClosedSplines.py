@@ -79,7 +79,8 @@ def run(text, name):
     return json.loads(done.stdout)["files"][0]
 
 
-# Distances below 1e-7 mm, so that the surfaces count as closed; weights, by which a profile changes and stays closed.
+# Distances below 1e-7 mm, so that the surfaces count as closed; weights, by which a profile changes and stays
+# closed.
 CASES = {
     "weight_of_last_row": ("ellipsoid-plain", lambda t: change_weight(t, "SURFACE", -1, 2, 4e-8)),
     "point_of_last_row": ("ellipsoid-plain", lambda t: change_pole(t, "B_SPLINE_SURFACE", -1, 2, 0, 5e-8)),
@@ -101,7 +102,8 @@ for name, (source, change) in CASES.items():
     moved = entry["total"]["volume"] - before["total"]["volume"], entry["total"]["area"] - before["total"]["area"]
     print(f"{name}: {entry['status']}, volume changes by {moved[0]:.3g}, area by {moved[1]:.3g}; against the integrals: "
           f"{result or 'agrees'}; the sound file's values: {stale or 'agree, too'}")
-    # Where the integrals are too uncertain, or the curve of an edge moves no face, the file's own spline leaves its edge or its cylinder.
+    # Where the integrals are too uncertain, or the curve of an edge moves no face, the file's own spline
+    # leaves its edge or its cylinder.
     is_read = isinstance(stale, str) or entry["total"]["max_gap"] > 2e-9 > before["total"]["max_gap"]
     failed += before["status"] != "ok" or entry["status"] != "ok" or result is not None or not is_read
     assert not isinstance(result, Unknown), result

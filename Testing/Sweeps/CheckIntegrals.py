@@ -2,7 +2,7 @@
 """Compares solidmoments with the independent integrals of MutantIntegrals.py on files that are sound.
 
 Exit status 1 if an ok file differs by more than bound, uncertainty and stated gaps, if a wrong value is not noticed, or if fewer than
---least files are compared. The last line has relative
+--minimum files are compared. The last line has relative
 uncertainties of volumes: half of the files have less than the middle one."""
 import argparse
 import copy
@@ -20,7 +20,7 @@ parser.add_argument("--program", required=True, help="solidmoments")
 parser.add_argument("--folder", required=True, help="folder of STEP files")
 parser.add_argument("--max-bytes", type=int, default=300000, help="largest file (default 300000)")
 parser.add_argument("--only", nargs="*", help="names that begin so")
-parser.add_argument("--least", type=int, default=1, help="least number of files that must be compared")
+parser.add_argument("--minimum", type=int, default=1, help="smallest number of files that must be compared")
 parser.add_argument("--verbose", action="store_true", help="print every file")
 options = parser.parse_args()
 
@@ -95,4 +95,4 @@ doubts = sorted(d for _, d in results.values() if d is not None)
 differ = sum(r.startswith("DIFFERS") for r, _ in results.values())
 print(f"{len(results)} ok files, {len(doubts)} agree, {differ} differ, {len(results) - len(doubts) - differ} without a reference; "
       f"{left_out} not ok; uncertainty: middle {doubts[len(doubts) // 2]:.1e}, largest {doubts[-1]:.1e}" if doubts else "No file was compared.")
-sys.exit(1 if differ > 0 or len(doubts) < options.least else 0)
+sys.exit(1 if differ > 0 or len(doubts) < options.minimum else 0)

@@ -45,7 +45,7 @@ def main():
     print("\n".join(rows))
     with open(options.output, "rb") as file:
         if file.read(8) != b"\x89PNG\r\n\x1a\n":
-            sys.exit(f"{options.output} is no PNG file")
+            sys.exit(f"{options.output} is not a PNG file")
 
 
 main()

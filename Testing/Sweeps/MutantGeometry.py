@@ -18,7 +18,7 @@ def cross(a, b):
 
 
 def corners_of_loop(model, loop):
-    """Corners in order, or None where the loop is no closed chain of straight edges."""
+    """Corners in order, or None where the loop is not a closed chain of straight edges."""
     poly = model.get(loop, "POLY_LOOP")
     if poly is not None:
         points = [model.point(r) for r in references(poly)]

@@ -12,7 +12,8 @@ import math
 from MutantOracle import references
 from MutantShapes import Line, SAME, Shapes, TURN, Unknown, add, cross, dot, near, norm, tangential, times
 
-# Flux through a face about the origin, vector area, area; the uncertainties of flux and area; and the distance from the origin.
+# Flux through a face about the origin, vector area, area; the uncertainties of flux and area; and the
+# distance from the origin.
 Face = collections.namedtuple("Face", "flux vector area flux_error area_error reach")
 Value = collections.namedtuple("Value", "volume area volume_error area_error")
 STEPS = 200000
@@ -120,7 +121,7 @@ class Region:
         model = shapes.model
         parameters = model.get(number, "ADVANCED_FACE") or model.get(number, "FACE_SURFACE")
         if parameters is None or len(parameters) != 4 or parameters[3] not in (".T.", ".F."):
-            raise Unknown(f"#{number} is no face")
+            raise Unknown(f"#{number} is not a face")
         self.origin, self.steps = origin, 0
         self.surface = shapes.surface(parameters[2])
         self.sense = 1 if parameters[3] == ".T." else -1
@@ -129,7 +130,7 @@ class Region:
         for bound in references(parameters[1]):
             inner = model.get(bound, "FACE_OUTER_BOUND") or model.get(bound, "FACE_BOUND")
             if inner is None or len(inner) != 3 or inner[2] not in (".T.", ".F."):
-                raise Unknown(f"#{bound} is no bound")
+                raise Unknown(f"#{bound} is not a bound")
             if model.get(inner[1], "VERTEX_LOOP") is None:
                 self.loops.append(self.loop(shapes, inner[1], inner[2] == ".T.", edges, uses))
         if self.loops:
@@ -278,7 +279,7 @@ class Region:
         return total
 
     def rates(self, trace, t, foot, room):
-        """How fast the parameters of an edge's foot change, for an edge beside the surface: from feet near by."""
+        """How fast the parameters of an edge's foot change, for an edge off the surface: from feet near by."""
         step = min(1e-3 * room[1], 0.4 * room[0])
         near_by = [trace.foot(t + k * step, foot) for k in (-2, -1, 1, 2)]
         return tuple((8 * (near_by[2][d] - near_by[1][d]) - (near_by[3][d] - near_by[0][d])) / (12 * step) for d in range(2))
@@ -299,7 +300,7 @@ class Region:
         total, fast = [0.0] * 5, norm(speed)
         errors = [gap * fast * self.far, gap * fast]
         if gap > 1e-10 * self.far:
-            # Beside a curved surface feet move by gap over radius faster or slower than the edge.
+            # Off a curved surface feet move by gap over radius faster or slower than the edge.
             rates = self.rates(trace, t, foot, room)
             slope = add(times(by_u, rates[0]), by_v, rates[1])
             total, errors[0] = self.ribbon(point, position, slope, speed), gap * gap * fast
@@ -393,8 +394,9 @@ class Integrator:
             flux_error = math.fsum(p.flux_error for p in parts)
             size = math.fsum(p.area for p in parts)
             vector = math.sqrt(sum(math.fsum(p.vector[i] for p in parts) ** 2 for i in range(3)))
-            # With strips and triangles the chain is closed, whatever the gaps, and its vector area is zero to rounding (5e-12 at most in
-            # 30 real files). What is open counts with the distance from the origin.
+            # With strips and triangles the chain is closed, whatever the gaps, and its vector area is zero to
+            # rounding (5e-12 at most in 30 real files). What is open counts with the distance from the
+            # origin.
             if vector > CLOSED * size:
                 raise Unknown("an open chain: faces whose sides contradict each other, or edges that no strip closes")
             flux_error += vector * max(p.reach for p in parts)

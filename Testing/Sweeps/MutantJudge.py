@@ -36,7 +36,7 @@ class Declared:
         return next(iter(self.units)) if len(self.units) == 1 else None
 
     def polyhedra_volume(self):
-        """In mm^3, or None where a solid is no polyhedron or the unit is unknown."""
+        """In mm^3, or None where a solid is not a polyhedron or the unit is unknown."""
         volumes = [polyhedron_volume(self.model, s) for s, _ in self.instances]
         if not volumes or None in volumes or not self.metres() or self.model.repeated:
             return None

@@ -124,7 +124,7 @@ class Model:
             found += list(references(parameters or []))
         for face in found:
             if not self.has(face, "FACE"):
-                self.broken.append(f"#{face} of #{solid} is no face")
+                self.broken.append(f"#{face} of #{solid} is not a face")
         return set(found)
 
     def representation(self, number):
@@ -215,7 +215,7 @@ class Model:
                 lengths.append(self.factor(reference, ".METRE.", 0))
             if "PLANE_ANGLE_UNIT" in entity:
                 angles.append(self.factor(reference, ".RADIAN.", 0))
-        # A damaged one beside a sound one may be anything, such as what was the unit of solid angles.
+        # A damaged one next to a sound one may be anything, such as what was the unit of solid angles.
         sound = [{v for v in values if v} for values in (lengths, angles)]
         return tuple(next(iter(values)) if len(values) == 1 else None for values in sound)
 

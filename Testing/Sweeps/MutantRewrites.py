@@ -1,5 +1,5 @@
 """Mutants that need no reference, for MutantSweep.py: rewrites of a file that mean the same must give the same numbers and status, and a
-file with one flag turned must not be ok with other numbers."""
+file with one flag reversed must not be ok with other numbers."""
 import math
 import random as randomness
 
@@ -60,7 +60,7 @@ def flags(document, flat):
 
 
 def turned(kind, seed, document):
-    """(text, True) with one flag turned, or None."""
+    """(text, True) with one flag reversed, or None."""
     random = randomness.Random(seed)
     flat = kind == "flat_flag"
     found = flags(document, flat)
@@ -87,7 +87,7 @@ def quantities(total):
 
 
 def allowances(entry, anew):
-    """How far quantities may differ beside their bounds, where something was computed anew: roundings of coordinates, and gaps, which are
+    """How far quantities may differ beyond their bounds, where something was computed anew: roundings of coordinates, and gaps, which are
     closed in another way."""
     total, size = entry["total"], entry["diagonal"]
     volume, area = abs(total["volume"] or 0) or 1.0, total["area"] or 0.0
@@ -127,7 +127,7 @@ def judge_rewrite(before, entry, anew):
 
 
 def judge_flag(before, entry, _anew):
-    """Findings on a file with one flag turned."""
+    """Findings on a file with one flag reversed."""
     if entry["status"] != "ok":
         return "flagged", []
     differs = difference(before, entry, True)

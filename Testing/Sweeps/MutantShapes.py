@@ -127,7 +127,8 @@ def combine(points, first, factors):
     return [sum(f * points[first + k][c] for k, f in enumerate(factors)) for c in range(4)]
 
 
-# Curves: at(t) is point and derivative, parameter(point, guess), period or None, breaks where the formula changes.
+# Curves: at(t) is point and derivative, parameter(point, guess), period or None, breaks where the formula
+# changes.
 
 class Line:
     period = None
@@ -209,8 +210,9 @@ class SplineCurve:
         return repeated(self.basis.breaks, self.low, self.period, low, high)
 
 
-# Surfaces: at(u, v) is (point, by u, by v), parameters(point, guess); period, low and high for u and v, between(direction, low, high) as
-# of curves; origin: where integrals over a direction begin; order: Gauss points that are enough for a piece of v, or None.
+# Surfaces: at(u, v) is (point, by u, by v), parameters(point, guess); period, low and high for u and v,
+# between(direction, low, high) as of curves; origin: where integrals over a direction begin; order: Gauss
+# points that are enough for a piece of v, or None.
 
 class Surface:
     period, low, high, origin, order = (None, None), (None, None), (None, None), (0.0, 0.0), 2
@@ -484,12 +486,12 @@ class Shapes:
     def parameters(self, number, keyword, count):
         found = self.model.get(number, keyword)
         if found is None or len(found) != count:
-            raise Unknown(f"#{number} is no {keyword}")
+            raise Unknown(f"#{number} is not of type {keyword}")
         return found
 
     def point(self, number):
         if not self.model.has(number, "CARTESIAN_POINT"):
-            raise Unknown(f"#{number} is no point")
+            raise Unknown(f"#{number} is not a point")
         found = self.model.point(number)
         if found is None or max(map(abs, found)) > 1e30:
             raise Unknown(f"#{number} has no place")
@@ -498,7 +500,7 @@ class Shapes:
     def direction(self, number):
         found = self.model.point(number) if self.model.has(number, "DIRECTION") else None
         if found is None:
-            raise Unknown(f"#{number} is no direction")
+            raise Unknown(f"#{number} is not a direction")
         return unit(found)
 
     def vector(self, number):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Damages or rewrites STEP files and judges what solidmoments says of them.
 
-A mutant is (file, kind, seed); the seed chooses file and kind, too. Of --mutants damage, whatever the program calls ok must be all that
+A mutant is (file, kind, seed); the seed chooses file and kind, too. With --mutants damage, whatever the program calls ok must be all that
 the mutated text declares (MutantOracle.py), and hold together. --mutants rewrites mean the same, and must get the same status and
-numbers within both bounds; --mutants flags have one flag of a face turned, and must not be ok with other numbers (MutantRewrites.py). Exit
+numbers within both bounds; --mutants flags have one flag of a face reversed, and must not be ok with other numbers (MutantRewrites.py). Exit
 status 1 if a mutant violates that, crashes the program or makes it hang. One mutant again, with all that is said of it, and kept in --keep:
 
   MutantSweep.py --program solidmoments --solids FOLDER --seed 4711 --keep .
@@ -31,7 +31,8 @@ SOLIDS = ("bicylinder-plain block_4_3_2-plain box-plain box-inch cone-plain cyli
           "torus-plain torus-nurbs two_solids wavy_plate-plain").split()
 BATCH = 20
 FINE = (0, 2, 3)
-# Each file has a process of its own, which may take so many seconds of the processor; the wall clock only ends what sleeps.
+# Each file has a process of its own, which may take so many seconds of the processor; the wall clock only
+# ends what sleeps.
 LOAD = 10
 Finding = collections.namedtuple("Finding", "seed file kind status violation name text")
 
@@ -112,7 +113,7 @@ class Sweep:
                 code, output = None, process.communicate(timeout=limit)[0]
                 code = process.returncode
             except subprocess.TimeoutExpired:
-                # Told to end, the program writes what it has.
+                # Asked to end, the program writes what it has.
                 code, output = "hang", self.ended(process)
         try:
             entries = json.loads(output)["files"]

@@ -23,7 +23,7 @@ VARIANTS = {
 }
 RENAMED = {"moved_by_closing": "closure_correction", "leak": "closure_residual", "plumb_foot": "projected_center_of_mass",
            "work_to_tip": "center_of_mass_rise", "margin": "stability_margin"}
-# Seconds differ from run to run; names of files, versions and dispatches are no numbers of the solids.
+# Seconds differ from run to run; names of files, versions and dispatches are not numbers of the solids.
 LEFT_OUT = {"seconds", "file", "version", "messages", "dispatches", "renderer", "backend_reason", "estimate"}
 
 
@@ -58,7 +58,7 @@ def differences(path, before, after):
     if isinstance(before, dict) and isinstance(after, dict):
         for key in sorted(set(before) | set(after)):
             if key not in after or key not in before:
-                # A quantity that one version does not have is no difference of numbers.
+                # A quantity that one version does not have is not a difference of numbers.
                 continue
             yield from differences(f"{path}.{key}", before[key], after[key])
     elif isinstance(before, list) and isinstance(after, list) and len(before) == len(after):

@@ -245,7 +245,8 @@ def split(document, edge, geometry, t):
             place = members.index(use.oriented)
             members[place:place + 1] = _in_order(use.oriented, document.make("ORIENTED_EDGE", "''", "*", "*", second, forward), forward)
             document.put(loop, "EDGE_LOOP", 1, members)
-    # Trim curves of seams and periodic surfaces go round once for the whole edge: what has a part of them is for the reader to find out.
+    # Trim curves of seams and periodic surfaces go round once for the whole edge: what has a part of them is
+    # for the reader to find out.
     if document.kind(curve) in SURFACE_CURVES and isinstance(curve, Reference) and first == last:
         document.drop_trims(edge)
         document.drop_trims(second)

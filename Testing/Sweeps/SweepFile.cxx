@@ -33,7 +33,7 @@ using namespace smtest;
 using sm::Json;
 
 constexpr double Tolerances[] = { 1e-9, 1e-12 };
-constexpr std::size_t MostMessages = 20;
+constexpr std::size_t MaxMessages = 20;
 
 /// Compares while OpenCASCADE's shapes are there.
 class ComparedReader : public vtkSTEPReader
@@ -52,7 +52,7 @@ protected:
     {
       types[name] = { { "faces", tally.Faces }, { "surface", tally.Surface }, { "trim", tally.Trim } };
     }
-    const std::size_t shown = std::min(result.Messages.size(), MostMessages);
+    const std::size_t shown = std::min(result.Messages.size(), MaxMessages);
     this->Kernel = { { "solids", result.Solids }, { "shells", result.Shells }, { "faces", result.Faces },
       { "open_edges", result.OpenEdges }, { "missing_faces", result.MissingFaces },
       { "defects", result.Defects }, { "trim_pieces", result.TrimPieces },

@@ -37,7 +37,8 @@ class Run:
         self.errors = {}
         self.bounds = {}
         self.allowed = {}
-        # The tolerance of the centre refers to half the diagonal where that is more than the cube root of the volume.
+        # The tolerance of the centre refers to half the diagonal where that is more than the cube root of the
+        # volume.
         self.center_scale = 1.0
 
     def total(self, key):
@@ -210,7 +211,7 @@ def judge_kernel(reference, kernel, mesh):
     if solids and not kernel["max_gap"] <= 1.05 * reference["max_gap"] + 1e-8:
         missed["max_gap"] = f"{kernel['max_gap']} mm between coedges and edges, the reference has {reference['max_gap']}"
     if mesh["bad_normals"]:
-        missed["normals"] = f"{mesh['bad_normals']} of the display mesh are no unit vectors"
+        missed["normals"] = f"{mesh['bad_normals']} of the display mesh are not unit vectors"
     if solids and not abs(mesh["volume"] / reference["volume"] - 1) <= MESH_VOLUME_LIMIT:
         missed["mesh_volume"] = f"{mesh['volume']}"
     return missed

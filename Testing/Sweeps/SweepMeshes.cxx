@@ -1,13 +1,13 @@
-// SweepMeshes [options] FILE.step...: the display mesh of every body beside that of OpenCASCADE's mesher, in
-// one run on one core: seconds, triangles, faces without triangles, open sides of closed solids, inverted
-// triangles, and the largest distance from the surface, all at the same deflection. Beside ours, the seconds
-// of bounds of surfaces and points of edges alone; beside both, triangles times distance: at equal distance,
-// the ratio of triangles. Exit status 1 where ours breaks its promise, or has faces without triangles,
-// triangles turned over, or open sides of closed bodies that it gives no reason for.
+// SweepMeshes [options] FILE.step...: the display mesh of every body compared with that of OpenCASCADE's
+// mesher, in one run on one core: seconds, triangles, faces without triangles, open sides of closed solids,
+// inverted triangles, and the largest distance from the surface, all at the same deflection. For ours, the
+// seconds of bounds of surfaces and points of edges alone; for both, triangles times distance: at equal
+// distance, the ratio of triangles. Exit status 1 where ours breaks its promise, or has faces without
+// triangles, triangles inverted, or open sides of closed bodies that it gives no reason for.
 //     --deflection X   a part of the diagonal, 0.001 by default
 //     --threads N      meshes on N threads; seconds are those of the clock on the wall then
 //     --alone          without OpenCASCADE
-//     --repeat N       meshes each body N times and counts the least seconds
+//     --repeat N       meshes each body N times and counts the smallest seconds
 //     --quick          the same without measures: only seconds, triangles and the bits of the mesh
 //     --picture FILE.png ID,ID...   draws these faces of the next file, OpenCASCADE's triangles on the left,
 //     ours on the right
@@ -104,7 +104,7 @@ void AddBits(const void* data, std::size_t size)
   }
 }
 
-/// True if the directions in which faces use each edge cancel.
+/// Returns true if the directions in which faces use each edge cancel.
 bool IsClosed(const std::vector<sm::FacePointer>& faces)
 {
   std::unordered_map<const sm::Edge*, int> directions;
@@ -237,17 +237,17 @@ protected:
       sm::MeshLimits limits;
       limits.Deflection = Deflection * size;
       double start = 0.0;
-      double least = HUGE_VAL;
+      double minimum = HUGE_VAL;
       double edges = HUGE_VAL;
       std::vector<sm::FaceMesh> ours;
       for (int i = 0; i < Repeats; ++i)
       {
         start = GetSeconds();
         ours = sm::MeshFaces(faces, limits);
-        least = std::min(least, GetSeconds() - start);
+        minimum = std::min(minimum, GetSeconds() - start);
         edges = std::min(edges, MeasureEdges(faces, limits));
       }
-      All.Seconds[0] += least;
+      All.Seconds[0] += minimum;
       All.EdgeSeconds += edges;
       for (const sm::FaceMesh& mesh : ours)
       {
@@ -286,7 +286,7 @@ protected:
         if (!explained && a.OpenSides + boundary > 0)
         {
           All.Unexplained += a.OpenSides + boundary;
-          std::printf("    closed but for its mesh\n");
+          std::printf("    closed except for its mesh\n");
         }
       }
       for (std::size_t f = 0; f < faces.size(); ++f)
@@ -296,7 +296,7 @@ protected:
         {
           Sheets.emplace(Picture, Tile).first->second.Add(*faces[f], { &theirs[f], &ours[f] });
         }
-        ReportTurned(*faces[f], ours[f], theirs[f]);
+        ReportInverted(*faces[f], ours[f], theirs[f]);
         if (!Verbose)
         {
           continue;
@@ -312,7 +312,7 @@ protected:
     }
   }
 
-  static void ReportTurned(const sm::Face& face, const sm::FaceMesh& ours, const sm::FaceMesh& theirs)
+  static void ReportInverted(const sm::Face& face, const sm::FaceMesh& ours, const sm::FaceMesh& theirs)
   {
     const sm::FaceMesh* const meshes[2] = { &ours, &theirs };
     long long count[2] = { 0, 0 };
@@ -320,11 +320,11 @@ protected:
     for (int i = 0; i < 2; ++i)
     {
       count[i] = std::count_if(meshes[i]->Triangles.begin(), meshes[i]->Triangles.end(),
-        [&](const auto& t) { return smtest::IsTurnedOver(face, walker, *meshes[i], t); });
+        [&](const auto& t) { return smtest::IsInverted(face, walker, *meshes[i], t); });
     }
     if (count[0] > 0)
     {
-      std::printf("    face #%d: %lld of %zu triangles turned over (OpenCASCADE %lld of %zu)\n", face.FileId,
+      std::printf("    face #%d: %lld of %zu triangles inverted (OpenCASCADE %lld of %zu)\n", face.FileId,
         count[0], ours.Triangles.size(), count[1], theirs.Triangles.size());
     }
   }

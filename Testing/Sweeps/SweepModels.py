@@ -34,8 +34,8 @@ import SweepTable
 
 EXPECTED_FILES = 98
 EXPECTED_SOLIDS = 87
-# The least number, out of the 87 files with solids, whose bound of each quantity is at most 1e-12 at that tolerance.
-# Areas carry what the reader's trim curves miss of the file's edges, up to 1e-10 of their size.
+# The smallest number, out of the 87 files with solids, whose bound of each quantity is at most 1e-12 at that
+# tolerance. Areas carry what the reader's trim curves miss of the file's edges, up to 1e-10 of their size.
 TIGHT_FILES = {"volume": 68, "area": 63, "center": 68, "inertia": 68}
 CLOSED_FILES = 82
 # CAD systems wrote these two volumes with twelve digits, and their gaps move them by far more.

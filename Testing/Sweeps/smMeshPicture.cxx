@@ -17,7 +17,7 @@ using sm::Vector3;
 constexpr double Margin = 0.03;
 constexpr std::size_t FacesInRow = 2;
 /// A mean normal shorter than this part of the area has no face to look at.
-constexpr double LeastMean = 0.2;
+constexpr double MinMean = 0.2;
 
 /// Axes of the picture: right, up, towards the eye.
 struct View
@@ -41,7 +41,7 @@ struct View
       }
     }
     this->Axes[2] =
-      sm::Normalized(area > 0.0 && sm::Norm(mean) > LeastMean * area ? mean : Vector3{ 1.0, 0.7, 0.5 });
+      sm::Normalized(area > 0.0 && sm::Norm(mean) > MinMean * area ? mean : Vector3{ 1.0, 0.7, 0.5 });
     const Vector3& eye = this->Axes[2];
     this->Axes[0] = sm::Normalized(
       std::abs(eye[2]) < 0.9 ? Vector3{ -eye[1], eye[0], 0.0 } : Vector3{ eye[2], 0.0, -eye[0] });
@@ -128,11 +128,11 @@ void Draw(
       corners[k] = { left + view.GetPixel(mesh.Points[t[k]], 0, tile),
         view.GetPixel(mesh.Points[t[k]], 1, tile) };
     }
-    const bool turned = IsTurnedOver(face, walker, mesh, t);
-    FillTriangle(image, corners, turned ? Color{ 240, 90, 80 } : Color{ 190, 210, 230 });
+    const bool inverted = IsInverted(face, walker, mesh, t);
+    FillTriangle(image, corners, inverted ? Color{ 240, 90, 80 } : Color{ 190, 210, 230 });
     for (int k = 0; k < 3; ++k)
     {
-      DrawLine(image, corners[k], corners[(k + 1) % 3], turned ? Color{ 200, 0, 0 } : Color{ 30, 40, 60 });
+      DrawLine(image, corners[k], corners[(k + 1) % 3], inverted ? Color{ 200, 0, 0 } : Color{ 30, 40, 60 });
     }
   }
 }

@@ -27,7 +27,7 @@ public:
 
   /**
    * All meshes of a face are seen against the mean normal of the last one, or askew where the face closes in
-   * itself. Triangles that are turned over are red. Every face has as many meshes.
+   * itself. Triangles that are inverted are red. Every face has as many meshes.
    */
   void Add(const sm::Face& face, const std::vector<const sm::FaceMesh*>& meshes);
 

@@ -41,8 +41,9 @@ double smValue(uint at)
   return smSchemeValues[at];
 }
 
-// Returns the tile to which `index` belongs in one of the lists that tiles share: the last tile whose part begins at or before
-// it. Tiles with an empty part are skipped, because the next tile begins at the same index.
+// Returns the tile to which `index` belongs in one of the lists that tiles share: the last tile whose part
+// begins at or before it. Tiles with an empty part are skipped, because the next tile begins at the same
+// index.
 uint smFindTile(uint index, int list)
 {
   uint low = 0u;

@@ -1,9 +1,9 @@
-// A tile of the paper's schemes: a block of sub-patches of one face, see smSchemeBatch.h. A sub-patch is one of the k x k parts
-// of a knot interval; factor x factor texels of the trim texture belong to it.
+// A tile of the paper's schemes: a block of sub-patches of one face, see smSchemeBatch.h. A sub-patch is one
+// of the k x k parts of a knot interval; factor x factor texels of the trim texture belong to it.
 struct smSchemeTile
 {
-  // Beginnings in the batch's lists: first sub-patch (and result row), first part of a trim curve, first row of texels; then the
-  // number of knot intervals of the face in u.
+  // Beginnings in the batch's lists: first sub-patch (and result row), first part of a trim curve, first row
+  // of texels; then the number of knot intervals of the face in u.
   uvec4 begin;
   // Block within the face: first column and row; number of columns and rows of the tile.
   uvec4 grid;

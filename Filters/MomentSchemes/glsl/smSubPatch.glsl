@@ -1,10 +1,12 @@
-// The paper's integrals over one sub-patch, equations 16 to 28 with the flux along z, by n x n Gauss points, weighted by the
-// fraction of the sub-patch's texels that are in the face; and its error estimate, equation 36: 2 K |n_z| by the same points.
+// The paper's integrals over one sub-patch, equations 16 to 28 with the flux along z, by n x n Gauss points,
+// weighted by the fraction of the sub-patch's texels that are in the face; and its error estimate, equation
+// 36: 2 K |n_z| by the same points.
 //
-// Needs: chunks smSchemeTile, smTrimTexture, smPatch; SM_DEGREE_S, SM_DEGREE_R (degrees of `source`, constants for the common
-// degrees); int smPoints (n), double smPerturbation (a factor of every sample); smSchemePatch smGetSource(uint index), void
-// smSetResult(uint at, double value). Writes the 16 results of row `to`: V X Y Z XX YY ZZ XY YZ XZ, vector area, area, estimate
-// if all texels are in the face, estimate if any texel is.
+// Needs: chunks smSchemeTile, smTrimTexture, smPatch; SM_DEGREE_S, SM_DEGREE_R (degrees of `source`,
+// constants for the common degrees); int smPoints (n), double smPerturbation (a factor of every sample);
+// smSchemePatch smGetSource(uint index), void smSetResult(uint at, double value). Writes the 16 results of
+// row `to`: V X Y Z XX YY ZZ XY YZ XZ, vector area, area, estimate if all texels are in the face, estimate if
+// any texel is.
 
 // Returns node on [0,1] and weight of point i of n, equations 32 to 35; the weights add up to 1.
 dvec2 smSchemeRule(int n, int i)
@@ -62,7 +64,9 @@ uint smIntegrateSubPatch(smSchemeTile tile, uint index, uint to)
       dvec3 offset;
       dvec3 tangentS;
       dvec3 tangentR;
-      smEvaluateRow(p, (double(faceColumn % k) + ruleS.x) / double(k), points, pointsS, pointsR, offset, tangentS, tangentR);
+      smEvaluateRow(
+        p, (double(faceColumn % k) + ruleS.x) / double(k), points, pointsS, pointsR, offset, tangentS,
+        tangentR);
       dvec3 position = center + offset;
       double weight = smPerturbation * ruleS.y * ruleR.y / double(k * k);
       dvec3 normal = side * weight * cross(tangentS, tangentR);

@@ -1,13 +1,15 @@
-// The trim texture of a tile: 1 if the centre of a texel is in the face, else 0. The trim curves, cut into rises along which v
-// increases or decreases (smTrimRises.h), are drawn into a texture of changes of the winding number: along a row of texel centres
-// the winding number changes where a rise crosses, by +1 if v decreases and by -1 if it increases, as loops have the face to
-// their left. The running sum from the left is the winding number, which is not 0 in the face. All numbers are integers, so that
-// the result does not depend on the order of the rises.
+// The trim texture of a tile: 1 if the centre of a texel is in the face, else 0. The trim curves, cut into
+// rises along which v increases or decreases (smTrimRises.h), are drawn into a texture of changes of the
+// winding number: along a row of texel centres the winding number changes where a rise crosses, by +1 if v
+// decreases and by -1 if it increases, as loops have the face to their left. The running sum from the left is
+// the winding number, which is not 0 in the face. All numbers are integers, so that the result does not
+// depend on the order of the rises.
 //
-// Needs: chunk smSchemeTile; double smValue(uint at), void smAddTexel(uint at, int change), int smGetTexel(uint at),
-// void smSetTexel(uint at, int value).
+// Needs: chunk smSchemeTile; double smValue(uint at), void smAddTexel(uint at, int change), int
+// smGetTexel(uint at), void smSetTexel(uint at, int value).
 
-// Returns the centre of texel `index` between the borders that begin at `borders`, with `factor` texels from border to border.
+// Returns the centre of texel `index` between the borders that begin at `borders`, with `factor` texels from
+// border to border.
 double smTexelCentre(uint borders, uint factor, uint index)
 {
   uint interval = index / factor;
@@ -17,7 +19,8 @@ double smTexelCentre(uint borders, uint factor, uint index)
   return centre;
 }
 
-// Returns the first texel of `count` intervals whose centre is at x or beyond; factor * count if there is none.
+// Returns the first texel of `count` intervals whose centre is at x or beyond; factor * count if there is
+// none.
 uint smFindTexel(uint borders, uint count, uint factor, double x)
 {
   uint low = 0u;
@@ -37,8 +40,9 @@ uint smFindTexel(uint borders, uint count, uint factor, double x)
   return low;
 }
 
-// Returns the value at x of one coordinate of a rise, less `origin`, and its derivative. The Bernstein coefficients are every
-// other value from `first` on. Horner's scheme in 1 - x: B_i^n = C(n,i) x^i (1-x)^(n-i), and n B_i^(n-1) for the differences.
+// Returns the value at x of one coordinate of a rise, less `origin`, and its derivative. The Bernstein
+// coefficients are every other value from `first` on. Horner's scheme in 1 - x: B_i^n = C(n,i) x^i
+// (1-x)^(n-i), and n B_i^(n-1) for the differences.
 dvec2 smRiseEvaluate(uint first, int degree, double x, double origin)
 {
   double y = 1.0LF - x;
@@ -58,9 +62,10 @@ dvec2 smRiseEvaluate(uint first, int degree, double x, double origin)
   return sum;
 }
 
-// Returns the parameter at which a rise from v0 to v1 has the value v, which is between them. A Newton step is taken if it is at
-// most half as long as the one before and stays inside the bracket, else a bisection step. It ends at the level of rounding:
-// coefficients are within |v1 - v0| of v, and a sum of up to 26 terms has a rounding error of a few units of that.
+// Returns the parameter at which a rise from v0 to v1 has the value v, which is between them. A Newton step
+// is taken if it is at most half as long as the one before and stays inside the bracket, else a bisection
+// step. It ends at the level of rounding: coefficients are within |v1 - v0| of v, and a sum of up to 26 terms
+// has a rounding error of a few units of that.
 double smFindCrossing(uint first, int degree, double v0, double v1, double v)
 {
   double low = 0.0LF;
@@ -93,10 +98,10 @@ double smFindCrossing(uint first, int degree, double v0, double v1, double v)
   return x;
 }
 
-// Draws part `index` of the tile's trim curves: one block of the rows that a rise crosses. A crossing left of the tile counts in
-// its first column, a crossing right of it is omitted. The end points alone decide whether a row is crossed, so that rounding
-// cannot open a loop. The polynomial itself gives the position of the crossing, as chords would have an error of one sign along
-// the curve.
+// Draws part `index` of the tile's trim curves: one block of the rows that a rise crosses. A crossing left of
+// the tile counts in its first column, a crossing right of it is omitted. The end points alone decide whether
+// a row is crossed, so that rounding cannot open a loop. The polynomial itself gives the position of the
+// crossing, as chords would have an error of one sign along the curve.
 void smDrawTrim(smSchemeTile tile, uint index)
 {
   uint at = tile.values.w + 3u * index;

@@ -23,16 +23,16 @@ namespace
 constexpr std::size_t RowsOfChunk = 4096;
 // Estimated cost between two calls of shouldContinue: some tens of milliseconds of one core.
 constexpr std::int64_t CostPerPart = 4000000;
-// Least number of segments per task of a thread, and number of tasks of each thread: every task has buffers
-// of its own.
+// Smallest number of segments per task of a thread, and number of tasks of each thread: every task has
+// buffers of its own.
 constexpr std::size_t SegmentsPerTask = 64;
 constexpr std::size_t TasksPerThread = 16;
 
 /// Number of `count` parts of work per task.
-std::size_t GetGrain(std::size_t count, std::size_t least)
+std::size_t GetGrain(std::size_t count, std::size_t minimum)
 {
   const auto threads = static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
-  return std::max(count / (TasksPerThread * threads), least);
+  return std::max(count / (TasksPerThread * threads), minimum);
 }
 
 /// Lanes for so many items: four half as wide take less time than eight that are half empty. Fewer have no
@@ -105,7 +105,7 @@ struct CPUItemRunner::Internals
   std::vector<const FacePanels*> Slots;
   BatchParameters Batch;
   std::vector<double> Rows;
-  /// Of the items of the last Run().
+  /// One flag for each item of the last Run().
   std::vector<std::uint8_t> Unconverged;
 
   /// Evaluates items[active[i]] for i in [begin, end) and returns the number of evaluations.
@@ -131,8 +131,8 @@ std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const Wor
       std::int64_t sum = 0;
       for (std::size_t group = from; group < to; ++group)
       {
-        KernelItem together[MostLanes];
-        KernelResult results[MostLanes];
+        KernelItem together[MaxLanes];
+        KernelResult results[MaxLanes];
         const int count = static_cast<int>(firsts[group + 1] - firsts[group]);
         for (int lane = 0; lane < count; ++lane)
         {

@@ -574,11 +574,11 @@ bool GPUItemRunner::Internals::DispatchSums(
   }
   // A dispatch of portions, so that the number of invocations is within 32 bits for any number of integrands.
   const auto columns = static_cast<std::uint32_t>(layout.GetDifference(0));
-  const std::uint32_t most = 0x40000000u / columns;
+  const std::uint32_t maximum = 0x40000000u / columns;
   bool done = this->Bind(RowBlockProgram, 0);
-  for (std::uint32_t first = 0; first < blocks && done; first += most)
+  for (std::uint32_t first = 0; first < blocks && done; first += maximum)
   {
-    const std::uint32_t count = std::min(most, blocks - first);
+    const std::uint32_t count = std::min(maximum, blocks - first);
     done = rows->SetUniform("smFirstBlock", first) && rows->SetUniform("smBlockCount", count) &&
       rows->Dispatch(count * columns, LocalSizeOfBlocks);
   }

@@ -171,7 +171,7 @@ struct InputSizes
   /// squares.
   std::size_t GetTotal() const
   {
-    return (this->GetPlacementBegin() + this->Placement + MostLanes - 1) / MostLanes * MostLanes;
+    return (this->GetPlacementBegin() + this->Placement + MaxLanes - 1) / MaxLanes * MaxLanes;
   }
 };
 
@@ -221,7 +221,7 @@ void WriteLanes(const KernelData& data, const KernelItem* items, int count, int 
     scratch.Inputs.resize(total * lanes);
     scratch.Copies.resize(total * lanes);
   }
-  std::array<const double*, MostLanes> from{};
+  std::array<const double*, MaxLanes> from{};
   for (int lane = 0; lane < lanes; ++lane)
   {
     double* copy = scratch.Copies.data() + std::min(lane, count - 1) * total;
@@ -250,7 +250,7 @@ void WriteLanes(const KernelData& data, const KernelItem* items, int count, int 
 /// Returns the next address that is aligned for the widest vector registers.
 double* Align(double* address)
 {
-  constexpr std::uintptr_t alignment = sizeof(double) * MostLanes;
+  constexpr std::uintptr_t alignment = sizeof(double) * MaxLanes;
   const std::uintptr_t misfit = reinterpret_cast<std::uintptr_t>(address) % alignment;
   return misfit == 0 ? address : address + (alignment - misfit) / sizeof(double);
 }
@@ -317,7 +317,7 @@ void EvaluateItems(const KernelData& data, const KernelItem* items, int count, i
   const SampleFormulas& formulas = *data.Formulas;
   const std::size_t terms = formulas.Terms.size();
   const std::size_t magnitudes = formulas.Magnitudes.size();
-  scratch.Sums.resize((terms + magnitudes + 3) * lanes + MostLanes);
+  scratch.Sums.resize((terms + magnitudes + 3) * lanes + MaxLanes);
   ItemLanes batch;
   batch.Kind = first.Kind;
   for (int d = 0; d < 2; ++d)

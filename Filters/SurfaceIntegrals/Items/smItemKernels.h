@@ -89,7 +89,7 @@ struct KernelItem
 };
 
 /// Largest number of items that are evaluated side by side.
-constexpr int MostLanes = 8;
+constexpr int MaxLanes = 8;
 /// Returns the numbers of items, ascending from 1, that this processor can evaluate side by side.
 SMFILTERSSURFACEINTEGRALS_EXPORT const std::vector<int>& GetLaneCounts();
 /// Returns a number that is equal for items which may be evaluated side by side: those of equal kind,
@@ -97,8 +97,8 @@ SMFILTERSSURFACEINTEGRALS_EXPORT const std::vector<int>& GetLaneCounts();
 SMFILTERSSURFACEINTEGRALS_EXPORT std::uint64_t GetItemShape(const KernelItem& item);
 
 /// Evaluates `count` items of one shape, at most `lanes` of them, by the mathematics of
-/// glsl/sm{Panel,Ribbon,Cap}CS.glsl, and writes their rows. A row has the same bits for any number of lanes
-/// and in any company.
+/// glsl/sm{Panel,Ribbon,Cap}CS.glsl, and writes their rows. A row is bitwise independent of the number of
+/// lanes and of the other items.
 SMFILTERSSURFACEINTEGRALS_EXPORT void EvaluateItems(const KernelData& data, const KernelItem* items,
   int count, int lanes, KernelScratch& scratch, KernelResult* results);
 }

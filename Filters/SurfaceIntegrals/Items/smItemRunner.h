@@ -31,7 +31,7 @@ struct RowPart
   int Coedge = -1;
   std::uint32_t Begin = 0, End = 0;
 
-  /// True if rows of this slot, kind and coedge belong to the part.
+  /// Returns true if rows of this slot, kind and coedge belong to the part.
   bool Continues(std::uint32_t slot, ItemKind kind, int coedge) const
   {
     return this->Slot == slot && this->Kind == kind && this->Coedge == coedge;
@@ -158,7 +158,7 @@ public:
 
   ///@{
   /// Whether the code that evaluates an item has been compared with that of the CPU, see
-  /// FindRunnerDifference(), and to say so.
+  /// FindRunnerDifference(), and to report it.
   virtual bool IsProved(const WorkItem&) const { return true; }
   virtual void SetProved(const WorkItem&) {}
   virtual void ForgetProofs() {}

@@ -33,7 +33,7 @@ const char* GetKindName(ItemKind kind)
   return kind == ItemKind::Panel ? "a panel" : kind == ItemKind::Ribbon ? "a ribbon" : "a cap";
 }
 
-/// True if two values are equal within the roundings of both.
+/// Returns true if two values are equal within the roundings of both.
 bool AreEqual(double a, double b, double roundings)
 {
   return std::fabs(a - b) <= 4.0 * roundings + 64.0 * UnitRoundoff * (std::fabs(a) + std::fabs(b)) ||

@@ -55,7 +55,7 @@ struct WorkItem
   /// Index of the item's face in its batch, and index of the row of its results.
   std::uint32_t GetSlot() const { return this->Work.Item[3]; }
   std::uint32_t GetRow() const { return this->Work.Item[2]; }
-  /// True if the item is evaluated by the same code as another one.
+  /// Returns true if the item is evaluated by the same code as another one.
   bool HasProgramOf(const WorkItem& other) const
   {
     return this->Kind == other.Kind && this->Degree[0] == other.Degree[0] &&

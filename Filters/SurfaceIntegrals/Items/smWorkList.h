@@ -75,7 +75,7 @@ public:
   std::size_t GetMaximumLines() const;
   /// Returns the number of points of panels and ribbons.
   std::int64_t GetEvaluations() const { return this->Evaluations; }
-  /// True if an item is compared with its row, and may not converge.
+  /// Returns true if an item is compared with its row, and may not converge.
   bool HasComparisons() const { return this->Comparisons; }
 
 private:

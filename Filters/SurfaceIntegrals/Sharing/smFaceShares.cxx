@@ -55,12 +55,12 @@ std::vector<int> FaceShares::Divide(const std::vector<FaceTask>& tasks, const st
     // Another task of this run may have assigned the face already.
     if (!hasHome(home))
     {
-      int least = -1;
+      int minimum = -1;
       for (int rank = 0; rank < static_cast<int>(fit.size()); ++rank)
       {
-        least = fit[rank] && (least < 0 || loads[rank] < loads[least]) ? rank : least;
+        minimum = fit[rank] && (minimum < 0 || loads[rank] < loads[minimum]) ? rank : minimum;
       }
-      home = { least, this->Run, false };
+      home = { minimum, this->Run, false };
     }
     ranks[i] = home.Rank;
     loads[home.Rank] += costs[i];

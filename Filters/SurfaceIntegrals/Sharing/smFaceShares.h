@@ -3,8 +3,8 @@
  * @brief Assignment of faces to ranks, and the messages that send them
  *
  * A face is assigned to the rank that had it last, where it is already cut, planned and perhaps integrated.
- * New faces are assigned in the order of descending cost to the rank with the least new work. A face is sent
- * once: ranks keep the faces of the last runs.
+ * New faces are assigned in the order of descending cost to the rank with the smallest new work. A face is
+ * sent once: ranks keep the faces of the last runs.
  */
 #ifndef smFaceShares_h
 #define smFaceShares_h

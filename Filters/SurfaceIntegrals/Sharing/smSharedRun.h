@@ -15,7 +15,7 @@ namespace sm
 /**
  * The collective calls of one run, of which every rank makes all, in this order:
  *  1. GatherCapabilities(): all ranks send their capabilities to the root, the rank that has the faces;
- *  2. Decide(): the root says whether it shares the run; if not, this is the last call;
+ *  2. Decide(): the root decides whether it shares the run; if not, this is the last call;
  *  3. ScatterShares(): the root sends the faces;
  *  4. Agree() after every step, until some rank is stopped or no rank has any work left;
  *  5. GatherResults(): all ranks send their results to the root.

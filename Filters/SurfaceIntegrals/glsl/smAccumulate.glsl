@@ -28,7 +28,8 @@ void smStoreLineGaps(uint line, dvec3 gaps)
   smLineSums[at + 2u * smLineStride] = gaps.z;
 }
 
-// Returns the item of a line, an index into smWork, and the first node of the line and the one behind its last.
+// Returns the item of a line, an index into smWork, and the first node of the line and the one behind its
+// last.
 uvec3 smFindItem(uint line)
 {
   uvec4 shape = smFindShape(line, 0);

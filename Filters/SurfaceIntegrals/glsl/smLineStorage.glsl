@@ -1,7 +1,7 @@
-// Lines of items: the points across an item at one node along it, or, for a driver with few lanes, at some nodes.
-// A line has an invocation, so that a processor with thousands of lanes has work for all of them in few items.
-// Items of one shape (kind, degrees, numbers of points) lie one after another in smWork, and so do their lines:
-// the first of all items, then the second. Bindings 6 and 7. Needs: chunk smWorkStorage.
+// Lines of items: the points across an item at one node along it, or, for a driver with few lanes, at some
+// nodes. A line has an invocation, so that a processor with thousands of lanes has work for all of them in
+// few items. Items of one shape (kind, degrees, numbers of points) lie one after another in smWork, and so do
+// their lines: the first of all items, then the second. Bindings 6 and 7. Needs: chunk smWorkStorage.
 
 // First line and first item, number of items, number of lines of each; bit 31 of the last is set if the items
 // measure gaps.

@@ -27,7 +27,8 @@ double smEdgeBend(uint edge, int degree)
 // the foot by more than a thousandth of the distance, which then is off by less than a millionth. Where the
 // edge, whose second derivative is at most `bend`, leaves its tangent on the way to the foot by no more than
 // that, or than rounding, the distance is that of the tangent.
-double smGap(uint edge, int degree, double bend, double x, dvec3 origin, dvec3 point, dvec3 foot, dvec3 tangent)
+double smGap(
+  uint edge, int degree, double bend, double x, dvec3 origin, dvec3 point, dvec3 foot, dvec3 tangent)
 {
   dvec3 gap = foot - point;
   double best = length(gap);
@@ -143,7 +144,8 @@ uint smIntegrateRibbon(smWorkRecord work, int first, int end, SM_OUT(dvec3) gaps
       dvec3 position = center + (1.0LF - l) * a + l * c;
       dvec3 along = (1.0LF - l) * da + l * dc;
       dvec3 normal = side * cross(c - a, along);
-      double noise = ruleT.y * ruleL.y * ((positionNoise + 8.0LF * gapWidth) * length(along) + gapWidth * slopeNoise);
+      double noise =
+        ruleT.y * ruleL.y * ((positionNoise + 8.0LF * gapWidth) * length(along) + gapWidth * slopeNoise);
       double weight = SM_PERTURBATION * ruleT.y * ruleL.y;
       smPlace(work.item.w, position, normal);
       smAccumulateChain(weight, noise, position, normal);

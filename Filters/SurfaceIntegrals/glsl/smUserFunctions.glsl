@@ -1,6 +1,6 @@
-// Functions and divisors of a user's expression that are not defined for every argument. What GLSL leaves undefined may be any
-// number: llvmpipe's compiler makes 0 of a division by a constant 0, and max() drops a NaN. So the argument decides, and the whole
-// expression is NaN at that point. Needs: chunk smPortable.
+// Functions and divisors of a user's expression that are not defined for every argument. What GLSL leaves
+// undefined may be any number: llvmpipe's compiler makes 0 of a division by a constant 0, and max() drops a
+// NaN. So the argument decides, and the whole expression is NaN at that point. Needs: chunk smPortable.
 
 //SM::Include smElementary
 

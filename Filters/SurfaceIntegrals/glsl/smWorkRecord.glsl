@@ -3,8 +3,8 @@ struct smWorkRecord
 {
   // panel, ribbon: patch, first trim coefficient; cap: 0, first coordinate; row of the result; face
   uvec4 item;
-  // trim degree | points in t << 8 | points across << 16 | flags << 24, first edge coefficient, edge degree, bits of the float that
-  // scales the tolerance
+  // trim degree | points in t << 8 | points across << 16 | flags << 24, first edge coefficient, edge degree,
+  // bits of the float that scales the tolerance
   uvec4 detail;
   // panel: t start, t end, xi start, xi end; ribbon: t start, t end, edge start, edge end
   dvec4 range;

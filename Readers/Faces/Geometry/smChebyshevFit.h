@@ -51,7 +51,7 @@ struct FittedPiece
 };
 
 /**
- * Fits one polynomial to the samples: the least degree <= maximumDegree whose neglected Chebyshev
+ * Fits one polynomial to the samples: the smallest degree <= maximumDegree whose neglected Chebyshev
  * coefficients stay below `tolerance` in each coordinate. The ends are interpolated exactly. Returns
  * false, with the fit of the maximum degree, when the tolerance is not met. Throws std::runtime_error when a
  * sample is not finite.

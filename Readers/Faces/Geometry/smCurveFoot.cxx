@@ -10,7 +10,9 @@ namespace
 {
 /// Number of parts into which each span is divided for the start of Newton's method.
 constexpr int StartParts = 8;
-constexpr int MostSteps = 60;
+constexpr int MaxSteps = 60;
+/// Number of samples from which Newton's method starts: those of the least local minima of the distance.
+constexpr int MaxStarts = 3;
 
 template <int Dimension>
 double GetProduct(const std::array<double, Dimension>& a, const std::array<double, Dimension>& b)
@@ -66,15 +68,15 @@ double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array
 {
   typename GeometricCurve<Dimension>::Derivatives d;
   const int order = std::min(2, curve.GetLargestOrder());
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   double best = t;
   double step = 0.0;
-  for (int i = 0; i < MostSteps; ++i)
+  for (int i = 0; i < MaxSteps; ++i)
   {
     curve.Evaluate(t, order, d);
     const auto gap = GetDifference<Dimension>(point, d[0]);
     const double distance = GetProduct<Dimension>(gap, gap);
-    if (!(distance < least))
+    if (!(distance < minimum))
     {
       // A step that leads away is halved.
       step *= 0.5;
@@ -85,7 +87,7 @@ double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array
       t = std::clamp(best + step, low, high);
       continue;
     }
-    least = distance;
+    minimum = distance;
     best = t;
     const double slope = GetProduct<Dimension>(gap, d[1]);
     const double square = GetProduct<Dimension>(d[1], d[1]);
@@ -117,24 +119,49 @@ double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::arr
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
+  struct Start
+  {
+    double Square;
+    double T;
+  };
+  std::vector<Start> samples;
   const std::vector<double> breaks = curve.GetBreaks(domain.Low, domain.High);
-  double best = domain.Low;
-  double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
   {
-    for (int i = 0; i <= StartParts; ++i)
+    for (int i = k == 0 ? 0 : 1; i <= StartParts; ++i)
     {
       const double t = breaks[k] + (breaks[k + 1] - breaks[k]) * i / StartParts;
       const auto gap = GetDifference<Dimension>(point, curve.Evaluate(t));
-      const double distance = GetProduct<Dimension>(gap, gap);
-      if (distance < least)
-      {
-        least = distance;
-        best = t;
-      }
+      samples.push_back({ GetProduct<Dimension>(gap, gap), t });
     }
   }
-  return ImproveParameter<Dimension>(curve, point, best, domain.Low, domain.High);
+  // The sample that is closest may be on the wrong side of the end of a closed curve, or of a narrow bend.
+  std::vector<Start> starts;
+  for (std::size_t k = 0; k < samples.size(); ++k)
+  {
+    const bool isMinimum = (k == 0 || samples[k].Square <= samples[k - 1].Square) &&
+      (k + 1 == samples.size() || samples[k].Square <= samples[k + 1].Square);
+    if (isMinimum)
+    {
+      starts.push_back(samples[k]);
+    }
+  }
+  const auto last = starts.begin() + std::min<std::ptrdiff_t>(MaxStarts, starts.end() - starts.begin());
+  std::partial_sort(starts.begin(), last, starts.end(),
+    [](const Start& a, const Start& b)
+    { return a.Square < b.Square || (a.Square == b.Square && a.T < b.T); });
+  Start best{ std::numeric_limits<double>::infinity(), domain.Low };
+  for (auto start = starts.begin(); start != last; ++start)
+  {
+    const double t = ImproveParameter<Dimension>(curve, point, start->T, domain.Low, domain.High);
+    const auto gap = GetDifference<Dimension>(point, curve.Evaluate(t));
+    const double square = GetProduct<Dimension>(gap, gap);
+    if (square < best.Square)
+    {
+      best = { square, t };
+    }
+  }
+  return best.T;
 }
 
 template double FindCurveParameter<2>(const GeometricCurve<2>&, const std::array<double, 2>&);

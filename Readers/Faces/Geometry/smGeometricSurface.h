@@ -13,7 +13,7 @@
  * | sphere | O + R cos t (cos s X + sin s Y) + R sin t Z | spherical_surface: (u,v) |
  * | torus | O + (R + r cos t)(cos s X + sin s Y) + r sin t Z | (degenerate_)toroidal_surface: (u,v) |
  * | ExtrudedSurface | C(s) + t D, D a unit vector | surface_of_linear_extrusion: v times its length |
- * | RevolvedSurface | C(t) turned by s about the axis | surface_of_revolution |
+ * | RevolvedSurface | C(t) rotated by s about the axis | surface_of_revolution |
  * | SplineSurface | sum N_i(s) N_j(t) w_ij P_ij / sum N_i(s) N_j(t) w_ij | b_spline_surface: (u,v) |
  * | OffsetSurface | B(s,t) + d n, n the unit vector of B_s x B_t | offset_surface: those of the basis |
  *

@@ -315,7 +315,7 @@ SurfacePointer TransformSurface(const SurfacePointer& surface, const AffineTrans
   parameters[0] = parameters[1] = ParameterScale();
   if (!(transform.GetScale() > 0.0))
   {
-    problem = "its map is no similarity";
+    problem = "its map is not a similarity";
     return nullptr;
   }
   SurfaceTransformer transformer(transform, parameters);

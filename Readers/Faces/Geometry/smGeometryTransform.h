@@ -27,7 +27,7 @@ struct AffineTransform
 /**
  * Returns the image of a curve, and in `parameter` its parameter for that of the curve: a line, a parabola
  * and an offset of them have lengths as parameters. Null, with a short reason, for an offset curve or a curve
- * on a surface under a map that is no similarity, or for the image of a line that has no length.
+ * on a surface under a map that is not a similarity, or for the image of a line that has no length.
  */
 template <int Dimension>
 CurvePointer<Dimension> TransformCurve(const CurvePointer<Dimension>& curve,

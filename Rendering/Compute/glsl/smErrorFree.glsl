@@ -1,6 +1,7 @@
-// Error-free transformations. Error of a sum: Knuth, TAOCP 2, 4.2.2, theorem B; of a product: Dekker 1971 (operands below 2^996), because
-// GLSL does not guarantee that fma() of doubles is fused. Where it is, SM_FUSED(a, b, c) is defined and used instead. Both are exact,
-// barring overflow and underflow, so that results have the same bits.
+// Error-free transformations. Error of a sum: Knuth, TAOCP 2, 4.2.2, theorem B; of a product: Dekker 1971
+// (operands below 2^996), because GLSL does not guarantee that fma() of doubles is fused. Where it is,
+// SM_FUSED(a, b, c) is defined and used instead. Both are exact, barring overflow and underflow, so that
+// results have the same bits.
 
 // a + b - sum, where sum = fl(a + b).
 double smSumError(double a, double b, double sum)

@@ -125,9 +125,9 @@ void main()
   smStore(dot(row, dvec3(a, b, c)) + smOperand(6));
   dvec3 normal = cross(row, dvec3(a, -b, c));
   smStore(normal.x);
-  double most = 1.7976931348623157e308LF;
-  int passed = (abs(smSpecial[3]) <= most ? 0 : 1) + (abs(smSpecial[4]) <= most ? 0 : 2) +
-    (abs(smSpecial[5]) <= most ? 4 : 0) + (smIsNaN(smSpecial[4]) && !smIsNaN(smSpecial[3]) ? 8 : 0);
+  double maximum = 1.7976931348623157e308LF;
+  int passed = (abs(smSpecial[3]) <= maximum ? 0 : 1) + (abs(smSpecial[4]) <= maximum ? 0 : 2) +
+    (abs(smSpecial[5]) <= maximum ? 4 : 0) + (smIsNaN(smSpecial[4]) && !smIsNaN(smSpecial[3]) ? 8 : 0);
   smStore(double(passed));
   smStore(smIsNaN(smLargestSpecial()) ? 1.0LF : 0.0LF);
 }

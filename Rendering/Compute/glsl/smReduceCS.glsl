@@ -85,8 +85,9 @@ void main()
   uint column = index - block * smColumns;
   uvec2 rows = blocks[smFirstBlock + block];
   uint at = smInputStart + (rows.x - smFirstRow) * smStride + column * (1u + smPaired);
-  dvec2 result = smOperation == 0u ? smSum(at, rows.y)
-                                   : dvec2(smOperation == 1u ? smMinimum(at, rows.y) : smMaximum(at, rows.y), 0.0LF);
+  dvec2 result = smOperation == 0u
+    ? smSum(at, rows.y)
+    : dvec2(smOperation == 1u ? smMinimum(at, rows.y) : smMaximum(at, rows.y), 0.0LF);
   uint to = smOutputStart + 2u * index;
   outputs[to] = result.x;
   outputs[to + 1u] = result.y;

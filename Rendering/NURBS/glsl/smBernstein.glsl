@@ -54,8 +54,8 @@ SM_CONSTANT double smTrimRoundings = 3.0LF;
 // A trim piece: u, v pairs from index `first` on. The point is relative to `origin`; `reach` is the largest
 // distance of a coefficient from there. Both sums are compensated, because errors of the trim curve move the
 // boundary of the region of integration.
-void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2) point, SM_OUT(dvec2) derivative,
-  SM_OUT(dvec2) reach)
+void smTrimEvaluate(uint first, int degree, double x, dvec2 origin, SM_OUT(dvec2) point,
+  SM_OUT(dvec2) derivative, SM_OUT(dvec2) reach)
 {
   precise double y = 1.0LF - x;
   double yLow = smSumError(1.0LF, -x, y);

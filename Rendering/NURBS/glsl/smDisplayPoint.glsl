@@ -5,7 +5,7 @@ void smEvaluateDisplayPoint(
 {
   int p = int(patchRecord.shape.y);
   int q = int(patchRecord.shape.z);
-  double least = 1e-6LF * patchRecord.stretch.x * patchRecord.stretch.y;
+  double minimum = 1e-6LF * patchRecord.stretch.x * patchRecord.stretch.y;
   double square = 0.0LF;
   for (int attempt = 0; attempt < 2; ++attempt)
   {
@@ -23,7 +23,7 @@ void smEvaluateDisplayPoint(
     }
     normal = cross(ds, dr);
     square = dot(normal, normal);
-    if (square > least * least)
+    if (square > minimum * minimum)
     {
       break;
     }

@@ -6,7 +6,7 @@
 // is relative to these differences, not to the patch's radius. A long narrow patch needs that.
 
 // The curve in s that the patch is at r = constant: its Bezier points (row), the steps from each to the next
-// (rowS), and the points of its derivative in r (rowR). Points are not computed as sums of steps: beside a
+// (rowS), and the points of its derivative in r (rowR). Points are not computed as sums of steps: next to a
 // control point of large weight one of small weight would lose its digits.
 void smCollapse(uint first, int p, int q, double r, SM_OUT_VECTORS(row, SM_ROW_SIZE),
   SM_OUT_VECTORS(rowS, SM_ROW_SIZE), SM_OUT_VECTORS(rowR, SM_ROW_SIZE))

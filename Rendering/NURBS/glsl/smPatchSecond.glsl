@@ -13,7 +13,8 @@ void smCollapseSecond(uint first, int p, int q, double r, SM_OUT_VECTORS(rowRR, 
     for (int j = 0; j + 2 <= q; ++j)
     {
       dvec4 middle = smControlPoint(at + line);
-      sum += SM_DOUBLE(basis, j) * ((smControlPoint(at + 2u * line) - middle) - (middle - smControlPoint(at)));
+      sum +=
+        SM_DOUBLE(basis, j) * ((smControlPoint(at + 2u * line) - middle) - (middle - smControlPoint(at)));
       at += line;
     }
     SM_SET_VECTOR(rowRR, i, double(q * (q - 1)) * sum);

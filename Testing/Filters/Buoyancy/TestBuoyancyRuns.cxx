@@ -70,7 +70,7 @@ void CheckVoids(const Manifest& manifest)
 
 /// Planes along the top of a rotated box of 30 x 20 x `thickness`, by less than what rounding leaves of a
 /// point far away in them: whether the box is below as a whole, or with all but a sheet, is beyond what can
-/// be told, and the bound has to say so.
+/// be decided, and the bound has to say so.
 void CheckTop(const std::string& what, Scene& scene, double thickness)
 {
   const Real volume = 600 * static_cast<Real>(thickness);
@@ -229,7 +229,7 @@ void CheckTables(const Manifest& manifest)
     const DecimalCommas commas;
     scene.Filter->SetNormal(0.25, nan, 1);
   }
-  CheckEqual("errors of a direction that is no number", 2, messages.NumberOfErrors);
+  CheckEqual("errors of a direction that is not a number", 2, messages.NumberOfErrors);
   CheckTrue("decimal points", messages.Errors.find("(0.25, nan, 1)") != std::string::npos, messages.Errors);
   scene.Filter->SetPoint(0, 1.0 / 0.0, 0);
   CheckEqual("errors of an infinite point", 3, messages.NumberOfErrors);

@@ -74,7 +74,7 @@ void CheckLeft()
   const std::string left = Target + ".saving0";
   const pid_t child = StartWriter();
   Age(left);
-  CheckEqual("beside a writer", "", sm::SaveFile(Target, "third"));
+  CheckEqual("next to a writer", "", sm::SaveFile(Target, "third"));
   CheckEqual("its file stays", "half", ReadText(left));
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);

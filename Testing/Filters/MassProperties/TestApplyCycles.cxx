@@ -113,7 +113,7 @@ Growth MeasureWindows(const Expected& part, int count)
   return GetGrowth(before, middle, GetProcessResources(), count);
 }
 
-/// Growth that is no leak of ours. A pipeline that stays takes none (measured 5 and 8 bytes). Over 100 new
+/// Growth that is not a leak of ours. A pipeline that stays takes none (measured 5 and 8 bytes). Over 100 new
 /// ones 10 to 110 were left, over 1000 none; an X event and a colour map for each were 290. A new window may
 /// take 5 kB and 60 kB more than one with spheres.
 Growth GetLimits(const std::string& mode, const Expected& part, int count)

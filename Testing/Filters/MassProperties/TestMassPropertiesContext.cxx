@@ -129,8 +129,8 @@ void CheckSharedFaces(const Expected& part)
 }
 
 /// Without OpenGL, where AUTOMATIC is set, the CPU computes.
-/// A small part is the CPU's by the estimate; where OpenGL of a certain source was wanted a message tells why
-/// it is not used.
+/// A small part is the CPU's by the estimate; where OpenGL of a certain source was wanted a message reports
+/// why it is not used.
 void CheckFallback(const Expected& part, int source)
 {
   Pipeline pipeline(part.Path);
@@ -155,7 +155,7 @@ void CheckFallback(const Expected& part, int source)
   else
   {
     CheckEqual("messages", 1, pipeline.Mass->GetNumberOfMessages());
-    CheckTrue("the message tells why",
+    CheckTrue("the message reports why",
       pipeline.Mass->GetMessage(0).find("computed on the CPU") == 0 &&
         pipeline.Mass->GetMessage(0).find(pipeline.Mass->GetComputeContext()->GetReason()) !=
           std::string::npos,
@@ -179,7 +179,7 @@ void CheckNone(const Expected& part)
   CheckEqual("backend in the field data", "none", GetFieldText(fields, names::Backend));
   CheckTrue("status is not ok", pipeline.Mass->GetStatus() != names::StatusOk, pipeline.Mass->GetStatus());
   CheckEqual("errors", 0, messages.NumberOfErrors);
-  CheckTrue("a message tells why",
+  CheckTrue("a message reports why",
     pipeline.Mass->GetNumberOfMessages() > 0 && pipeline.Mass->GetMessage(0).size() > 20,
     pipeline.Mass->GetMessage(0));
   for (const char* name : { names::Volume, names::SurfaceArea, names::CenterOfMass, names::VolumeInertia })

@@ -1,4 +1,4 @@
-// TestMassPropertiesCuts FOLDER: spheres, cylinders, cones and tori that planes cut beside poles, apexes and
+// TestMassPropertiesCuts FOLDER: spheres, cylinders, cones and tori that planes cut near poles, apexes and
 // seams, in STEP without parameter curves. Trim curves are the reader's, so that what they miss has to be in
 // the bounds: volume and area against formulas.
 #include "smStepText.h"
@@ -67,7 +67,7 @@ void CheckSolid(
   CheckRange(name + ": gap", 0.0, GetField(fields, names::MaxGap), 1e-9 * size, "edges lie on the surfaces");
 }
 
-/// The part of a sphere above z = h. Its axis is at an angle `off` beside the circle.
+/// The part of a sphere above z = h. Its axis is at an angle `off` away from the circle.
 void CheckSphere(double h, double off, double turn)
 {
   StepText text;
@@ -148,7 +148,7 @@ void CheckTorus(double h, double turn)
   const std::string plane =
     text.Add("PLANE(''," + text.AddFrame({ 0, 0, h }, { 0, 0, -1 }, { 1, 0, 0 }) + ")");
   char name[80];
-  std::snprintf(name, sizeof(name), "torus above %g, seam turned by %g", h, turn);
+  std::snprintf(name, sizeof(name), "torus above %g, seam rotated by %g", h, turn);
   const double angle = std::acos(h / minor);
   CheckSolid(text,
     { text.AddFace({ AddLoop(text, outer, true), AddLoop(text, inner, false, false) }, torus),

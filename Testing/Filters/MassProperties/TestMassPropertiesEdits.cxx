@@ -252,7 +252,7 @@ void CheckFilters(int backend)
   CheckEqual("status", names::StatusOk, mass->GetStatus());
   Check("stretched from 5 to 6", 36.0, mass->GetVolume(), 1e-11);
   CheckTrue("evaluated", mass->GetEvaluations() > 0);
-  // A solid that parts at its edges has a volume still, with the gap beside it: rows of a face of its own.
+  // A solid that parts at its edges has a volume still, with the gap next to it: rows of a face of its own.
   vtkNew<vtkNURBSDeform> torn;
   torn->SetInputData(leaf);
   torn->AddFace(5);

@@ -72,7 +72,7 @@ void CheckJunkHeader(const Expected& file)
   MessageTrap messages(pipeline.Reader);
   pipeline.Mass->Update();
   Check("volume", file.Volume, pipeline.Mass->GetVolume(), 1e-9 * file.Volume);
-  CheckTrue("a message tells of the junk", pipeline.Reader->GetNumberOfMessages() > 0);
+  CheckTrue("a message reports the junk", pipeline.Reader->GetNumberOfMessages() > 0);
   CheckEqual("errors", "", messages.Errors);
 }
 

@@ -180,7 +180,7 @@ void CheckNegativeAreas()
     MessageTrap trap(mass);
     mass->SetInputData(leaf);
     mass->Update();
-    // The edges of a single face that is turned do not cancel.
+    // The edges of a single face that is reversed do not cancel.
     CheckEqual("status",
       turned == 0     ? names::StatusOk
         : turned == 1 ? names::StatusOpen
@@ -189,7 +189,7 @@ void CheckNegativeAreas()
     CheckEqual("a negative area is said", turned > 0, Says(mass, "face #100: its area is negative, -100"));
     if (turned == 6)
     {
-      CheckTrue("the area is no number", std::isnan(mass->GetSurfaceArea()));
+      CheckTrue("the area is not a number", std::isnan(mass->GetSurfaceArea()));
     }
     else
     {

@@ -118,7 +118,7 @@ void TestLimits(const std::string& file)
       Watch watch(pair.Shared.Mass,
         [&](double fraction)
         {
-          // Not the 1 that the executive tells after the run.
+          // Not the 1 that the executive reports after the run.
           if (rank == who && fraction >= when && fraction < 1.0)
           {
             pair.Shared.Mass->SetAbortExecute(1);
@@ -244,7 +244,7 @@ void TestNothing(const std::string& file)
 
 void CompareIntegrals(const std::string& what, const std::string& file, bool isOdd)
 {
-  // Each rank is told its integrands by itself.
+  // Each rank is given its integrands by itself.
   const auto make = [&](vtkSurfaceIntegralGPU* filter, double scale)
   {
     filter->AddConstant("k", scale);

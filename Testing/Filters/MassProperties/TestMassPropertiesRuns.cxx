@@ -226,7 +226,7 @@ void CheckUnits(const std::string& box)
 
 void CheckIntegrands(const std::string& box)
 {
-  std::printf("--- integrands that are no numbers, or too much to ask\n");
+  std::printf("--- integrands that are not numbers, or too much to ask\n");
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(box.c_str());
   vtkNew<vtkSurfaceIntegralGPU> integral;

@@ -146,7 +146,7 @@ void CheckSelectors(const Manifest& manifest)
   CheckChoice(mass, "Assembly", { "//Box", "//Right" }, sum, 2);
   CheckEqual("messages", 0, mass->GetNumberOfMessages());
   CheckChoice(mass, "Assembly", { "//Box", "//Bolt" }, box.Volume, 1);
-  CheckTrue("a selector that names nothing is told", HasMessage(mass, "//Bolt"));
+  CheckTrue("a selector that names nothing is reported", HasMessage(mass, "//Bolt"));
   CheckEqual("and harms nothing", names::StatusOk, mass->GetStatus());
   CheckEqual("errors and warnings so far", 0, trap.NumberOfErrors + trap.NumberOfWarnings);
 
@@ -180,7 +180,7 @@ void CheckSelectors(const Manifest& manifest)
   assembly->RemoveNode(again);
   mass->SetAssemblyName("Elsewhere");
   mass->Update(5);
-  CheckTrue("an unknown assembly is told", HasMessage(mass, "no assembly \"Elsewhere\""));
+  CheckTrue("an unknown assembly is reported", HasMessage(mass, "no assembly \"Elsewhere\""));
   CheckEqual("an unknown assembly: status", names::StatusEmpty, mass->GetStatus());
 
   vtkNew<vtkMultiBlockDataSet> blocks;

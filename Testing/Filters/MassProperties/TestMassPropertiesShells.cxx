@@ -1,5 +1,5 @@
 // TestMassPropertiesShells FOLDER: shells that are inside out are reversed, counted and said; voids take away
-// at any depth; what cannot be told keeps the file's orientation and is suspect.
+// at any depth; what cannot be decided keeps the file's orientation and is suspect.
 #include "smBoxBodies.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
@@ -218,7 +218,7 @@ int TestMassPropertiesShells(int argc, char* argv[])
     v0 - 45.0, 1, names::StatusOk, "1 of 2 shells was inside out" });
   CheckCase({ "the same shell twice", { outer, reversed(outer) }, 0.0, 0, names::StatusSuspect,
     "so near each other" });
-  CheckCase({ "no mesh to tell by", { outer, reversed(middle) }, v0 + v1, 0, names::StatusSuspect,
+  CheckCase({ "no mesh to decide by", { outer, reversed(middle) }, v0 + v1, 0, names::StatusSuspect,
     "no display mesh", true, false });
   const std::string swapped =
     "the file's outer shell lies inside a void of it; its shells are taken as the file orients them";

@@ -31,7 +31,7 @@ double GetFloor(const std::string& solid, const std::string& quantity)
 /// Runs that may end as tolerance-not-met, of four tolerances in 15 variants: at 1e-12 half of them, and
 /// distant and far at 1e-9, at most; for those whose floor, or whose area with what reading costs, is above
 /// 1e-12 the whole column of 1e-12.
-int GetMostUnmet(const std::string& solid)
+int GetLargestUnmet(const std::string& solid)
 {
   bool floored = GetFloor(solid, names::SurfaceArea) > 5e-12;
   for (const char* name : { "ellipsoid", "gear", "spline_ring", "moebius_1000", "moebius_left" })
@@ -76,7 +76,7 @@ double GetLargestError(vtkFieldData* fields, const char* name, const ExactQuanti
 }
 
 /// |value - exact| <= bound, for every quantity that the filter gives a bound for. Allowed besides: what the
-/// file's digits can move, and what the model itself leaves open (gaps between trim and edge), which is no
+/// file's digits can move, and what the model itself leaves open (gaps between trim and edge), which is not
 /// part of the bound.
 void CheckBounds(const ExactValues& exact, vtkFieldData* fields)
 {
@@ -320,7 +320,7 @@ int TestMassPropertiesValues(int argc, char* argv[])
   }
   if (argc == 3)
   {
-    CheckRange("tolerances that were not met", 0, unmet, GetMostUnmet(argv[2]), "(rounding)");
+    CheckRange("tolerances that were not met", 0, unmet, GetLargestUnmet(argv[2]), "(rounding)");
   }
   return Finish();
 }

@@ -151,7 +151,7 @@ void CheckOthers()
   CheckTrue("fewer faces", !sm::AreParallel(box, chiral, 1e-9));
   sm::PartShape surface = box;
   surface.IsSolid = false;
-  CheckTrue("a surface is no solid", !sm::AreParallel(box, surface, 1e-9));
+  CheckTrue("a surface is not a solid", !sm::AreParallel(box, surface, 1e-9));
   sm::PartShape unknown = box;
   unknown.Problem = "nobody knows";
   CheckTrue("an unknown shape equals none", !sm::FindRotation(unknown, unknown, 1e-9).IsFound);

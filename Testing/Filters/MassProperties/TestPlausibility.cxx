@@ -70,7 +70,7 @@ int TestPlausibility(int, char*[])
   CheckEqual("no volume", "the volume is zero within its bound; ", Judge(nothing));
   sm::Moments wide = sound;
   SetBounds(wide, 9.0);
-  CheckEqual("a bound too coarse to tell", "", Judge(wide));
+  CheckEqual("a bound too coarse to decide", "", Judge(wide));
   sm::Moments negative;
   AddBox(negative, -1.0, 0.0, { 2.0, 2.0, 2.0 });
   SetBounds(negative, 1e-12);

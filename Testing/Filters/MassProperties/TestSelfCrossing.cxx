@@ -1,5 +1,5 @@
-// Boundaries that cross themselves are told from those that touch, are thin, have voids, or are coarsely
-// meshed; with any number of threads; and an edit is not checked again.
+// Boundaries that cross themselves are distinguished from those that touch, are thin, have voids, or are
+// coarsely meshed; with any number of threads; and an edit is not checked again.
 #include "smBoxBodies.h"
 #include "smMassIntegrands.h"
 #include "smMeshTriangles.h"
@@ -234,7 +234,7 @@ void CheckCache()
   CheckEqual("suspect", sm::GetText(sm::Status::Suspect), sm::GetText(bodies[0].Status));
   CheckEqual("ok", sm::GetText(sm::Status::Ok), sm::GetText(bodies[1].Status));
   CheckTrue("says where, and what it means",
-    bodies[0].Reason.find("crosses itself: beside face #1") != std::string::npos &&
+    bodies[0].Reason.find("crosses itself: near face #1") != std::string::npos &&
       bodies[0].Reason.find("its winding number is 2: the volume there counts 2 times") != std::string::npos,
     bodies[0].Reason);
   CheckEqual("nothing is said of a sound one", 0, static_cast<long long>(bodies[1].Messages.size()));

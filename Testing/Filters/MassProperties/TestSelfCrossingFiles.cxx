@@ -326,7 +326,7 @@ int TestSelfCrossingFiles(int argc, char* argv[])
   WritePrism("bow_tie_of_equal_parts", { { 0, 0 }, { 6, 0 }, { 0, 4 }, { 6, 4 } });
   CheckFile("bow_tie_of_equal_parts", 0.0, loops);
 
-  const std::string crosses = "its boundary crosses itself: beside face #";
+  const std::string crosses = "its boundary crosses itself: near face #";
   const std::string subtracted = "its winding number is -1: the volume there is subtracted";
   WritePocket("pocket", 2.0);
   CheckFile("pocket", 1000.0 - 16.0 * 8.0, "");
@@ -379,8 +379,8 @@ int TestSelfCrossingFiles(int argc, char* argv[])
   const std::array<Point, 2> outer{ Point{ 0, 0, 0 }, Point{ 10, 10, 10 } };
   const std::array<Point, 2> inner{ Point{ 1, 1, 1 }, Point{ 2, 3, 4 } };
   const std::array<Point, 2> beside{ Point{ 12, 0, 0 }, Point{ 13, 1, 1 } };
-  const std::string turned = "OpenCASCADE turned it, against what the file says";
-  const std::string insideOut = "1 solid is inside out in the file, and turned: #";
+  const std::string turned = "OpenCASCADE reversed it, against what the file states";
+  const std::string insideOut = "1 solid is inside out in the file, and reversed: #";
   WriteSides("void", { outer, inner }, { false, true });
   WriteSides("void_that_is_solid", { outer, inner }, { false, false });
   WriteSides("void_in_a_turned_box", { outer, inner }, { true, true });

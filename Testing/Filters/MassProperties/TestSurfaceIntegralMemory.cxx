@@ -153,8 +153,8 @@ int CheckLimits(const std::string& name, const std::string& path)
   mallopt(M_MMAP_THRESHOLD, 16 << 10);
   int failed = 0;
   // With OpenGL so little that planning fails, before Mesa asks for memory.
-  const long most = Backend == vtkSurfaceIntegralBase::CPU ? 64L << 20 : 16L << 10;
-  for (long headroom = most; headroom >= 4096; headroom /= 2)
+  const long maximum = Backend == vtkSurfaceIntegralBase::CPU ? 64L << 20 : 16L << 10;
+  for (long headroom = maximum; headroom >= 4096; headroom /= 2)
   {
     Shortage memory;
     memory.Headroom = headroom;

@@ -1,6 +1,6 @@
 /**
  * @file smRankComparison.h
- * @brief The outputs of a filter that ranks share beside those of a filter alone, bit for bit
+ * @brief The outputs of a filter that ranks share compared with those of a filter alone, bit for bit
  */
 #ifndef smRankComparison_h
 #define smRankComparison_h
@@ -129,7 +129,7 @@ struct Pair
     this->Shared.Mass->SetBackend(backend);
     this->Alone.Mass->SetBackend(backend);
   }
-  void Compare(const std::string& what, int leastRanks)
+  void Compare(const std::string& what, int minimumRanks)
   {
     UpdateTogether(this->Shared.Mass);
     if (rank != 0)
@@ -139,7 +139,7 @@ struct Pair
     }
     this->Alone.Mass->Update();
     CompareOutputs(what, this->Alone.Mass, this->Shared.Mass);
-    CheckTrue(what + ": ranks that integrated", this->Shared.Mass->GetNumberOfRanks() >= leastRanks,
+    CheckTrue(what + ": ranks that integrated", this->Shared.Mass->GetNumberOfRanks() >= minimumRanks,
       std::to_string(this->Shared.Mass->GetNumberOfRanks()) + ", " + GetMessages(this->Shared.Mass));
     CheckEqual(what + ": status", this->Alone.Mass->GetStatus(), this->Shared.Mass->GetStatus());
     CheckEqual(what + ": messages", GetMessages(this->Alone.Mass), GetMessages(this->Shared.Mass));

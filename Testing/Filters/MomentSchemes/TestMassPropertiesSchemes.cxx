@@ -182,8 +182,8 @@ void CheckOptions(const Manifest& manifest)
   CheckTrue("nothing before the first run",
     std::isnan(mass->GetPaperErrorEstimate()) && std::isnan(mass->GetPaperErrorEstimateWithBoundary()) &&
       mass->GetSubPatches() == 0);
-  // The filter with bounds, beside this one on the same bodies. Its evaluations count what is evaluated
-  // again.
+  // The filter with bounds, compared with this one on the same bodies. Its evaluations count what is
+  // evaluated again.
   vtkNew<vtkMassPropertiesGPU> adaptive;
   adaptive->SetInputConnection(pipeline.Reader->GetOutputPort());
   adaptive->CacheFaceResultsOff();
@@ -286,7 +286,8 @@ void CheckAssembly(const Manifest& manifest)
   CheckRange("textures of one part", 0, pipeline.Mass->GetNumberOfTrimTextures(), 50);
 }
 
-/// Shells: the inner one is told to be a void though nothing has a bound. With boxes alone: planes are exact.
+/// Shells: the inner one is recognized as a void though nothing has a bound. With boxes alone: planes are
+/// exact.
 void CheckShells()
 {
   std::printf("--- shells of boxes\n");

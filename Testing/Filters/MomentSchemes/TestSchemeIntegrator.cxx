@@ -109,9 +109,9 @@ void CheckFace(const NamedFace& named, const sm::SchemeIntegrator::Setup& setup)
     // The reference adds plainly, up to some thousand terms; weights of e^(+-0.4) and degree 25 cost digits,
     // too.
     Check("14 integrals, relative", 0.0, worst, 2e-13);
-    const double most = 1e-12 * expected.EstimateWithBoundary;
-    Check("estimate", expected.Estimate, result.Estimate, most);
-    Check("estimate with the boundary", expected.EstimateWithBoundary, result.EstimateWithBoundary, most);
+    const double maximum = 1e-12 * expected.EstimateWithBoundary;
+    Check("estimate", expected.Estimate, result.Estimate, maximum);
+    Check("estimate with the boundary", expected.EstimateWithBoundary, result.EstimateWithBoundary, maximum);
     CheckEqual("sub-patches", expected.SubPatches, result.SubPatches);
     std::int64_t covered = expected.SubPatches;
     if (!named.Face->Loops.empty() && expected.SubPatches > 0)
@@ -272,7 +272,7 @@ void CheckTextureByHand()
     setup.Options.Factor = 4;
     const sm::SchemeResult finer = Integrate(gpu, { face }, setup)[0];
     // K2 = 1/16: K = 1/64. In 32nds from the centre texels are odd numbers again, the disc reaches 9.6, and
-    // sub-patches are 8 wide: the one beside the axis loses (9,1), the one in the corner begins with (9,9)
+    // sub-patches are 8 wide: the one next to the axis loses (9,1), the one in the corner begins with (9,9)
     // and is whole, the innermost keeps (7,7), at 9.9.
     Check("the corners are whole", 4.0 / 16.0 * 2.0 / 64.0, finer.Estimate, 1e-12);
     Check("all count with the boundary", 2.0 / 64.0, finer.EstimateWithBoundary, 1e-12);

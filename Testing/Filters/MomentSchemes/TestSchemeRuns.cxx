@@ -1,5 +1,5 @@
-// TestSchemeRuns: the paper's schemes give the same bits in any company, tiles may cut a face anywhere, and
-// what cannot be computed is said.
+// TestSchemeRuns: the paper's schemes give bits that do not depend on the other faces, tiles may cut a face
+// anywhere, and what cannot be computed is reported.
 #include "smSchemeTesting.h"
 
 #include <cstdio>
@@ -42,7 +42,7 @@ void CheckBits()
     {
       const bool planar = together[i].SubPatches == 0;
       const double area = together[i].Integrals.Face[sm::MassArea];
-      Check(planar ? "a plane is no shader's" : "perturbed", area * (planar ? 1.0 : 1.0 + 1.0 / 1024.0),
+      Check(planar ? "a plane is not a shader's" : "perturbed", area * (planar ? 1.0 : 1.0 + 1.0 / 1024.0),
         perturbed[i].Integrals.Face[sm::MassArea], 1e-13 * area);
     }
   }
@@ -186,8 +186,9 @@ void CheckPreparing()
     CheckEqual(name + ", nothing is prepared after it", seen, integrator.GetPrepared().GetDeviations());
     // At the start, after the face's shape, and after portions of 256 sub-patches, at most twice as many, and
     // so on.
-    const double most = last < 3 ? 0.0 : 256.0 * (std::pow(2.0, last - 2) - 1.0);
-    CheckRange(name + ", sub-patches", last < 3 ? 0.0 : 256.0, static_cast<double>(seen), most, "portions");
+    const double maximum = last < 3 ? 0.0 : 256.0 * (std::pow(2.0, last - 2) - 1.0);
+    CheckRange(
+      name + ", sub-patches", last < 3 ? 0.0 : 256.0, static_cast<double>(seen), maximum, "portions");
   }
   setup.MaximumSeconds = 0.05;
   CheckTrue("out of time", !integrator.Integrate({ { face, 1.0 } }, setup, none, nullptr));

@@ -33,9 +33,9 @@ void CheckGrid()
 /// The extremes of K over all sub-patches of random rational surfaces, against 21 x 21 samples of each.
 struct Extremes
 {
-  double LeastBound = HUGE_VAL;
+  double MinimumBound = HUGE_VAL;
   double LargestBound = 0.0;
-  double LeastSample = HUGE_VAL;
+  double MinimumSample = HUGE_VAL;
   double LargestSample = 0.0;
 };
 
@@ -67,16 +67,16 @@ void CheckRandomSurfaces(int count, int lowest, int highest, double spread, cons
           const double sampled = sm::ComputeDeviation(surface, u0, u1, v0, v1, DeviationMode::Sampled);
           if (p == 1 && q == 1 && spread == 0.0)
           {
-            // One constant mixed derivative: all three are equal, and tell nothing about bounds.
+            // One constant mixed derivative: all three are equal, and show nothing about bounds.
             Check("bilinear", dense, bounded, 1e-12 * dense, "rounding");
             continue;
           }
           // Rounding of second derivatives of degree 6 of coordinates of at most 10: some 30 64 10 u / k^2.
           const double rounding = 1e-13 / dense;
           Extremes& e = extremes[f];
-          e.LeastBound = std::min(e.LeastBound, bounded / dense + rounding);
+          e.MinimumBound = std::min(e.MinimumBound, bounded / dense + rounding);
           e.LargestBound = std::max(e.LargestBound, bounded / dense);
-          e.LeastSample = std::min(e.LeastSample, sampled / dense);
+          e.MinimumSample = std::min(e.MinimumSample, sampled / dense);
           e.LargestSample = std::max(e.LargestSample, sampled / bounded - rounding);
         }
       }
@@ -96,9 +96,9 @@ void CheckBounds(int count, int lowest, int highest, double spread, double exces
   {
     std::printf("--- %s, k = %d\n", name.c_str(), factors[f]);
     const Extremes& e = extremes[f];
-    CheckRange("least bound / true", 1.0 - 1e-14, e.LeastBound, 1.0 + excess / factors[f], "rounding");
+    CheckRange("smallest bound / true", 1.0 - 1e-14, e.MinimumBound, 1.0 + excess / factors[f], "rounding");
     CheckRange("largest bound / true", 1.0, e.LargestBound, 1.0 + excess / factors[f]);
-    CheckRange("least sample / true", 1.0 - 1.0 / factors[f], e.LeastSample, 1.0 + 1e-9);
+    CheckRange("smallest sample / true", 1.0 - 1.0 / factors[f], e.MinimumSample, 1.0 + 1e-9);
     CheckRange(
       "largest sample / bound", 1.0 / (1.0 + excess / factors[f]), e.LargestSample, 1.0 + 1e-14, "rounding");
   }

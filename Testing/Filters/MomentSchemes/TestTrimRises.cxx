@@ -67,7 +67,7 @@ void CheckRandomLoops()
   double turning = 0.0;
   int wrong = 0;
   int inside = 0;
-  long long most = 0;
+  long long maximum = 0;
   for (int degree = 1; degree <= sm::MaximumDegree; ++degree)
   {
     sm::Loop loop;
@@ -86,7 +86,7 @@ void CheckRandomLoops()
     }
     const sm::FacePointer face = MakeFace(sm::NURBSSurface(), { loop });
     const std::vector<sm::TrimRise> rises = sm::CutIntoRises(*face);
-    most = std::max(most, static_cast<long long>(rises.size()));
+    maximum = std::max(maximum, static_cast<long long>(rises.size()));
     for (const sm::TrimRise& rise : rises)
     {
       turning = std::max(turning, MeasureTurning(rise));
@@ -105,7 +105,7 @@ void CheckRandomLoops()
   CheckRange("steps back, relative", 0.0, turning, 1e-12);
   CheckEqual("points with another winding number", 0, wrong);
   CheckRange("points with one", 500, inside, 5000);
-  CheckRange("parts of four pieces and two closing ones", 6.0, static_cast<double>(most), 120.0,
+  CheckRange("parts of four pieces and two closing ones", 6.0, static_cast<double>(maximum), 120.0,
     "a piece of degree 25 turns a few times, and halves");
 }
 
@@ -130,14 +130,14 @@ void CheckParts()
   CheckRange("a level place costs few parts", 3.0, static_cast<double>(saddle.size()), 90.0);
 }
 
-/// Curves that are level but for rounding fall apart into no more parts than halvings.
+/// Curves that are level except for rounding fall apart into no more parts than halvings.
 void CheckLevel()
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (const double noise : { 1e-16, 1e-15, 1e-14, 1e-13, 1e-10 })
   {
-    std::size_t most = 0;
+    std::size_t maximum = 0;
     for (int i = 0; i < 50; ++i)
     {
       std::vector<Point2> b(10);
@@ -145,9 +145,9 @@ void CheckLevel()
       {
         b[j] = { static_cast<double>(j), 1.0 + noise * unit(random) };
       }
-      most = std::max(most, Cut({ sm::Loop{ { MakeCoedge({ b }, false) } } }).size());
+      maximum = std::max(maximum, Cut({ sm::Loop{ { MakeCoedge({ b }, false) } } }).size());
     }
-    CheckRange("parts of a level curve", 1.0, static_cast<double>(most), 60.0);
+    CheckRange("parts of a level curve", 1.0, static_cast<double>(maximum), 60.0);
   }
 }
 }

@@ -84,8 +84,8 @@ void CheckScheme(vtkSchemeMassPropertiesGPU* mass, double volume, int scheme, co
     std::printf("%s, %2d texels: error %.2e, difference from %d texels %.2e\n", name.c_str(), texels,
       GetMean(errors, {}, FirstFactor, LastFactor), FinestTexels, differences.back().second);
   }
-  // A texel on a curve errs by itself at most: order 1; by chance, along a curve: 3/2. Above 2 it would be no
-  // texels' error.
+  // A texel on a curve errs by itself at most: order 1; by chance, along a curve: 3/2. Above 2 it would not
+  // be the texels' error.
   smtest::CheckRange(name + ", order in the texels' width", -2.0, FitOrder(differences), -0.9);
   // With sub-patches of width h, each of h^2 on the curve is wrong by h of the integrand, and there are 1 / h
   // of them: order 2 to one side, 5/2 by chance.

@@ -3,7 +3,7 @@
  * @brief A whole scheme of the paper on the CPU, straight from its equations: the truth for smSubPatches and
  * the GPU
  *
- * "Accurate Moment Computation Using the GPU" (SPM 2010). Of the library only NURBSSurface::Evaluate is
+ * "Accurate Moment Computation Using the GPU" (SPM 2010). Only NURBSSurface::Evaluate of the library is
  * called; second derivatives come from the Cox-de Boor recursion, planes are integrated along the borders of
  * their polygons, points are classified one by one. Plain sums: good for values to about 1e-13 of the largest
  * term.

@@ -12,7 +12,7 @@ namespace
 using namespace smtest;
 using Cache = sm::FaceCache<std::string, std::shared_ptr<const int>>;
 
-/// Bytes of an entry beside those that Store() is given.
+/// Bytes of an entry in addition to those that Store() is given.
 std::size_t GetOverhead()
 {
   sm::CacheBudget budget(1000000);

@@ -98,7 +98,7 @@ void CheckOpenCorner(const sm::NURBSSurface& plane)
   first->EndVertex[2] += off + apart;
   face.Loops[0].Coedges[0].Use = first;
   const double side = off + apart + off;
-  smtest::Check("vertices beside the curve's end", side * side, sm::BuildFacePanels(face).OpenCorners,
+  smtest::Check("vertices off the curve's end", side * side, sm::BuildFacePanels(face).OpenCorners,
     1e-12 * side, "the square of both distances");
 }
 
@@ -173,7 +173,7 @@ void CheckRounding(const std::string& name, const sm::NURBSSurface& plane)
     face.Surface = plane;
     face.Loops.push_back(MakePolygon(loop));
     // In space: the surface is the identity, a cell's diameter over its width at most 6.
-    smtest::CheckRange("  and how far is told", by, sm::BuildFacePanels(face).Outside.Distance, 8.0 * by);
+    smtest::CheckRange("  and how far is reported", by, sm::BuildFacePanels(face).Outside.Distance, 8.0 * by);
   }
 }
 

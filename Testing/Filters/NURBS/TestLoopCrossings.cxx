@@ -1,5 +1,5 @@
-// Loops that cross themselves or each other are told from loops that touch, and from overlaps below the
-// tolerances.
+// Loops that cross themselves or each other are distinguished from loops that touch, and from overlaps below
+// the tolerances.
 #include "smLoopCrossings.h"
 #include "smTesting.h"
 
@@ -59,7 +59,7 @@ void CheckLoops(const char* name, bool crosses, const std::vector<Polygon>& poly
     sm::HasWrongLoops(MakePolygonFace(polygons, tolerance)) ? "crosses" : "does not cross");
 }
 
-/// A loop whose last edge leads to a point beside the first one: behind their crossing it winds the wrong
+/// A loop whose last edge leads to a point next to the first one: behind their crossing it winds the wrong
 /// way. It may where an edge that is none fills the gap, of at most a tenth of the face.
 void CheckCorner()
 {
@@ -79,7 +79,7 @@ void CheckCorner()
   }
 }
 
-/// A loop without the edge along its upper side, as beside a pole: the gap hides no hole that leaves the
+/// A loop without the edge along its upper side, as near a pole: the gap hides no hole that leaves the
 /// face.
 void CheckWideGap()
 {
@@ -88,7 +88,7 @@ void CheckWideGap()
     sm::Face face =
       MakePolygonFace({ { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, MakeCircle(x, 0.5, -0.2, 12) });
     face.Loops[0].Coedges.erase(face.Loops[0].Coedges.begin() + 2);
-    CheckEqual("a hole beside a gap as wide as the face", x > 0.5, sm::HasWrongLoops(face));
+    CheckEqual("a hole next to a gap as wide as the face", x > 0.5, sm::HasWrongLoops(face));
   }
 }
 
@@ -107,7 +107,7 @@ void CheckCurves()
       coedge.Curve.Breaks = { 0.0 };
       coedge.Curve.AppendPiece(1.0, parabola, 2);
     }
-    CheckTrue("a lens is no crossing", !sm::HasWrongLoops(face));
+    CheckTrue("a lens is not a crossing", !sm::HasWrongLoops(face));
     const sm::Loop hole = MakePolygonFace({ MakeCircle(0.5, 0.15, -0.03, 12) }).Loops[0];
     face.Loops.push_back(hole);
     CheckTrue("its hole crosses its border, or not", sm::HasWrongLoops(face) == (height < 0.4));
@@ -137,11 +137,11 @@ int TestLoopCrossings(int, char*[])
   const Polygon border = { { 0, 0 }, { 9, 0 }, { 9, 9 }, { 0, 9 } };
   CheckLoops("a hole in a hole", true, { border, MakeCircle(4, 4, -3, 64), MakeCircle(4, 4, -1, 64) });
   CheckLoops("an island in a hole", false, { border, MakeCircle(4, 4, -3, 64), MakeCircle(4, 4, 1, 64) });
-  CheckLoops("a hole beside the border", true, { border, MakeCircle(12, 4, -1, 64) });
+  CheckLoops("a hole next to the border", true, { border, MakeCircle(12, 4, -1, 64) });
   CheckLoops("a small one, far away", true, { border, MakeCircle(90, 4, -0.5, 64) });
-  CheckLoops("an island beside the border", false, { border, MakeCircle(12, 4, 1, 64) });
-  CheckLoops("a hole that is turned", true, { border, MakeCircle(4, 4, 1, 64) });
-  CheckLoops("a border that is turned", true, { { border.rbegin(), border.rend() } });
+  CheckLoops("an island next to the border", false, { border, MakeCircle(12, 4, 1, 64) });
+  CheckLoops("a hole that is reversed", true, { border, MakeCircle(4, 4, 1, 64) });
+  CheckLoops("a border that is reversed", true, { { border.rbegin(), border.rend() } });
   CheckLoops("a hole around the border", true, { border, MakeCircle(4.5, 4.5, -9, 64) });
   std::vector<Polygon> sieve = { border };
   for (int i = 0; i < 64; ++i)

@@ -177,12 +177,12 @@ void CheckFace(int p, int q, int spans, double weights, std::mt19937& random)
     }
   }
   const double one = 1.0 + 1e-14;
-  const double least = weights > 10.0 ? 0.001 : 0.1;
+  const double minimum = weights > 10.0 ? 0.001 : 0.1;
   smtest::CheckRange(name + "displacement used", 0.0, moved, one, "(true displacement over Displacement)");
   smtest::CheckRange(
     name + "displacement", 0.0, sharp, 1e-16 * (6.0 + 4.0 * weights), "(over the radius: a rounding or two)");
-  smtest::CheckRange(name + "Stretch of s used", least, stretch[0], one, "(|Ss| over Stretch)");
-  smtest::CheckRange(name + "Stretch of r used", least, stretch[1], one, "(|Sr| over Stretch)");
+  smtest::CheckRange(name + "Stretch of s used", minimum, stretch[0], one, "(|Ss| over Stretch)");
+  smtest::CheckRange(name + "Stretch of r used", minimum, stretch[1], one, "(|Sr| over Stretch)");
   smtest::CheckRange(name + "Normal used", 0.0, normal, one, "(components of |Ss x Sr| over Normal)");
 }
 }

@@ -24,8 +24,8 @@ double Shoelace(const std::vector<Point2>& p)
   return sum;
 }
 
-/// Least over the chord from a to b of the larger of |du| and |dv| in tolerances: convex, so thirds close in
-/// on it.
+/// Minimum over the chord from a to b of the larger of |du| and |dv| in tolerances: convex, so thirds close
+/// in on it.
 double Distance(const Point2& p, const Point2& a, const Point2& b, const Point2& tolerance)
 {
   const auto at = [&](double x)
@@ -88,7 +88,7 @@ void CheckRandomCurves()
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   double farthest = 0.0;
   double leastUsed = HUGE_VAL;
-  double mostChords = 0.0;
+  double maximumChords = 0.0;
   double bound = 0.0;
   for (int degree = 2; degree <= sm::MaximumDegree; ++degree)
   {
@@ -111,8 +111,8 @@ void CheckRandomCurves()
       if (polygon.size() > 20)
       {
         leastUsed = std::min(leastUsed, distance);
-        mostChords =
-          std::max(mostChords, (polygon.size() - 1) / CountUniformChords({ b.data(), degree }, both));
+        maximumChords =
+          std::max(maximumChords, (polygon.size() - 1) / CountUniformChords({ b.data(), degree }, both));
       }
     }
   }
@@ -122,7 +122,7 @@ void CheckRandomCurves()
   // Second differences are within a factor of d(d-1) of |c''|, far nearer after some cuts: measured 0.14
   // and 1.1.
   CheckRange("smallest distance where there are many chords", 0.05, leastUsed, 1.0);
-  CheckRange("chords / those of equal ones where |c''| is largest", 0.0, mostChords, 1.6);
+  CheckRange("chords / those of equal ones where |c''| is largest", 0.0, maximumChords, 1.6);
 }
 
 void CheckLeafPolygons()
@@ -148,14 +148,14 @@ void CheckLeafPolygons()
       // at most 4).
       const double chords = 4.0 * std::sqrt(4.0 * (i == 0 ? 0.4 : 0.05) / (8.0 * tolerance));
       CheckRange("its chords", chords, static_cast<double>(polygons.Loops[i].size()), 2.1 * chords + 4.0,
-        "least number for this |c''|, at most doubled by rounding up");
+        "smallest number for this |c''|, at most doubled by rounding up");
     }
   }
 }
 
 void CheckClosing()
 {
-  // The second coedge starts beside the end of the first, the loop ends beside its start.
+  // The second coedge starts next to the end of the first, the loop ends next to its start.
   sm::Loop loop;
   loop.Coedges.push_back(MakeCoedge({ { { 0.0, 0.0 }, { 4.0, 0.0 } } }, false));
   loop.Coedges.push_back(
@@ -190,7 +190,7 @@ void CheckLimits()
     });
   const std::vector<Point2>& p = local.Loops[0];
   const long long fine = std::count_if(p.begin(), p.end(), [](const Point2& x) { return x[0] < 0.5; });
-  // A quarter of the parameter range at N = 1/sqrt(1e-6), the rest at 10 or, beside the limit, halved until
+  // A quarter of the parameter range at N = 1/sqrt(1e-6), the rest at 10 or, near the limit, halved until
   // clear of it.
   CheckRange("fine chords on their side", 250.0, static_cast<double>(fine), 260.0);
   CheckRange("coarse ones on theirs", 7.0, static_cast<double>(p.size() - fine), 40.0);

@@ -13,7 +13,7 @@ using namespace smtest;
 using Triangles = std::vector<sm::MeshTriangle>;
 
 /// A torus about the z axis. With tube > ring it is a spindle: the surface is its own continuation through
-/// the axis, turned inwards, and does not wind about the points near its centre.
+/// the axis, with its normal inwards, and does not wind about the points near its centre.
 void AddTorus(double ring, double tube, int n, Triangles& triangles)
 {
   const auto point = [=](int i, int j)

@@ -32,10 +32,10 @@ void CheckGapSamples()
   CheckRange("gap", 0.99 * largest, edit.Opened.empty() ? 0.0 : edit.Opened[0].Gap, largest * (1.0 + 1e-9));
 }
 
-/// Faces that cannot be evaluated lie in a model untouched, and are no obstacle to edits of others.
+/// Faces that cannot be evaluated lie in a model untouched, and are not obstacle to edits of others.
 void CheckBrokenFaces()
 {
-  std::printf("--- beside broken faces\n");
+  std::printf("--- next to broken faces\n");
   LatticeBody body;
   const auto leaf = body.Make();
   vtkTrimmedNURBSModel* model = leaf->GetModel();
@@ -66,7 +66,7 @@ void CheckBrokenFaces()
     sm::GetName(sm::MoveControlPoints(model, 3, { { 1, 1 } }, Move, rule).Status));
   CheckEqual(
     "mapping them", "invalid-face", sm::GetName(sm::MapControlPoints(model, {}, still, rule).Status));
-  // A gap that is no number is one that is told, and not hidden by those measured after it.
+  // A NaN gap is reported, and not hidden by those measured after it.
   const auto sound = body.Make();
   vtkNew<vtkTrimmedNURBSModel> odd;
   odd->ShallowCopy(sound->GetModel());
@@ -86,7 +86,7 @@ void CheckBrokenFaces()
   face->Loops[0].Coedges[0].Use = half;
   odd->SetFace(5, face);
   const std::vector<sm::OpenedEdge> opened = sm::FindOpenedEdges(sound->GetModel(), odd);
-  CheckTrue("a gap that is no number is told",
+  CheckTrue("a NaN gap is reported",
     std::any_of(opened.begin(), opened.end(), [](const sm::OpenedEdge& e) { return std::isnan(e.Gap); }));
   CheckEqual("such an edge is refused", "invalid-face",
     sm::GetName(sm::ReplaceFace(sound->GetModel(), 5, face).Status));

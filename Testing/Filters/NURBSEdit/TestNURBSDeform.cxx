@@ -64,7 +64,7 @@ void CheckDisplacement()
   CheckEqual("faces that changed", 5, filter->GetNumberOfChangedFaces());
   CheckEqual("nothing opened", 0, filter->GetNumberOfOpenedEdges());
   Check("points are on the faces", 0.0, GetDistanceFromFaces(leaf), 1e-13, "rounding of about 10");
-  CheckRange("normals are the cells'", 0.9, GetLeastCosine(leaf), 1.0);
+  CheckRange("normals are the cells'", 0.9, GetMinimumCosine(leaf), 1.0);
 
   std::printf("--- set back\n");
   filter->SetDisplacement(0.0, 0.0, 0.0);

@@ -42,7 +42,7 @@ void CheckMoved(vtkNURBSTransform* filter, vtkPartitionedDataSetCollection* prod
     }
     Check("points", 0.0, worst, 1e-13, "rounding of about 50");
     Check("points on the placed faces", 0.0, GetDistanceFromFaces(after), 1e-13, "rounding of about 50");
-    Check("cells and normals point the same way", 1.0, GetLeastCosine(after), 1e-6, "float normals");
+    Check("cells and normals point the same way", 1.0, GetMinimumCosine(after), 1e-6, "float normals");
     vtkNew<vtkMatrix4x4> placement;
     after->GetPlacement(placement);
     Check("the placement's determinant", mirrored ? -1.0 : 1.0, placement->Determinant(), 1e-14);

@@ -118,7 +118,7 @@ void CheckBeyond(double extent)
     100.0 * bend * std::pow(extent, 5.0));
 }
 
-/// The end of a covered edge is where trim pieces cross it, whose coefficients may be large beside the
+/// The end of a covered edge is where trim pieces cross it, whose coefficients may be large compared with the
 /// surface's parameters.
 void CheckCoveredEnd(double largest)
 {

@@ -1,5 +1,5 @@
-// Every rule over every monomial it claims, and over products of Legendre polynomials: these tell degree 2n -
-// 1 from 2n at every n, where monomials look alike to rounding.
+// Every rule over every monomial it claims, and over products of Legendre polynomials: these distinguish
+// degree 2n - 1 from 2n at every n, where monomials look alike to rounding.
 #include "smGaussLegendre.h"
 #include "smTesting.h"
 

@@ -95,7 +95,7 @@ void CheckMagnitudes(int p, int q, double exponent, std::mt19937_64& random)
 void CheckResidual(double exponent, std::mt19937_64& random)
 {
   sm::Face face = MakePatchFace(3, 3, 0.0, random);
-  // Beside a corner of weight 1.
+  // Next to a corner of weight 1.
   for (std::size_t i = 1; i < face.Surface.ControlPoints.size(); ++i)
   {
     for (double& coordinate : face.Surface.ControlPoints[i])

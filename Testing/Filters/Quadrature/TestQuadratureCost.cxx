@@ -22,18 +22,18 @@ namespace
 using namespace smtest;
 
 constexpr double RelativeTolerance = 1e-9;
-// Panels of a solid that are looked at, evenly spread: the search for the least costs thousands of
+// Panels of a solid that are looked at, evenly spread: the search for the minimum costs thousands of
 // evaluations each.
 constexpr std::size_t PanelsOfASolid = 10;
 
 struct Cost
 {
   std::int64_t Planned = 0;
-  std::int64_t Least = 0;
+  std::int64_t Minimum = 0;
 };
 
 /// Fewest points whose error is within the tolerances.
-std::int64_t FindLeast(
+std::int64_t FindMinimum(
   const ReferencePanels& reference, const sm::PlannedItem& item, const std::vector<double>& tolerances)
 {
   const Values exact = reference.IntegrateFinely(item);
@@ -49,18 +49,19 @@ std::int64_t FindLeast(
     }
     return true;
   };
-  std::int64_t least = static_cast<std::int64_t>(item.Along) * item.Across;
+  std::int64_t minimum = static_cast<std::int64_t>(item.Along) * item.Across;
   for (int along = 1; along <= item.Along; ++along)
   {
-    for (int across = 1; across <= item.Across && static_cast<std::int64_t>(along) * across < least; ++across)
+    for (int across = 1; across <= item.Across && static_cast<std::int64_t>(along) * across < minimum;
+         ++across)
     {
       if (meets(along, across))
       {
-        least = static_cast<std::int64_t>(along) * across;
+        minimum = static_cast<std::int64_t>(along) * across;
       }
     }
   }
-  return least;
+  return minimum;
 }
 
 Cost Measure(vtkTrimmedNURBSModel* model, const Expected& solid, bool withArea)
@@ -97,14 +98,14 @@ Cost Measure(vtkTrimmedNURBSModel* model, const Expected& solid, bool withArea)
     for (std::size_t i = 0; i < items.size(); i += step)
     {
       cost.Planned += static_cast<std::int64_t>(items[i]->Along) * items[i]->Across;
-      cost.Least += FindLeast(reference, *items[i], shares);
+      cost.Minimum += FindMinimum(reference, *items[i], shares);
     }
   }
   return cost;
 }
 
 /// Bicubic patches near the unit square: halved some five times in both directions until their normals are
-/// told from zero.
+/// distinguished from zero.
 void CheckBentPatches()
 {
   std::mt19937_64 random(1);
@@ -167,18 +168,18 @@ int TestQuadratureCost(int argc, char* argv[])
       {
         const Cost cost = Measure(leaf->GetModel(), solid, withArea);
         sums[withArea].Planned += cost.Planned;
-        sums[withArea].Least += cost.Least;
-        std::printf("%-14s %-26s planned %6lld least %6lld ratio %.2f\n", name,
+        sums[withArea].Minimum += cost.Minimum;
+        std::printf("%-14s %-26s planned %6lld minimum %6lld ratio %.2f\n", name,
           withArea ? "with the area" : "volume and moments", static_cast<long long>(cost.Planned),
-          static_cast<long long>(cost.Least), static_cast<double>(cost.Planned) / cost.Least);
+          static_cast<long long>(cost.Minimum), static_cast<double>(cost.Planned) / cost.Minimum);
       }
     }
   }
   for (const bool withArea : { false, true })
   {
     CheckRange(
-      withArea ? "points over the least, with the area" : "points over the least, volume and moments", 1.0,
-      static_cast<double>(sums[withArea].Planned) / sums[withArea].Least, withArea ? 6.0 : 3.0);
+      withArea ? "points over the minimum, with the area" : "points over the minimum, volume and moments",
+      1.0, static_cast<double>(sums[withArea].Planned) / sums[withArea].Minimum, withArea ? 6.0 : 3.0);
   }
   CheckBentPatches();
   return Finish();

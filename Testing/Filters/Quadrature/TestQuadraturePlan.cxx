@@ -300,7 +300,7 @@ Case MakeLongPiece(Random& random, double cells, double bend, double weights)
   return made;
 }
 
-/// An edge that is the image of the trim curve, as far as extended precision and then doubles tell: ribbons
+/// An edge that is the image of the trim curve, as far as extended precision and then doubles show: ribbons
 /// whose gap is nothing but rounding are left out, and the bound is to hold what they were.
 void CheckDroppedRibbons(double cells, double bend, double weights, int count)
 {
@@ -383,7 +383,7 @@ void CheckDroppedRibbons(double cells, double bend, double weights, int count)
 /// that is a point, and the bounds hold what that changes.
 void CheckRoundedPoles(double tolerance, int count)
 {
-  std::int64_t least = 0;
+  std::int64_t minimum = 0;
   for (const double spread : { 0.0, 1e-15, 1e-14, 1e-12, 1e-11 })
   {
     Score score;
@@ -395,12 +395,12 @@ void CheckRoundedPoles(double tolerance, int count)
       std::snprintf(label, sizeof(label), "pole with a spread of %g, seed %d", spread, seed);
       Run(made, 2.0, tolerance, label, score);
     }
-    least = spread == 0.0 ? score.Points : least;
+    minimum = spread == 0.0 ? score.Points : minimum;
     std::printf("poles with a spread of %g, tolerance %g: %d estimated, %g times as many points\n", spread,
-      tolerance, score.Estimated, static_cast<double>(score.Points) / static_cast<double>(least));
+      tolerance, score.Estimated, static_cast<double>(score.Points) / static_cast<double>(minimum));
     CheckTrue("poles that are rounded: no bound exceeded", score.Exceeded == 0);
     // A motion may take a quarter of the tolerance, and some digits count as its derivatives.
-    CheckRange("and they cost no more", 0.5, static_cast<double>(score.Points) / static_cast<double>(least),
+    CheckRange("and they cost no more", 0.5, static_cast<double>(score.Points) / static_cast<double>(minimum),
       tolerance >= 500.0 * spread ? 1.1 : 1000.0);
   }
 }

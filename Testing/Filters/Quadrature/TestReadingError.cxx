@@ -116,7 +116,7 @@ Result Integrate(Block& block)
   return result;
 }
 
-void CheckBlocks(double bend, double weights, bool outwards, double least)
+void CheckBlocks(double bend, double weights, bool outwards, double minimum)
 {
   const std::string label = "bend " + std::to_string(bend) + ", weights to " + std::to_string(weights) +
     (outwards ? ", outwards" : ", at random");
@@ -145,7 +145,7 @@ void CheckBlocks(double bend, double weights, bool outwards, double least)
     std::printf(
       "%s, class %d: largest change/bound %.3g\n", label.c_str(), k, static_cast<double>(largest[k]));
     // Squares of the displacement: 1e-6 of it.
-    CheckRange(label + ", class " + std::to_string(k), least, static_cast<double>(largest[k]), 1.0 + 1e-5);
+    CheckRange(label + ", class " + std::to_string(k), minimum, static_cast<double>(largest[k]), 1.0 + 1e-5);
   }
 }
 }

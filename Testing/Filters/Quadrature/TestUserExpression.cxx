@@ -1,4 +1,4 @@
-// Translation of the user's expressions, and compilers' messages told in the user's columns.
+// Translation of the user's expressions, and compilers' messages reported in the user's columns.
 #include "smTesting.h"
 #include "smUserExpression.h"
 
@@ -39,11 +39,11 @@ void CheckTranslation()
     Translate("u/-!cross(du,dv)[1].x-v"));
   CheckEqual("remainders", "int ( u ) % smDivisor( 2u)", Translate("int(u)%2u"));
   CheckEqual("constants", "(5.00000000000000000e-01LF) * dA", Translate("k * dA"));
-  CheckTrue("functions are no constants",
+  CheckTrue("functions are not constants",
     UserExpression("abs (dA) * abs", { { "abs", 0.5 } })
         .MakeFunction("f", false)
         .find("abs\n(\ndA\n)\n*\n(5.") != std::string::npos);
-  CheckEqual("components are no constants", "position . k", Translate("position.k"));
+  CheckEqual("components are not constants", "position . k", Translate("position.k"));
   CheckEqual("pairs stay together", "dA <= 1.0LF && ! ( dA != 2.0LF ) ? 1.0LF : - 1.0LF",
     Translate("dA<=1&&!(dA!=2)?1:-1"));
 
@@ -108,11 +108,11 @@ void CheckPlaces()
     expression.Explain(
       "0:100003(1): error: no matching function for call to `cross(dvec3, dvec2)'; candidates are:\n"
       "0:100003(1): error:    vec3 cross(vec3, vec3)\n"));
-  CheckEqual("warnings are no errors", told,
+  CheckEqual("warnings are not errors", told,
     expression.Explain(
       "0(100001) : warning C7050: it may be\n0:100001(1): warning: it may be\nWARNING: 0:100001: it may be\n"
       "0(100005) : error C1503: undefined variable \"foo\"\n"));
-  CheckEqual("a word of a message is no severity", "column 10: undefined variable \"warning\"",
+  CheckEqual("a word of a message is not a severity", "column 10: undefined variable \"warning\"",
     expression.Explain("0(100005) : error C1503: undefined variable \"warning\"\n"));
   CheckEqual("our names of functions", "column 6: no function sin(dvec3)",
     expression.Explain("0:100003(1): error: no function smUserSin(dvec3)\n"));

@@ -1,6 +1,6 @@
-// Bodies that are far from the origin of their model beside their size, and a plane, or a placement, that
-// brings them back: heights above the plane and placed coordinates are small differences of large numbers,
-// whose rounding is no part of a small result's.
+// Bodies that are far from the origin of their model compared with their size, and a plane, or a placement,
+// that brings them back: heights above the plane and placed coordinates are small differences of large
+// numbers, whose rounding is not a part of a small result's.
 #include "smTestArrays.h"
 #include "smTesting.h"
 
@@ -168,10 +168,10 @@ void CheckTetrahedron(const std::string& what, const Tetrahedron& solid, double 
     integral->GetIntegral("volume"), integral->GetIntegralBound("volume") + rounding, "the bound");
   // Rounding moves every point by 4 u of its distance for the section and 20 u for the integral.
   const double far = std::hypot(solid.Middle[0], solid.Middle[1], solid.Middle[2]);
-  const double most = 1e3 * 1.2e-16 * (far + 1e2 * solid.Unit) * std::pow(1e2 * solid.Unit, 2.0) +
+  const double maximum = 1e3 * 1.2e-16 * (far + 1e2 * solid.Unit) * std::pow(1e2 * solid.Unit, 2.0) +
     1e3 * std::pow(solid.Miss * solid.Unit, 2.0) * (far + 1e2 * solid.Unit);
-  CheckRange(what + ", bound of the displaced", 0.0, buoyancy->GetDisplacedVolumeBound(), most);
-  CheckRange(what + ", bound of the placed", 0.0, integral->GetIntegralBound("volume"), most);
+  CheckRange(what + ", bound of the displaced", 0.0, buoyancy->GetDisplacedVolumeBound(), maximum);
+  CheckRange(what + ", bound of the placed", 0.0, integral->GetIntegralBound("volume"), maximum);
 }
 }
 

@@ -250,7 +250,7 @@ void CheckCones(const Manifest& manifest)
     Symmetric(Sum(base, Scaled(up, 2 * l / 5)), 4 * b * l / 3, 4 * l * b * b * b / 15, { 0, 1, 0 },
       16 * b * l * l * l / 175, up),
     200 });
-  // Upright beside the axis: a hyperbola.
+  // Upright next to the axis: a hyperbola.
   for (const Real a : { 2.0L, 11.0L })
   {
     const auto half = [&](Real z)
@@ -353,7 +353,7 @@ std::vector<Cut> MakeTorusCuts()
   cuts.push_back({ "through the axis", {}, { 1, 0, 0 }, Combine(side, other, 1), 100 });
   for (const Real a : { 14.5L, 20.0L, 25.0L })
   {
-    cuts.push_back({ Name("beside the axis", a), { a, 0, 0 }, { 1, 0, 0 }, Spiric(R, r, a), 200 });
+    cuts.push_back({ Name("next to the axis", a), { a, 0, 0 }, { 1, 0, 0 }, Spiric(R, r, a), 200 });
   }
   // Touching the inside, where the section crosses itself.
   cuts.push_back({ "touching the saddle", { 14, 0, 0 }, { 1, 0, 0 }, Spiric(R, r, 14), 2e4L });

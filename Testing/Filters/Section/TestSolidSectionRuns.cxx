@@ -23,10 +23,10 @@ namespace
 {
 using namespace smtest;
 
-/// A plane that touches a face or runs along it: areas up to `most` are within what the numbers are accurate
-/// to.
+/// A plane that touches a face or runs along it: areas up to `maximum` are within what the numbers are
+/// accurate to.
 void CheckTouch(const std::string& what, SectionScene& scene, const Vector& point, const Vector& normal,
-  double most, double widest, bool isDetermined)
+  double maximum, double widest, bool isDetermined)
 {
   for (const int sense : { 1, -1 })
   {
@@ -35,7 +35,7 @@ void CheckTouch(const std::string& what, SectionScene& scene, const Vector& poin
     const double area = scene.Filter->GetSectionArea();
     const double bound = scene.Filter->GetSectionAreaBound();
     Check(what + ", nothing", 0.0, area, bound, "the bound");
-    Check(what + ", all that touches", most, area, bound, "the bound");
+    Check(what + ", all that touches", maximum, area, bound, "the bound");
     CheckRange(what + ", bound", 0.0, bound, widest);
     CheckEqual(what + ", status", isDetermined ? "ok" : "tolerance-not-met", scene.Filter->GetStatus());
     if (!isDetermined)
@@ -359,7 +359,7 @@ void CheckBodies(const Manifest& manifest)
   }
 }
 
-/// Results of both sides that differ by more than their bounds, or a centroid beside the plane, are found.
+/// Results of both sides that differ by more than their bounds, or a centroid off the plane, are found.
 void CheckContradictions(const Manifest&)
 {
   const sm::Waterline plane{ { 7, 0, 5 }, { 0, 0, 2 } };
@@ -384,7 +384,7 @@ void CheckContradictions(const Manifest&)
   CheckTrue("second moments", find(above).find("second moments") != std::string::npos);
   below.Origin[2] += 1e-8;
   CheckTrue("off the plane", find(below).find("off the plane") != std::string::npos);
-  CheckEqual("nothing is no contradiction", std::string(), FindContradiction({}, {}, plane));
+  CheckEqual("an empty section is not a contradiction", std::string(), FindContradiction({}, {}, plane));
 }
 
 void CheckOpen(const Manifest& manifest)

@@ -123,7 +123,7 @@ void CheckPlacement(const std::string& what, int row, int column, double value, 
 
 using Profile = std::vector<std::array<double, 3>>;
 
-/// A surface of revolution without loops, of a profile of (radius, height) with weights. Its seam is turned
+/// A surface of revolution without loops, of a profile of (radius, height) with weights. Its seam is rotated
 /// by quarters of a turn, and its axis shifted in x.
 sm::FacePointer MakeRevolvedFace(
   const Profile& profile, int degree, const std::vector<double>& knots, int quarters = 0, double shift = 0.0)
@@ -266,7 +266,7 @@ void CheckWithoutLoops()
   }
 }
 
-/// The top of a box, lifted off its edges: a wide gap is told by every filter whose values it changes.
+/// The top of a box, lifted off its edges: a wide gap is reported by every filter whose values it changes.
 void CheckGaps()
 {
   vtkNew<vtkNURBSDeform> lift;
@@ -287,7 +287,7 @@ void CheckGaps()
     const MessageTrap trap(filters.Buoyancy);
     filters.Buoyancy->Update();
     CheckEqual(what + ", all below", status, filters.Buoyancy->GetStatus());
-    // A small gap is no news of these filters, but stands in their tables.
+    // A small gap is not a message of these filters, but stands in their tables.
     CheckTrue(what + ", said", HasMessage(filters.Section, "widest gap") == (status == "suspect"));
     for (vtkSurfaceIntegralBase* filter : { static_cast<vtkSurfaceIntegralBase*>(filters.Section),
            static_cast<vtkSurfaceIntegralBase*>(filters.Buoyancy) })
@@ -326,7 +326,7 @@ void CheckUnknownUnit()
   CheckTrue("unknown unit, said", HasMessage(filters.Mass, "\"parsec\""));
 }
 
-/// A solid without faces, alone and beside a box: what is not there has no section.
+/// A solid without faces, alone and next to a box: what is not there has no section.
 void CheckEmptyBody()
 {
   vtkNew<vtkPartitionedDataSetCollection> parts;

@@ -1,4 +1,5 @@
-// Least heights of random trimmed rational faces, against dense samples; hulls and margins against formulas.
+// Minimum heights of random trimmed rational faces, against dense samples; hulls and margins against
+// formulas.
 #include "smGroundContact.h"
 #include "smSupportPolygon.h"
 #include "smTesting.h"
@@ -160,7 +161,7 @@ void TestLowest()
     interior += inner < border ? 1 : 0;
     const double sampled = std::min(inner, border);
     // Polygons of the samples' trim stray by 1e-6, over slopes of about 1.
-    smtest::CheckRange("least height, trial " + std::to_string(trial), sampled - 2e-3, lowest.High,
+    smtest::CheckRange("minimum height, trial " + std::to_string(trial), sampled - 2e-3, lowest.High,
       sampled + 1e-5, "between samples");
     smtest::CheckRange("enclosed", 0.0, lowest.High - lowest.Low, 1e-11, "two roundings");
     const sm::GroundContacts contacts = search.FindContacts(lowest.High + 1e-9);
@@ -189,8 +190,8 @@ void TestPolygons()
   smtest::CheckEqual("a point", 1,
     static_cast<long long>(sm::SupportPolygon::FromPoints({ { 1, 1 }, { 1, 1 } }, 1e-13).Corners.size()));
   smtest::CheckTrue("nothing", sm::SupportPolygon::FromPoints({}, 1e-13).GetMargin({ 0, 0 }) < -1e300);
-  // Corners that are dense beside the merging tolerance are left out one by one, yet the hull stays within
-  // four times that.
+  // Corners that are dense compared with the merging tolerance are left out one by one, yet the hull stays
+  // within four times that.
   std::vector<sm::Point2D> circle;
   const int count = 100000;
   for (int i = 0; i < count; ++i)

@@ -1,4 +1,4 @@
-// TestSolidStabilityTip FOLDER: least angle and rise over round contacts and over corners, where the centre
+// TestSolidStabilityTip FOLDER: minimum angle and rise over round contacts and over corners, where the centre
 // of mass is beyond them.
 #include "smBoxBodies.h"
 #include "smStabilityTesting.h"
@@ -55,8 +55,8 @@ struct Standing
   }
 };
 
-/// The least over the circle: the best of many directions, then thirds of the range around it.
-Real FindLeast(const std::function<Real(Real)>& f)
+/// The minimum over the circle: the best of many directions, then thirds of the range around it.
+Real FindMinimum(const std::function<Real(Real)>& f)
 {
   const int count = 20000;
   int best = 0;
@@ -77,7 +77,8 @@ Real FindLeast(const std::function<Real(Real)>& f)
 
 /// The top is displaced by `lean` in the direction `turn`; the ground is level, or gravity leans by a slope
 /// against x.
-void CheckOblique(const std::string& folder, bool half, double lean, double turn, double slope, double most)
+void CheckOblique(
+  const std::string& folder, bool half, double lean, double turn, double slope, double maximum)
 {
   const double leanX = lean * std::cos(turn);
   const double leanY = lean * std::sin(turn);
@@ -91,11 +92,11 @@ void CheckOblique(const std::string& folder, bool half, double lean, double turn
   standing.Filter->SetGravityDirection(-std::sin(slope), 0, -std::cos(slope));
   standing.Filter->SetGroundNormal(0, 0, 1);
   standing.Filter->Update();
-  const Real angle = FindLeast([&](Real d) { return exact.GetAngle(d); });
+  const Real angle = FindMinimum([&](Real d) { return exact.GetAngle(d); });
   CheckEqual(name, angle < 0 ? "unstable" : "stable", standing.Filter->GetStability());
-  CheckBounded(standing.Filter, names::TipAngle, static_cast<double>(angle) * Degrees, most * Degrees);
+  CheckBounded(standing.Filter, names::TipAngle, static_cast<double>(angle) * Degrees, maximum * Degrees);
   CheckBounded(standing.Filter, names::CenterOfMassRise,
-    static_cast<double>(FindLeast([&](Real d) { return exact.GetRise(d); })), most * Height);
+    static_cast<double>(FindMinimum([&](Real d) { return exact.GetRise(d); })), maximum * Height);
 }
 
 /// A plate lies on the ground, which may slope against its short side: it tips by nearly a right angle, over

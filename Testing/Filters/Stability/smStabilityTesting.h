@@ -40,11 +40,11 @@ inline std::string GetText(vtkSolidStability* filter, const char* name)
 }
 
 /// |value - exact| <= bound, and the bound is worth having.
-inline void CheckBounded(vtkSolidStability* filter, const char* name, double exact, double most)
+inline void CheckBounded(vtkSolidStability* filter, const char* name, double exact, double maximum)
 {
   const double bound = Get(filter, std::string(name) + sm::names::BoundSuffix);
   Check(name, exact, Get(filter, name), bound, "its own bound");
-  CheckRange(std::string(name) + "Bound", 0.0, bound, most, "no vacuous bound");
+  CheckRange(std::string(name) + "Bound", 0.0, bound, maximum, "no vacuous bound");
 }
 
 inline void CheckVerdict(const std::string& what, vtkSolidStability* filter, const char* verdict,

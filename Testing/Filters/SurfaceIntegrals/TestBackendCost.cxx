@@ -116,8 +116,8 @@ void CheckFilter(const std::string& path)
   CheckChoice("a small part", mass, names::BackendCPU, "estimated ");
   CheckEqual("no context is made", vtkComputeContext::NOT_STARTED, context->GetStatus());
   CheckTrue("no message is made", !Says(mass, "without OpenGL"));
-  CheckTrue("the seconds of both are told", mass->GetBackendReason().find("; OpenGL ") != std::string::npos,
-    mass->GetBackendReason());
+  CheckTrue("the seconds of both are reported",
+    mass->GetBackendReason().find("; OpenGL ") != std::string::npos, mass->GetBackendReason());
 
   // A context that somebody has started changes nothing.
   CheckEqual("a context", vtkComputeContext::READY, context->Start());
@@ -130,7 +130,7 @@ void CheckFilter(const std::string& path)
   mass->Modified();
   CheckChoice("a slow processor", mass, sought.Backend, sought.Reason);
   CheckTrue("a context was sought", context->GetStatus() != vtkComputeContext::NOT_STARTED);
-  CheckTrue("that there is no GPU is no message", !Says(mass, "without OpenGL"));
+  CheckTrue("that there is no GPU is not a message", !Says(mass, "without OpenGL"));
 
   mass->SetRates({});
   vtkNew<vtkComputeContext> other;

@@ -59,20 +59,20 @@ double GetSeconds()
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The least time of five runs.
+/// The shortest time of five runs.
 double TimePlate(int holes)
 {
   const sm::Face face = MakePlate(holes);
   const int coedges = CountCoedges(face);
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int run = 0; run < 5; ++run)
   {
     std::vector<sm::CoedgeGap> gaps;
     const double start = GetSeconds();
     Measure(face, coedges, gaps);
-    least = std::min(least, GetSeconds() - start);
+    minimum = std::min(minimum, GetSeconds() - start);
   }
-  return least;
+  return minimum;
 }
 }
 

@@ -93,11 +93,11 @@ int TestEdgeGaps(int, char*[])
     sm::DescribeWorstEdge(edges, 100.0, "mm"));
   edges[0].MaxGap = 1e-15;
   tolerant.Tolerance = 0.0;
-  CheckEqual("rounding is no gap", "", sm::DescribeWorstEdge(edges, 3.7, "mm"));
+  CheckEqual("rounding is not a gap", "", sm::DescribeWorstEdge(edges, 3.7, "mm"));
   CheckEqual("no edges", "", sm::DescribeWorstEdge({}, 3.7, "mm"));
 
   // A coedge without a row has a gap of rounding; a face that was not integrated leaves its edges unknown,
-  // and last; poles are no edges.
+  // and last; poles are not edges.
   results[0].Gaps.clear();
   edges = sm::CollectEdgeGaps(*model, &results);
   for (const sm::EdgeGap& edge : edges)
@@ -135,7 +135,8 @@ int TestEdgeGaps(int, char*[])
   point->Degenerate = true;
   pole->Loops[0].Coedges[0].Use = point;
   model->SetFace(0, pole);
-  CheckEqual("a pole is no edge", 12, static_cast<long long>(sm::CollectEdgeGaps(*model, nullptr).size()));
+  CheckEqual(
+    "a pole is not an edge", 12, static_cast<long long>(sm::CollectEdgeGaps(*model, nullptr).size()));
   CheckTrue("the edge it replaces is open", sm::CollectEdgeGaps(*model, nullptr)[0].Source != point.get());
   return smtest::Finish();
 }

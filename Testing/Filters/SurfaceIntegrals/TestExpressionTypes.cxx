@@ -179,7 +179,7 @@ public:
     }
   }
 
-  /// True when the driver takes the expression; `log` has what it says otherwise.
+  /// Returns true when the driver takes the expression; `log` has what it says otherwise.
   bool Accepts(const sm::UserExpression& expression, std::string& log)
   {
     sm::ShaderSource source("smExpressionCS", this->Chunks["smExpressionCS"].c_str());

@@ -197,7 +197,7 @@ private:
   int Rank;
 };
 
-/// Fails where it is told.
+/// Fails where the test wants it.
 class WeakRunner : public sm::CPUItemRunner
 {
 public:
@@ -396,7 +396,7 @@ void TestBytes()
     sm::FaceReader partReader(fromPart);
     complete += partReader.Get() && partReader.Get() && partReader.Get() ? 1 : 0;
   }
-  CheckEqual("messages that end early are no faces", 0, complete);
+  CheckEqual("messages that end early are not faces", 0, complete);
 }
 
 void TestDivision()

@@ -22,7 +22,7 @@ namespace
 using namespace smtest;
 namespace names = sm::names;
 
-/// Coordinates and areas of boxes are exact but for a few roundings of numbers below 100.
+/// Coordinates and areas of boxes are exact except for a few roundings of numbers below 100.
 constexpr double Rounding = 1e-13;
 const double Nan = std::numeric_limits<double>::quiet_NaN();
 

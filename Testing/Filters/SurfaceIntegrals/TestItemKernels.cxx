@@ -69,7 +69,7 @@ void CheckLanes()
   std::mt19937 random(29);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const int degrees[][2] = { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 3, 3 }, { 2, 5 }, { 12, 25 } };
-  CheckRange("items side by side", 2, sm::GetLaneCounts().back(), sm::MostLanes);
+  CheckRange("items side by side", 2, sm::GetLaneCounts().back(), sm::MaxLanes);
   for (const int lanes : sm::GetLaneCounts())
   {
     for (const auto& degree : degrees)

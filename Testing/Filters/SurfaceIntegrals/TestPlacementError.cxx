@@ -70,7 +70,7 @@ void CheckExact()
   CheckRange("bound of the rotated", 2.0 * still, filter->GetIntegralBound("area"), 100.0 * still);
 }
 
-/// A matrix that is a rotation but for its decimals, or stretches by as little: the box as it places it is
+/// A matrix that is a rotation except for its decimals, or stretches by as little: the box as it places it is
 /// within the bounds.
 void CheckNearlyRigid(double stretch)
 {

@@ -71,9 +71,9 @@ void CheckFunctions(const char* folder)
   box.CheckIntegral("top", 1200, limit);
   box.CheckIntegral("shadow", (1 * 200 + 2 * 300 + 3 * 600) / std::sqrt(14.0), limit);
 
-  CheckTrue(
-    "kinks are told", Says(box.Filter, "shadow may have kinks") && Says(box.Filter, "top may have kinks"));
-  CheckTrue("where there are none nothing is told",
+  CheckTrue("kinks are reported",
+    Says(box.Filter, "shadow may have kinks") && Says(box.Filter, "top may have kinks"));
+  CheckTrue("where there are none nothing is reported",
     !Says(box.Filter, "sin may have") && !Says(box.Filter, "third may have"));
 
   filter->AddConstant("k", 0.5);
@@ -191,7 +191,7 @@ void CheckFaces(const char* folder)
   Check("moment of chosen faces", moment, filter->GetIntegral("moment"), 1e-12 * std::fabs(moment));
   Check("a face that was not chosen", 0.0, getRow(0, "area"), 0.0);
   CheckTrue("its evaluations are not made", filter->GetEvaluations() * 2 < evaluations);
-  CheckTrue("a face that is not there is told", Says(box.Filter, "#999999"));
+  CheckTrue("a face that is not there is reported", Says(box.Filter, "#999999"));
   filter->RemoveAllFaceIds();
   filter->Update();
   Check("all faces again", box.Part.Area, filter->GetIntegral("area"), 1e-9 * box.Part.Area);
@@ -226,8 +226,8 @@ void CheckMistakes(const char* folder)
   filter->AddIntegrand("chain", "u * dA", vtkSurfaceIntegralGPU::CLOSED_CHAIN);
   filter->AddVolumeMoment("volume", 0, 0, 0);
   filter->Update();
-  Check("area beside mistakes", box.Part.Area, filter->GetIntegral("area"), 1e-9 * box.Part.Area);
-  Check("volume beside mistakes", box.Part.Volume, filter->GetIntegral("volume"), 1e-9 * box.Part.Volume);
+  Check("area next to mistakes", box.Part.Area, filter->GetIntegral("area"), 1e-9 * box.Part.Area);
+  Check("volume next to mistakes", box.Part.Volume, filter->GetIntegral("volume"), 1e-9 * box.Part.Volume);
   for (int i = 0; i < count; ++i)
   {
     const std::string name = "mistake " + std::to_string(i);
@@ -237,13 +237,13 @@ void CheckMistakes(const char* folder)
       message =
         filter->GetMessage(m).compare(0, name.size() + 1, name + " ") == 0 ? filter->GetMessage(m) : message;
     }
-    CheckTrue(name + " is told at its place",
+    CheckTrue(name + " is reported at its place",
       message.find(std::string(mistakes[i].Place)) != std::string::npos &&
         message.find(mistakes[i].Word) != std::string::npos,
       message);
-    CheckTrue(name + " is no number", std::isnan(filter->GetIntegral(name)));
+    CheckTrue(name + " is not a number", std::isnan(filter->GetIntegral(name)));
   }
-  CheckTrue("parameters on the chain are told",
+  CheckTrue("parameters on the chain are reported",
     Says(box.Filter, "chain was not computed") && std::isnan(filter->GetIntegral("chain")));
 
   MessageTrap trap(filter);
@@ -257,13 +257,13 @@ void CheckMistakes(const char* folder)
 
   filter->SetBackend(vtkSurfaceIntegralGPU::CPU);
   filter->Update();
-  CheckTrue("on the CPU an expression is told to need OpenGL",
+  CheckTrue("on the CPU an expression is reported to need OpenGL",
     Says(box.Filter, "area was not computed: the expression"));
   Check("and moments are computed", box.Part.Volume, filter->GetIntegral("volume"), 1e-9 * box.Part.Volume);
 }
 
 /// An expression that is undefined or infinite at some point, whatever its rest makes of it, or whose value
-/// depends on the parameters because the area element is no factor, is no number and not ok.
+/// depends on the parameters because the area element is not a factor, is NaN and not ok.
 void CheckUndefined(const char* folder)
 {
   const char* undefined[] = { "dA / (u - u)", "dA / 0", "dA / (0 * u)", "dA / (1 / (u - u))",
@@ -289,7 +289,7 @@ void CheckUndefined(const char* folder)
     CheckTrue(
       "it is said", Says(filter, std::string(text) + " is undefined or infinite somewhere on the faces"));
   }
-  // Poles between the points: an order that agrees with the next by symmetry is told apart by one with a
+  // Poles between the points: an order that agrees with the next by symmetry is distinguished by one with a
   // point in the middle.
   for (const char* text : { "dA / (position.x - 14.3)", "dA / (position.x - 15.0000001)",
          "dA / (position.x - 7.5)", "dA / pow(position.y - 10.1, 2)", "dA * tan(0.1 * position.x)" })

@@ -90,7 +90,7 @@ void CheckMistakes(const Expected& part)
 
   integral->AddIntegrand("broken", "position.x + there_is_no_such_function(normal)");
   integral->Update();
-  CheckTrue("an expression that does not compile is told with the compiler's words",
+  CheckTrue("an expression that does not compile is reported with the compiler's words",
     (messages.Errors + messages.Warnings + executive.Errors).find("there_is_no_such_function") !=
         std::string::npos ||
       (integral->GetNumberOfMessages() > 0 &&

@@ -62,7 +62,7 @@ private:
   vtkNURBSDataSet* Leaf;
   vtkNew<vtkNURBSDataSet> Copy;
   vtkNew<vtkSurfaceIntegralGPU> Integral;
-  /// A tolerance below rounding is not met and warned of, which is no matter here.
+  /// A tolerance below rounding is not met and warned of, which does not matter here.
   MessageTrap Messages{ this->Integral };
 };
 

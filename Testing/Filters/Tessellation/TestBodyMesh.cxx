@@ -1,5 +1,5 @@
 // TestBodyMesh FOLDER: meshes of the exact solids are closed, keep their promise on dense samples, have no
-// triangle turned over, converge to the exact volume, and have the same bits for any number of threads.
+// triangle inverted, converge to the exact volume, and have the same bits for any number of threads.
 #include "smMeshMeasures.h"
 #include "smTestFaces.h"
 #include "smTestManifest.h"
@@ -55,7 +55,7 @@ void CheckSolid(const Expected& solid)
     const MeshMeasures m = MeasureMesh(faces, meshes);
     CheckEqual(solid.Solid + ": faces without triangles", 0, m.EmptyFaces);
     CheckEqual(solid.Solid + ": open sides", 0, m.OpenSides);
-    CheckEqual(solid.Solid + ": triangles turned over", 0, m.Inverted);
+    CheckEqual(solid.Solid + ": triangles inverted", 0, m.Inverted);
     CheckRange(solid.Solid + ": distance / stated", 0.0, m.WorstShare, 1.0);
     CheckRange(solid.Solid + ": turn of the normal / stated", 0.0, m.WorstTurnShare, 1.0);
     LargestTurnShare = std::max(LargestTurnShare, m.WorstTurnShare);
@@ -104,8 +104,8 @@ void CheckConvergence(const Expected& solid)
     2.5 / 16.0 * coarse, "linear, and a factor 2.5");
 }
 
-/// Points that equal steps put beside the end of a piece of an edge, by rounding, are at the end: else chords
-/// were halved there until points of a face fell together.
+/// Points that equal steps put next to the end of a piece of an edge, by rounding, are at the end: else
+/// chords were halved there until points of a face fell together.
 void CheckManyDeflections(const Expected& solid)
 {
   const std::vector<sm::FacePointer> faces = ReadFaces(solid.Path);
@@ -279,17 +279,16 @@ void CheckNarrowFaces()
 {
   const sm::FacePointer strip = MakeBentStrip(0.01, 0.0);
   std::vector<sm::FaceMesh> meshes = sm::MeshFaces({ strip }, { 0.3, 1.0 });
-  CheckEqual("triangles of a narrow strip that are turned over", 0, MeasureMesh({ strip }, meshes).Inverted);
+  CheckEqual("triangles of a narrow strip that are inverted", 0, MeasureMesh({ strip }, meshes).Inverted);
   CheckTrue("and no reason", meshes[0].Reason.empty() && !meshes[0].Triangles.empty());
   const sm::FacePointer gap = MakeBentStrip(0.01, 0.1);
   meshes = sm::MeshFaces({ gap }, { 0.3, 1.0 });
-  const int turned = MeasureMesh({ gap }, meshes).Inverted;
-  CheckRange(
-    "triangles turned over by an edge beyond the other side", 1.0, turned, 10.0, "22 without repair");
+  const int inverted = MeasureMesh({ gap }, meshes).Inverted;
+  CheckRange("triangles inverted by an edge beyond the other side", 1.0, inverted, 10.0, "22 without repair");
   CheckRange("triangles there", 1.0, static_cast<double>(meshes[0].Triangles.size()), 150.0,
     "229 if chords were halved for the gap, too");
-  CheckEqual("and the mesh says so", turned, meshes[0].TurnedOver);
-  CheckTrue("by a sentence", meshes[0].Reason.find("turned over") != std::string::npos);
+  CheckEqual("and the mesh says so", inverted, meshes[0].InvertedTriangles);
+  CheckTrue("by a sentence", meshes[0].Reason.find("inverted") != std::string::npos);
 
   // Between y = 1 and a parabola that is 0.05 below it, both with one chord.
   const sm::FacePointer square = MakeSquare(3.0, 1);
@@ -329,7 +328,7 @@ sm::Coedge MakeParabola(double height)
   return coedge;
 }
 
-/// Chords that begin a rounding step before a break at 0: the piece that they only touch is no part of them.
+/// Chords that begin a rounding step before a break at 0: the piece that they only touch is not part of them.
 void CheckBreaksAtZero()
 {
   const sm::Coedge upper = MakeParabola(1.0);
@@ -356,7 +355,7 @@ void CheckBreaksAtZero()
   CheckEqual("breaks at zero: open sides, those of the border", 4 * 300, open);
 }
 
-/// A roof so flat that its ridge is no crease: the stated deviation holds all the same.
+/// A roof so flat that its ridge is not a crease: the stated deviation holds all the same.
 void CheckFlatRidge()
 {
   auto face = std::make_shared<sm::Face>(*MakeSquare(1000.0, 2));

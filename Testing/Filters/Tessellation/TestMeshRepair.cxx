@@ -11,7 +11,7 @@ constexpr int Count = 12;
 constexpr double First = 2.0;
 constexpr double Growth = 1.4;
 
-/// Triangles at vertex 0 are turned over and err the more the farther their other corners are from each
+/// Triangles at vertex 0 are inverted and err the more the farther their other corners are from each
 /// other.
 bool IsAtCenter(const Corners& t)
 {
@@ -58,7 +58,7 @@ int TestMeshRepair(int, char*[])
     whole += sm::Orient({ 0, 0 }, points[i], points[(i + 1) % Count]);
   }
   CheckEqual("area", whole, area);
-  CheckRange("triangles that are left turned over", 1.0, static_cast<double>(left), 9.0, "of 10");
+  CheckRange("triangles that are left inverted", 1.0, static_cast<double>(left), 9.0, "of 10");
   CheckRange(
     "largest deviation", First, largest, 1.5 * First, "half as much again as before, whatever is repaired");
   return Finish();

@@ -93,8 +93,8 @@ sm::NURBSSurface MakeUneven(std::mt19937& random, int degree)
   return s;
 }
 
-/// The least and the largest ratio of the distance and its bound over random triangles of about `width`.
-void CheckTriangles(const std::string& what, const sm::NURBSSurface& surface, double width, double least)
+/// The smallest and the largest ratio of the distance and its bound over random triangles of about `width`.
+void CheckTriangles(const std::string& what, const sm::NURBSSurface& surface, double width, double minimum)
 {
   sm::ParameterBox domain{ { surface.GetDomainStart(0), surface.GetDomainStart(1) },
     { surface.GetDomainEnd(0), surface.GetDomainEnd(1) } };
@@ -140,7 +140,7 @@ void CheckTriangles(const std::string& what, const sm::NURBSSurface& surface, do
       largest = std::max(largest, FindDistance(walker, surface, p, at[0], at[1]) / bound);
     }
   }
-  CheckRange(what, least, largest, 1.0, "a bound, and no idle one");
+  CheckRange(what, minimum, largest, 1.0, "a bound, and no idle one");
 }
 /// A sharp bend in a span that is a 100,000th of the face: boxes that end in it are charged for it.
 void CheckThinSpan()

@@ -64,13 +64,13 @@ std::int64_t AddPolygon(sm::Triangulation& mesh, const std::vector<sm::GridPoint
 }
 
 /// Around the middle, counter-clockwise, with spikes.
-std::vector<sm::GridPoint> MakeStar(int count, double least, double most, std::mt19937& random)
+std::vector<sm::GridPoint> MakeStar(int count, double minimum, double maximum, std::mt19937& random)
 {
   std::vector<sm::GridPoint> star;
   for (int i = 0; i < count; ++i)
   {
     const double angle = 2.0 * std::acos(-1.0) * i / count;
-    const double radius = std::uniform_real_distribution<double>(least, most)(random);
+    const double radius = std::uniform_real_distribution<double>(minimum, maximum)(random);
     star.push_back(
       { Middle + std::llround(radius * std::cos(angle)), Middle + std::llround(radius * std::sin(angle)) });
   }

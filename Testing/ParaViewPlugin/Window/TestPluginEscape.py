@@ -65,7 +65,8 @@ try:
     deadline = time.monotonic() + 200.0
     tapped = None
     while time.monotonic() < deadline and window.poll() is None and not os.path.exists(task["results"]):
-        # One key press 3 s after the start, repeated every 10 s in case the first came before the filter listened.
+        # One key press 3 s after the start, repeated every 10 s in case the first came before the filter
+        # listened.
         if os.path.exists(task["ready"]) and (tapped is None or time.monotonic() - tapped > 10.0):
             time.sleep(3.0)
             if not os.path.exists(task["stopped"]):

@@ -61,7 +61,8 @@ def weigh(source):
     return status, " ".join(servermanager.Fetch(mass, idx=2).GetValueByName(0, "Text").ToString().split())
 
 
-# A file that is empty or a text is a STEP file by its name: no other reader is asked for, and the view says what is wrong.
+# A file that is empty or a text is a STEP file by its name: no other reader is asked for, and the view says
+# what is wrong.
 for name, content, words in (("empty", "", "it is empty; export it again"), ("letter", "Dear reader,\n" * 40, "it is not a STEP file")):
     path = os.path.join(output, f"PluginInputs_{name}.step")
     with open(path, "w", encoding="utf-8") as file:

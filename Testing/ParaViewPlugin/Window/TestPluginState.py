@@ -66,7 +66,8 @@ check_true("a state in Python has the rules of materials, not the table", "Mater
 del reader, shown
 for state in states:
     what = os.path.splitext(state)[1][1:]
-    # ParaView, without the plugin, too, can crash when a view of an ended session is held until the next one has a view.
+    # ParaView, without the plugin, too, can crash when a view of an ended session is held until the next one
+    # has a view.
     mass = view = masses = views = None
     simple.ResetSession()
     simple.LoadPlugin(plugin, ns=globals())

@@ -192,7 +192,7 @@ plotted, reloaded = read_state("plotted"), read_state("reloaded")
 for proxy in ("STEPReader", "SolidSection", "NURBSDeform", "PlotDataOverTime", "RenderView", "XYChartView|QuartileChartView"):
     check_equal(f"reloaded: as many of {proxy} as were saved", (True, True), tuple(
         bool(re.search(rf'<Proxy group="\w+" type="({proxy})"', state)) for state in (plotted, reloaded)))
-check_true("what was picked is no part of a state", "SelectedText" not in plotted and "(#" not in plotted)
+check_true("what was picked is not part of a state", "SelectedText" not in plotted and "(#" not in plotted)
 check_equal("reloaded: filters", plotted.count('type="MassPropertiesGPU"'), reloaded.count('type="MassPropertiesGPU"'))
 check_equal("reloaded: the rule", ["rail", "Aluminium", "2700"], get_property(reloaded, "MassPropertiesGPU", "Materials"))
 check_true("reloaded: the view shows the part", count("reloaded", is_blue) > 300, str(count("reloaded", is_blue)))

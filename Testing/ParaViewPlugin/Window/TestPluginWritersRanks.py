@@ -30,7 +30,7 @@ def write():
         simple.SaveData(path, proxy=moved)
         name = os.path.basename(path)
         check_true(f"{ranks} ranks: {name}", os.path.getsize(path) > 1000)
-        check_equal("nothing beside it", [name], [each for each in os.listdir(output) if each.startswith(name)])
+        check_equal("nothing next to it", [name], [each for each in os.listdir(output) if each.startswith(name)])
 
 
 def read_lines(path):

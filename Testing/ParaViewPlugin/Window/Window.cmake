@@ -13,7 +13,8 @@ if (SOLIDMOMENTS_PVSERVER AND TARGET SolidMoments::FiltersMomentSchemes)
       "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginProgress.py" "$<TARGET_FILE:SolidMoments>" "${SOLIDMOMENTS_SAMPLE_PART}"
       "${window_assembly}")
 endif ()
-# A first session, and the pictures of it that the user guide shows. Its events count the unnamed buttons of ParaView 5.11's tool bar.
+# A first session, and the pictures of it that the user guide shows. Its events count the unnamed buttons of
+# ParaView 5.11's tool bar.
 if (SOLIDMOMENTS_PARAVIEW AND ParaView_VERSION VERSION_GREATER_EQUAL 5.12)
   message(STATUS "PluginWalk was recorded with the buttons of ParaView 5.11: the test is left out")
 elseif (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersSection AND TARGET SolidMoments::FiltersNURBSEdit)

@@ -1,10 +1,11 @@
 #!/bin/sh
-# screenshots.sh BUILD FOLDER: pictures of ParaView's window with the plugin, made on a virtual display and written to FOLDER:
-# window_main.png (a part and its mass properties), window_table.png (an assembly, rows of its table selected), window_parts.png (its parts list),
-# window_volume.png (its solids coloured by volume), window_flagged.png (an open solid), window_materials.png (the table of materials in the panel,
-# and labels). With a scene (main, table, parts, volume, flagged, materials) and a
-# STEP file: one picture of that file. Needs paraview, xvfb-run, xdotool and ImageMagick's import; BUILD has the plugin and
-# make_paper_parts. Look at the pictures: nothing here judges them.
+# screenshots.sh BUILD FOLDER: pictures of ParaView's window with the plugin, made on a virtual display and
+# written to FOLDER: window_main.png (a part and its mass properties), window_table.png (an assembly, rows of
+# its table selected), window_parts.png (its parts list), window_volume.png (its solids coloured by volume),
+# window_flagged.png (an open solid), window_materials.png (the table of materials in the panel, and labels).
+# With a scene (main, table, parts, volume, flagged, materials) and a STEP file: one picture of that file.
+# Needs paraview, xvfb-run, xdotool and ImageMagick's import; BUILD has the plugin and make_paper_parts. Look
+# at the pictures: nothing here judges them.
 set -eu
 if [ "$#" -ne 2 ] && [ "$#" -ne 4 ]; then
   echo "usage: screenshots.sh BUILD FOLDER [SCENE FILE.step]" >&2

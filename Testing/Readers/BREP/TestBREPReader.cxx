@@ -209,17 +209,17 @@ void CheckFaces()
   vtkNew<vtkBREPReader> reader;
   reader->SetFileName(WriteText("brep_beside.brep", Join({ MakePlate(), face })).c_str());
   reader->Update();
-  CheckEqual("a face beside a solid: bodies", 1, reader->GetNumberOfBodies());
+  CheckEqual("a face outside a solid: bodies", 1, reader->GetNumberOfBodies());
   CheckEqual("free faces", 1, reader->GetNumberOfFreeFaces());
   CheckEqual("and a message",
-    "1 face lies in the file beside its solids; it belongs to no body and is left out.",
+    "1 face of the file lies outside its solids; it belongs to no body and is left out.",
     reader->GetMessage(0));
   CheckEqual("its result", "ok", Weigh(reader->GetOutput(), 1e-11).Status);
   const TopoDS_Shape shell = TopExp_Explorer(MakePlate(), TopAbs_SHELL).Current();
   reader->SetFileName(
     WriteText("brep_shell.brep", Join({ BRepPrimAPI_MakeSphere(4.0).Shape(), shell })).c_str());
   reader->Update();
-  CheckEqual("a closed shell beside a solid: bodies", 1, reader->GetNumberOfBodies());
+  CheckEqual("a closed shell outside a solid: bodies", 1, reader->GetNumberOfBodies());
   CheckEqual("makes the result", "suspect", Weigh(reader->GetOutput(), 1e-11).Status);
   reader->SetFileName(WriteText("brep_faces.brep", Join({ face, face.Located(Move(7.0)) })).c_str());
   reader->Update();

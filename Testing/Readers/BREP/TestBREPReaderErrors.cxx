@@ -1,5 +1,5 @@
-// TestBREPReaderErrors OUTPUT: what is no BREP file, or a part of one, is an error that says so; damage ends
-// no process that isolates it.
+// TestBREPReaderErrors OUTPUT: what is not a BREP file, or a part of one, is an error that says so; damage
+// ends no process that isolates it.
 #include "smMessageTrap.h"
 #include "smTesting.h"
 

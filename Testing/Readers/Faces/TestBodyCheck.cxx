@@ -30,11 +30,11 @@ struct TestBody
     this->Statements[face].Uses.push_back({ edge, isForward, isArc });
     this->Statements[face].EdgeLoops = 1;
   }
-  void Turn(std::size_t face) { this->Faces[face].Finding.Verdict = sm::FaceVerdict::Turned; }
+  void Turn(std::size_t face) { this->Faces[face].Finding.Verdict = sm::FaceVerdict::Reversed; }
 };
 
 void CheckFound(const std::string& what, const TestBody& body, bool isInsideOut, std::size_t count,
-  Type kind = Type::Turned, std::size_t face = 0)
+  Type kind = Type::Reversed, std::size_t face = 0)
 {
   const std::vector<sm::BodyContradiction> found = sm::FindContradictions(body.Faces, isInsideOut);
   smtest::CheckEqual(what, static_cast<long long>(count), static_cast<long long>(found.size()));
@@ -58,9 +58,9 @@ TestBody MakeCap(bool isCapForward, bool isDiscForward)
 void TestCaps()
 {
   CheckFound("a sound cap", MakeCap(true, false), false, 0);
-  TestBody turned = MakeCap(false, false);
-  turned.Turn(0);
-  CheckFound("a turned cap", turned, false, 1, Type::Turned);
+  TestBody reversed = MakeCap(false, false);
+  reversed.Turn(0);
+  CheckFound("a reversed cap", reversed, false, 1, Type::Reversed);
   CheckFound("a cap by the letter", MakeCap(false, false), false, 1, Type::SameDirection);
   // A surface that is closed, which the file does not say.
   TestBody egg = MakeCap(false, false);
@@ -77,7 +77,7 @@ void TestCaps()
   smtest::CheckEqual("  both faces are asked for once", 2LL, static_cast<long long>(calls));
   TestBody plane = MakeCap(true, true);
   plane.Turn(1);
-  CheckFound("a turned plane beside a cap", plane, false, 0);
+  CheckFound("a reversed plane next to a cap", plane, false, 0);
   CheckFound("a rest that is inside out", MakeCap(true, false), true, 1, Type::InsideOut);
   TestBody box(2);
   box.Use(0, 1, true);
@@ -130,7 +130,7 @@ void TestExtents()
   CheckFound("a sliver without triangles", sliver, false, 0);
 }
 
-/// A segment of a disc, and another one beside it at the same arc. The arc is a sixth of the circle, or five
+/// A segment of a disc, and another one next to it at the same arc. The arc is a sixth of the circle, or five
 /// sixths.
 TestBody MakeSegments(double stated, double whole)
 {
@@ -154,7 +154,7 @@ void TestArcs()
   CheckFound("arcs that run backwards", MakeSegments(12.2, 12.6), false, 2, Type::Backwards);
   TestBody half = MakeSegments(12.2, 12.6);
   half.Faces[1].Finding.Verdict = sm::FaceVerdict::Agrees;
-  CheckFound("one of two faces is turned", half, false, 0);
+  CheckFound("one of two faces is reversed", half, false, 0);
   CheckFound("rounded corners", MakeSegments(100.0, 12.6), false, 0);
   // Both halves of a circle are the same circle when they are exchanged.
   CheckFound("a disc in two halves", MakeSegments(12.6, 25.2), false, 0);

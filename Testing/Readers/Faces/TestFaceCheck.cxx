@@ -178,10 +178,10 @@ void TestCylinder()
   CheckVerdict("lateral face", sm::FaceVerdict::Agrees, finding);
   smtest::Check("its moments", 0.0, finding.MomentDifference, 1e-5, "five points for each quarter");
 
-  sm::FaceStatement turned = statement;
-  turned.IsForward = false;
-  CheckVerdict("with the other sense", sm::FaceVerdict::Turned, Check(whole, turned));
-  CheckVerdict("with its loop turned", sm::FaceVerdict::Turned,
+  sm::FaceStatement reversed = statement;
+  reversed.IsForward = false;
+  CheckVerdict("with the other sense", sm::FaceVerdict::Reversed, Check(whole, reversed));
+  CheckVerdict("with its loop reversed", sm::FaceVerdict::Reversed,
     Check(MakeFace(surface, { { 0, 1 }, { 4, 1 }, { 4, 0 }, { 0, 0 } }), statement));
   sm::FaceStatement unknown = statement;
   unknown.IsKnown = false;
@@ -276,7 +276,7 @@ void TestSphere()
   CheckVerdict("cap", sm::FaceVerdict::Agrees,
     Check(MakeFace(surface, { { 0, 1.5 }, { 4, 1.5 }, { 4, 2 }, { 0, 2 } }), cap));
   const sm::FaceFinding rest = Check(MakeFace(surface, { { 0, 0 }, { 4, 0 }, { 4, 1.5 }, { 0, 1.5 } }), cap);
-  CheckVerdict("the rest instead", sm::FaceVerdict::Turned, rest);
+  CheckVerdict("the rest instead", sm::FaceVerdict::Reversed, rest);
   smtest::Check(
     "its vector area", 2.0 * Pi * ring * ring, rest.AreaDifference, 1e-5, "five points for each quarter");
 
@@ -289,7 +289,7 @@ void TestSphere()
   AddLoop(
     caps, { { 0, 0 }, { 4, 0 }, { 4, 0.5 }, { 0, 0.5 } }, { { 0, 0 }, { 4, 0 }, { 4, 0.5 }, { 0, 0.5 } });
   const sm::FaceFinding both = Check(caps, zone);
-  CheckVerdict("two caps instead", sm::FaceVerdict::Turned, both);
+  CheckVerdict("two caps instead", sm::FaceVerdict::Reversed, both);
   smtest::Check("their vector area", 0.0, both.AreaDifference, 1e-5, "it is 0 for both");
 
   sm::FaceStatement nothing;
@@ -365,11 +365,11 @@ void TestPolygons()
     twice, { { 0.25, 0.25 }, { 0.5, 0.25 }, { 0.5, 0.5 } }, { { 0.25, 0.25 }, { 0.5, 0.25 }, { 0.5, 0.5 } });
   CheckVerdict("square with an additional loop", sm::FaceVerdict::Differs, Check(twice, square));
 
-  // A loop that lies beside its edges on the surface is no gap.
+  // A loop that lies off its edges on the surface is not a gap.
   sm::Face narrow;
   narrow.Surface = surface;
   AddLoop(narrow, { { 0, 0 }, { 0.9, 0 }, { 0.9, 1 }, { 0, 1 } }, corners);
-  CheckVerdict("a loop beside its edges", sm::FaceVerdict::Differs, Check(narrow, square));
+  CheckVerdict("a loop off its edges", sm::FaceVerdict::Differs, Check(narrow, square));
   sm::Face broken = face;
   broken.Surface.ControlPoints[0][0] = std::nan("");
   CheckVerdict("numbers that are none", sm::FaceVerdict::Differs, Check(broken, square));

@@ -224,6 +224,27 @@ void TestCurves()
     smtest::Check("parameter of a point", t, sm::FindCurveParameter<Dimension>(*curve, curve->Evaluate(t)),
       1e-9, "the square root of rounding where the speed is small");
   }
+  // A closed curve has its first and its last part near its end.
+  sm::SplineCurve<Dimension> round;
+  round.Basis.Degree = 2;
+  round.Basis.Knots = { -1.0, 0.0, 1.0, 2.0, 3.0, 4.0 };
+  round.Basis.Multiplicities = { 1, 2, 2, 2, 2, 1 };
+  round.Weights = { 1.0, 0.5, 1.0, 0.5, 1.0, 0.5, 1.0 };
+  const double height = 0.5 * std::sqrt(3.0);
+  for (const auto& [x, y] : { std::make_pair(1.0, 0.0), { 1.0, 2.0 * height }, { -0.5, height }, { -2.0, 0.0 },
+         { -0.5, -height }, { 1.0, -2.0 * height }, { 1.0, 0.0 } })
+  {
+    round.Poles.push_back({ x, y });
+  }
+  const auto circle = MakeCurve<Dimension>(round);
+  for (const double angle : { -1.2, -0.3, -0.01, 0.01, 0.3 })
+  {
+    std::array<double, Dimension> p{};
+    p[0] = std::cos(angle);
+    p[1] = std::sin(angle);
+    const double t = sm::FindCurveParameter<Dimension>(*circle, p);
+    smtest::Check("foot on a closed curve", 0.0, GetGap<Dimension>(circle->Evaluate(t), p), 1e-9);
+  }
   // Offsets keep their distance along the normal.
   sm::OffsetCurve<Dimension> offset{ rational, 0.3, {} };
   offset.Reference[Dimension - 1] = 1.0;
@@ -343,9 +364,9 @@ void TestSwept()
   const auto ellipse = MakeCurve<3>(MakeConic<3>(Shape::Ellipse, 2.0, 3.0));
   const auto rational = MakeCurve<3>(MakeSpline<3>(true));
   sm::RevolvedSurface revolved{ rational, {}, { 1.0, 2.0, 0.0 }, sm::Normalized<double>({ 0.2, 0.1, 0.9 }) };
-  const auto turned = MakeSurface(revolved);
-  CheckSlopes("revolved spline", *turned, { { 0.0, 0.1 }, { 6.0, 0.9 } });
-  const Vector3 p = turned->Evaluate(1.1, 0.6);
+  const auto rotated = MakeSurface(revolved);
+  CheckSlopes("revolved spline", *rotated, { { 0.0, 0.1 }, { 6.0, 0.9 } });
+  const Vector3 p = rotated->Evaluate(1.1, 0.6);
   const Vector3 q = rational->Evaluate(0.6);
   const auto getHeight = [&](const Vector3& x)
   { return sm::Dot(sm::Subtract(x, revolved.Origin), revolved.Axis); };
@@ -494,13 +515,13 @@ void TestImagesOfCurves()
       CheckImages<Dimension>(curve, map);
     }
   }
-  // An affine map that is no similarity keeps parameters; an offset has no image.
+  // An affine map that is not a similarity keeps parameters; an offset has no image.
   sm::AffineTransform<Dimension> stretch;
   for (int d = 0; d < Dimension; ++d)
   {
     stretch.Linear[d][d] = d + 0.5;
   }
-  smtest::Check("a stretch is no similarity", 0.0, stretch.GetScale(), 0.0);
+  smtest::Check("a stretch is not a similarity", 0.0, stretch.GetScale(), 0.0);
   for (int i = 0; i < 6; ++i)
   {
     CheckImages<Dimension>(curves[i], stretch);

@@ -95,8 +95,8 @@ void CheckValues()
   CheckTrue("values: real", values[5].GetNumber(number) && number == 1.5e-7);
   CheckTrue("values: sign of a real", values[4].GetNumber(number) && number == 4.0);
   CheckTrue("values: integer", values[3].GetInteger(integer) && integer == -3);
-  CheckTrue("values: a real is no integer", !values[6].GetInteger(integer));
-  CheckTrue("values: a string is no number", !values[8].GetNumber(number));
+  CheckTrue("values: a real is not an integer", !values[6].GetInteger(integer));
+  CheckTrue("values: a string is not a number", !values[8].GetNumber(number));
   CheckEqual("values: name of a type", "LENGTH_MEASURE", std::string(values[14].TypeName));
   CheckEqual("values: own type", "!OWN", std::string(values[17].TypeName));
   CheckEqual(
@@ -104,8 +104,8 @@ void CheckValues()
   CheckTrue("values: beyond the last", sm::GetPart21Value("1,2", 2).Kind == Kind::Malformed);
   sm::Part21Value huge;
   sm::Part21Values numbers("1.E400,99999999999999999999");
-  CheckTrue("values: 1.E400 is no number", numbers.Next(huge) && !huge.GetNumber(number));
-  CheckTrue("values: 20 digits are no integer", numbers.Next(huge) && !huge.GetInteger(integer));
+  CheckTrue("values: 1.E400 is not a number", numbers.Next(huge) && !huge.GetNumber(number));
+  CheckTrue("values: 20 digits are not integer", numbers.Next(huge) && !huge.GetInteger(integer));
   for (const char* text : { "1 2", ",", "1,", "nan", ".T", "'a", "(1", "#", "--1", "1.E", "\"1", "<a" })
   {
     sm::Part21Values broken(text);
@@ -439,6 +439,15 @@ void CheckEncodings()
   CheckEqual("overlong, three bytes", "\xc3\xa0\xc2\x80\xc2\xaf", sm::ToUTF8("\xe0\x80\xaf"));
   CheckEqual("surrogate", "\xc3\xad\xc2\xa0\xc2\x80", sm::ToUTF8("\xed\xa0\x80"));
   CheckEqual("beyond", "\xc3\xb4\xc2\x90\xc2\x80\xc2\x80", sm::ToUTF8("\xf4\x90\x80\x80"));
+  // Escapes of strings.
+  CheckEqual("apostrophe and backslash", "it's \\", sm::DecodePart21Text("it''s \\\\"));
+  CheckEqual("8 bits", umlaut, sm::DecodePart21Text("Geh\\X\\E4use"));
+  CheckEqual("page", umlaut, sm::DecodePart21Text("Geh\\S\\duse"));
+  CheckEqual("16 bits", "\xc5\xa1\xe2\x82\xac!", sm::DecodePart21Text("\\X2\\016120AC\\X0\\!"));
+  CheckEqual("a pair", "\xf0\x9f\x94\xa9", sm::DecodePart21Text("\\X2\\D83DDD29\\X0\\"));
+  CheckEqual("32 bits", "\xf0\x9f\x94\xa9", sm::DecodePart21Text("\\X4\\0001F529\\X0\\"));
+  CheckEqual("half a pair", "\xef\xbf\xbd", sm::DecodePart21Text("\\X2\\D83D\\X0\\"));
+  CheckEqual("an unfinished escape", "\\X2\\01", sm::DecodePart21Text("\\X2\\01"));
   const sm::Part21File file = Parse("#1=A('Geh\xe4use');\n#2=B('" + umlaut + "');\n");
   CheckEqual("in a file: ISO 8859-1", "'" + umlaut + "'", std::string(file.GetParameters(0)));
   CheckEqual("in a file: UTF-8", "'" + umlaut + "'", std::string(file.GetParameters(1)));

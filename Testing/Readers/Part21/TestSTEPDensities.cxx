@@ -83,7 +83,7 @@ void CheckProperties()
   CheckBall("the recommended one goes first", 2700.0,
     StateDensity(100, "1000.", kilograms, metres, "#44", "'Density',''") +
       StateDensity(110, "2700.", kilograms, metres, "#44"));
-  CheckBall("a material property that is no density", 0.0,
+  CheckBall("a material property that is not a density", 0.0,
     StateDensity(100, "7.", "#80,1.", "#82,-2.", "#44", "'material property','x'"));
   CheckBall("of another entity", 0.0, StateDensity(100, "7850.", kilograms, metres, "#31"));
   CheckBall("none", 0.0, "");
@@ -136,7 +136,7 @@ void CheckSeveral()
   CheckEqual("of lower rank is not used", 7850.0, recommended.Density);
   CheckEqual("  and said", " #113 states 1000 kg/m^3 and is not used.", recommended.Others);
   const sm::STEPDensity negative = take(steel + StateDensity(110, "-5.", "#80,1.", "#82,-3.", "#44"));
-  CheckEqual("a negative one beside it", 7850.0, negative.Density);
+  CheckEqual("a negative one next to it", 7850.0, negative.Density);
   CheckEqual("  is said", " #113 is not used: it is not above 0.", negative.Others);
 }
 

@@ -77,13 +77,13 @@ std::vector<CensusCase> GetBodyCases()
           second),
       Count(2, 2, 2),
       "exact and faceted shapes of one product, which are both counted: 1 (#44 PRODUCT_DEFINITION)" },
-    { "a ball beside it",
+    { "a ball next to it",
       ExtendBall("ball", "ball",
         "#74=SHAPE_REPRESENTATION('',(#75),#6);\n#76=SHAPE_DEFINITION_REPRESENTATION(#45,#74);\n"
         "#75=MANIFOLD_SOLID_BREP('',#73);\n" +
           second),
       Count(2, 2, 2), "" },
-    { "a product of a closed shell beside the ball",
+    { "a product of a closed shell next to the ball",
       ExtendBall("ball", "ball",
         second +
           "#74=SHELL_BASED_SURFACE_MODEL('',(#73));\n#75=SHAPE_REPRESENTATION('',(#74),#6);\n"
@@ -91,9 +91,9 @@ std::vector<CensusCase> GetBodyCases()
           "#78=SHAPE_DEFINITION_REPRESENTATION(#77,#75);\n"),
       "solids 1, instances 1, faces 1, surface models 1 with faces 1, other solids 0, occurrences 0, mapped "
       "0",
-      "a product of closed surfaces without a solid, whose volume is not counted beside solids: 1 (#76 "
+      "a product of closed surfaces without a solid, whose volume is not added to that of solids: 1 (#76 "
       "PRODUCT_DEFINITION closed shell #73)" },
-    { "a product of an open shell beside the ball",
+    { "a product of an open shell next to the ball",
       ExtendBall("ball", "ball",
         Replace(second, "CLOSED_SHELL", "OPEN_SHELL") +
           "#74=SHELL_BASED_SURFACE_MODEL('',(#73));\n#75=SHAPE_REPRESENTATION('',(#74),#6);\n"
@@ -166,7 +166,7 @@ std::vector<CensusCase> GetBodyCases()
       "item twice in a representation: 1 (#32 ADVANCED_BREP_SHAPE_REPRESENTATION items #31)" },
     { "an undefined item", ChangeBall("(#23,#31)", "(#23,#31,#99)"), OneBall,
       "undefined reference: 1 (#32 ADVANCED_BREP_SHAPE_REPRESENTATION items #99)" },
-    { "damaged text beside the solid",
+    { "damaged text next to the solid",
       ExtendBall("(#23,#31)", "(#23,#31,#80)", "#80=TEXT_LITERAL('',#99,#81,3);\n#81=X(;\n"), OneBall, "" },
     { "no solid in the representation", ChangeBall("(#23,#31)", "(#23)"), Count(0, 0, 0),
       "used by nothing: 1 (#31 MANIFOLD_SOLID_BREP)" },
@@ -218,14 +218,14 @@ std::vector<CensusCase> GetBodyCases()
     { "a line that leads elsewhere",
       ExtendBall("(#29))", "(#29,#72))", Replace(half, "(1.,0.,0.)", "(1.,0.1,0.)")), Count(1, 1, 2),
       "a curve does not pass through the vertices of its edge: 1 (#81 EDGE_CURVE curve #82)" },
-    { "a line beside its vertices, on a surface",
+    { "a line off its vertices, on a surface",
       ExtendBall("(#29))", "(#29,#72))",
         Replace(half, "#82=LINE('',#83,#85);",
           "#82=SURFACE_CURVE('',#87,(#73),.CURVE_3D.);\n#87=LINE('',#88,#85);"
           "\n#88=CARTESIAN_POINT('',(0.,0.,0.3));")),
       Count(1, 1, 2),
       "a curve does not pass through the vertices of its edge: 1 (#81 EDGE_CURVE curve #87)" },
-    { "a circle beside its vertices",
+    { "a circle off its vertices",
       ExtendBall("(#29))", "(#29,#72))", Replace(half, "#80=CIRCLE('',#23,5.)", "#80=CIRCLE('',#23,5.3)")),
       Count(1, 1, 2),
       "a curve does not pass through the vertices of its edge: 1 (#79 EDGE_CURVE curve #80)" },
@@ -245,7 +245,7 @@ std::vector<CensusCase> GetBodyCases()
     { "an ellipse through its vertices",
       ExtendBall("(#29))", "(#29,#72))", Replace(half, "#80=CIRCLE('',#23,5.)", "#80=ELLIPSE('',#23,5.,2.)")),
       Count(1, 1, 2), "" },
-    { "an ellipse beside its vertices",
+    { "an ellipse off its vertices",
       ExtendBall("(#29))", "(#29,#72))", Replace(half, "#80=CIRCLE('',#23,5.)", "#80=ELLIPSE('',#23,2.,5.)")),
       Count(1, 1, 2),
       "a curve does not pass through the vertices of its edge: 1 (#79 EDGE_CURVE curve #80)" },

@@ -46,7 +46,7 @@ void DescribeBodies(const sm::STEPCensus& census, std::ostream& text)
   {
     text << GetName(body.Kind) << " #" << body.Id << " " << body.Type << " '" << body.Name << "' x"
          << GetText(body.Instances) << ", faces " << body.Faces << (body.Damaged ? ", damaged" : "")
-         << (body.Alternative ? ", beside exact faces" : "") << "\n";
+         << (body.Alternative ? ", next to exact faces" : "") << "\n";
     for (std::uint32_t k = 0; k < body.NumberOfShells; ++k)
     {
       const sm::CensusShellUse& use = census.ShellUses[body.FirstShell + k];

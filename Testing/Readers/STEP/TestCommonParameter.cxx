@@ -110,14 +110,14 @@ void CheckCase(const Case& c)
   CheckTrue("it lagged", lagging.Lag > 1e-3);
   const sm::Step step = sm::MeasureStep(surface, trim, edge);
   const double offset = std::hypot(c.Offset[0], c.Offset[1], c.Offset[2]);
-  // The ends of an edge beside the face keep what the offset has along the edge, and the middle some of that.
+  // The ends of an edge off the face keep what the offset has along the edge, and the middle some of that.
   CheckRange("the lag that is left", 0.0, step.Lag, 2e-12 + offset);
   CheckRange("the gap", 0.0, step.Gap, 2e-12 + 1.01 * offset);
   CheckTrue(
     "the ends", trim.GetStartPoint() == before.GetStartPoint() && trim.GetEndPoint() == before.GetEndPoint());
   CheckTrue("the range", trim.GetStart() == 0.0 && trim.GetEnd() == 1.0);
   CheckRange("the residual", 0.0, trim.GetLargestResidual(), 1e-12, "some tolerances");
-  // Every point of the new curve is one of the old: the area beside it is the same.
+  // Every point of the new curve is one of the old: the area next to it is the same.
   Check("the area", EnclosedArea(before), EnclosedArea(trim), 4e-12,
     "the residual times the length, Simpson's error");
   bool joined = trim.Breaks.size() == static_cast<std::size_t>(trim.GetNumberOfPieces()) + 1;
@@ -167,15 +167,15 @@ int TestCommonParameter(int, char*[])
   CheckCase({ "a slanted line, late", slanted, late, none, sm::StepResult::Restored });
   CheckCase({ "a bent curve, late", bent, late, none, sm::StepResult::Restored });
   CheckCase({ "a bent curve, early and late", bent, swaying, none, sm::StepResult::Restored });
-  CheckCase({ "an edge beside its face", bent, swaying, { 0.0, 1e-6, -2e-6 }, sm::StepResult::Restored });
+  CheckCase({ "an edge off its face", bent, swaying, { 0.0, 1e-6, -2e-6 }, sm::StepResult::Restored });
   CheckCase({ "in step", bent, same, none, sm::StepResult::InStep });
-  CheckCase({ "a gap is no lag", bent, same, { 0.0, 1e-3, -2e-3 }, sm::StepResult::InStep });
+  CheckCase({ "a gap is not a lag", bent, same, { 0.0, 1e-3, -2e-3 }, sm::StepResult::InStep });
   CheckCase({ "an edge that runs back", bent, turning, none, sm::StepResult::Failed });
   CheckCase({ "an edge that starts elsewhere", line, [](double t) { return 0.1 + 0.9 * t; }, none,
     sm::StepResult::Failed });
   for (const bool isPerPiece : { false, true })
   {
-    CheckResidual("a slanted line beside its edge", 1e-3, isPerPiece);
+    CheckResidual("a slanted line off its edge", 1e-3, isPerPiece);
     CheckResidual("a slanted line on its edge", 0.0, isPerPiece);
   }
   return smtest::Finish();

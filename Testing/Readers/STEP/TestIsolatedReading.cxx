@@ -31,7 +31,7 @@ void CheckNoProcessIsLeft(const std::string& what)
   CheckTrue(what + ": no process is left", waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD);
 }
 
-/// Everything that the reader puts out, but for the times.
+/// Everything that the reader puts out, except for the times.
 std::vector<char> GetOutput(vtkSTEPReader* reader)
 {
   std::vector<char> bytes = reader->PackOutput();
@@ -142,7 +142,7 @@ void CheckEnds(const std::string& path)
   CheckEqual("instances", 1, reader->GetNumberOfInstances());
 }
 
-/// Without the program beside its library the reader reads here, and says so.
+/// Without the program next to its library the reader reads here, and says so.
 int CheckLonely(const std::string& path)
 {
   vtkNew<vtkSTEPReader> reader;

@@ -171,7 +171,7 @@ void CheckFarTrims()
     bool isTold = false;
     for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
     {
-      isTold = isTold || std::string(reader->GetMessage(i)).find("beside its curve") != std::string::npos;
+      isTold = isTold || std::string(reader->GetMessage(i)).find("from its curve") != std::string::npos;
     }
     CheckEqual("a trim curve at " + std::to_string(beyond), beyond == latitude + 0.1, isTold);
   }

@@ -184,7 +184,7 @@ void CheckExact(const std::string& name, const std::string& content, double volu
   CheckRange("  its bound", 0.0, reading.Bound / volume, 1e-9);
   // OpenCASCADE's repair takes the part inside the loop.
   CheckTrue("  a repair is in doubt",
-    Mentions(JudgeText(content, vtkSTEPReader::ALWAYS), "the part outside its loops is meant"));
+    Mentions(JudgeText(content, vtkSTEPReader::ALWAYS), "selects the part of its surface outside them"));
 }
 
 /// A ball of radius 1 without the part beyond the plane x = -0.95 or 0.7, whose circle has no pole of the
@@ -299,15 +299,15 @@ void CheckTurnedFlags()
   const double volume = 4.0 / 3.0 * HalfTurn - HalfTurn * 0.09 * 2.7 / 3.0;
   const Verdict bound = JudgeText(TurnFlag(ball, "FACE_BOUND", 0));
   CheckTrue(
-    "the bound of the sphere turned", Mentions(bound, "is a part of a closed surface"), bound.Messages);
+    "the bound of the sphere reversed", Mentions(bound, "is a part of a closed surface"), bound.Messages);
   CheckTrue("  both volumes", Mentions(bound, "about 3.9") && Mentions(bound, "about 0.25"), bound.Messages);
   const Verdict sense = JudgeText(TurnFlag(ball, "ADVANCED_FACE", 0));
   CheckTrue(
-    "the sense of the sphere turned", Mentions(sense, "is a part of a closed surface"), sense.Messages);
+    "the sense of the sphere reversed", Mentions(sense, "is a part of a closed surface"), sense.Messages);
   CheckTrue("  both volumes", Mentions(sense, "about 3.9") && Mentions(sense, "about 0.25"), sense.Messages);
   const Verdict plane = JudgeText(TurnFlag(ball, "FACE_BOUND", 1));
   // Only one reading is possible, but OpenCASCADE's repair takes the other part of the sphere.
-  CheckTrue("the bound of the plane turned",
+  CheckTrue("the bound of the plane reversed",
     Mentions(plane, "is a part of a closed surface") || std::abs(plane.Volume - volume) <= 1e-9,
     plane.Messages);
   const Verdict sound = JudgeText(ball);
@@ -372,7 +372,7 @@ void CheckCones()
   Check("  volume", volume, sound.Volume, sound.Bound + 1e-14 * volume);
   const Verdict far = JudgeText(MakeCone(4.1));
   CheckTrue(
-    "a vertex beside the apex", Mentions(far, "is 0.1 mm away from the apex of its cone #"), far.Messages);
+    "a vertex next to the apex", Mentions(far, "is 0.1 mm away from the apex of its cone #"), far.Messages);
   const std::regex unit(",#900002(?=,#900003\\)\\))");
   CheckTrue("there is a unit of angles", std::regex_search(cone, unit));
   const Verdict unstated = JudgeText(std::regex_replace(cone, unit, ""));
@@ -410,12 +410,12 @@ void CheckFoldedFace()
   const Verdict good = JudgeText(text);
   CheckEqual("a rounded sector: no messages", "", good.Messages);
   const Verdict folded = JudgeText(wrong);
-  CheckTrue("its torus with the wrong sense", Mentions(folded, "the sense contradicts its neighbours"),
-    folded.Messages);
+  CheckTrue("its torus with the wrong sense",
+    Mentions(folded, "contradicts its neighbours: the face folds back"), folded.Messages);
   CheckTrue("  is repaired", Mentions(folded, "its outer loop runs the wrong way"));
   const Verdict repaired = JudgeText(wrong, vtkSTEPReader::ALWAYS);
-  CheckTrue("  said where all is repaired", Mentions(repaired, "the part outside its loops is meant"),
-    repaired.Messages);
+  CheckTrue("  said where all is repaired",
+    Mentions(repaired, "selects the part of its surface outside them"), repaired.Messages);
   CheckEqual("  a sound sector is not accused", "", JudgeText(text, vtkSTEPReader::ALWAYS).Messages);
   CheckRange("  volume", 0.0, std::abs(folded.Volume - good.Volume) / good.Volume, 1e-6);
 }

@@ -109,7 +109,7 @@ void TestParts()
   CheckPart("a trimmed circle against its basis", s.Get(42), QuarterTurn, { root, root, 0.0 }, false);
   CheckPart("an open polyline whose sense contradicts it", s.Get(43), 2.0, { 0.0, 2.0, 0.0 }, false, true);
   CheckTrue("a curve that is missing", !s.Get(44) && s.Ledger.Rows.back().Id == 44);
-  Check("vertices beside the circle: gap", 2.0, s.Get(45) ? s.Get(45)->Gap : 0.0, EdgeRounding);
+  Check("vertices off the circle: gap", 2.0, s.Get(45) ? s.Get(45)->Gap : 0.0, EdgeRounding);
   CheckTrue("no edge", !s.Get(21) && s.Ledger.Rows.back().Id == 21);
   CheckEqual("converted edges", 13, static_cast<long long>(s.Ledger.Converted["EDGE_CURVE"]));
 }

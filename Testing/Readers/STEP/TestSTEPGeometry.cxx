@@ -134,7 +134,7 @@ void TestCurves()
   CheckEqual("trimmed curves", 4, static_cast<long long>(s.Ledger.Converted["TRIMMED_CURVE"]));
 }
 
-/// A cubic of four control points is the same in all forms of splines without own knots, but for its
+/// A cubic of four control points is the same in all forms of splines without own knots, except for its
 /// parameter.
 void TestSplines()
 {

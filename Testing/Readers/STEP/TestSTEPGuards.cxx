@@ -58,7 +58,7 @@ void CheckRefused(const std::string& name, const std::string& text, const std::s
 void CheckUnused(const std::string& entity, const std::string& said = "")
 {
   const Reading reading = ReadText(GetBallText() + GetAssemblyText() + entity + "\n");
-  CheckEqual("beside the ball: " + entity, "ok", reading.Status);
+  CheckEqual("next to the ball: " + entity, "ok", reading.Status);
   CheckEqual("  bodies", 1, reading.Bodies);
   CheckTrue("  said", said.empty() ? reading.Said.empty() : reading.Said.find(said) != std::string::npos,
     reading.Said);
@@ -75,7 +75,7 @@ void CheckLists()
   }
   const std::string ball = GetBallText() + GetAssemblyText();
   CheckEqual(
-    "strings are no lists", "ok", ReadText(Replace(ball, "DIRECTION('',(0.", "DIRECTION('()',(0.")).Status);
+    "strings are not lists", "ok", ReadText(Replace(ball, "DIRECTION('',(0.", "DIRECTION('()',(0.")).Status);
   const Reading brief = ReadText(Replace(ball, "DIRECTION('',(0.,0.,1.))", "DIRECTION('',(1.))"));
   CheckTrue("a direction with one number",
     brief.Said.find("#21 of the file: value out of range (number of coordinates)") != std::string::npos,
@@ -83,7 +83,7 @@ void CheckLists()
   const std::string brackets(1000, '(');
   CheckUnused("#90=DIRECTION('" + brackets + "',(1.,0.,0.));");
   const Reading named = ReadText(Replace(ball, "DIRECTION('',(0.", "DIRECTION('" + brackets + "',(0."));
-  CheckEqual("brackets in a string are no lists", "ok", named.Status);
+  CheckEqual("brackets in a string are not lists", "ok", named.Status);
   CheckEqual("  said", "", named.Said);
 }
 

@@ -238,14 +238,14 @@ void CheckDeflection()
     CheckEqual("a deflection that is none is the default", 0.001, reader->GetLinearDeflection());
   }
   reader->SetLinearDeflection(1e-20);
-  CheckEqual("the least deflection", 1e-7, reader->GetLinearDeflection());
+  CheckEqual("the smallest deflection", 1e-7, reader->GetLinearDeflection());
   reader->SetAngularDeflection(0.0);
-  CheckEqual("the least angle", 0.01, reader->GetAngularDeflection());
+  CheckEqual("the smallest angle", 0.01, reader->GetAngularDeflection());
   reader->SetAngularDeflection(10.0);
   CheckEqual("the largest angle", 3.0, reader->GetAngularDeflection());
   reader->SetAngularDeflection(std::numeric_limits<double>::quiet_NaN());
   CheckEqual("an angle that is none is the default", 0.35, reader->GetAngularDeflection());
-  CheckEqual("the mesher's least deflection", 1e-5 * 200.0, sm::LimitDeflection(1e-9, 200.0));
+  CheckEqual("the mesher's smallest deflection", 1e-5 * 200.0, sm::LimitDeflection(1e-9, 200.0));
 }
 
 /// Lengths near the kernel's precision: the mesher must come back.
@@ -284,7 +284,7 @@ void CheckCommas(const std::string& text)
     std::exit(Skipped);
   }
   CheckEqual("the locale's decimal point", ",", std::localeconv()->decimal_point);
-  // The first vertex moves by 0.25 mm: edges end beside it.
+  // The first vertex moves by 0.25 mm: edges end away from it.
   const std::regex vertex("VERTEX_POINT\\('',(#[0-9]+)\\)");
   std::smatch found;
   CheckTrue("a vertex to move", std::regex_search(text, found, vertex));

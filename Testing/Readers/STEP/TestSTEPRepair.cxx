@@ -31,25 +31,9 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> ReadAsItIs(const std::string& p
   return reader->GetStatus() == vtkSTEPReader::OK ? reader->GetOutput() : nullptr;
 }
 
-/// Returns true if the loop of a torus runs against the loop of its curves in (u,v). The loop is two seams,
-/// each there and back, and all ends are one vertex: only the direction of its second edge tells.
-/// OpenCASCADE 7.6 models every torus so, 7.8 the mirrored one.
-bool HasTurnedLoop(const std::string& path)
-{
-  std::ifstream file(path);
-  const std::string text{ std::istreambuf_iterator<char>(file), {} };
-  std::smatch loop;
-  std::smatch edge;
-  return std::regex_search(text, loop, std::regex(R"(EDGE_LOOP\('',\(#\d+,(#\d+),)")) &&
-    std::regex_search(
-      text, edge, std::regex("\n" + loop[1].str() + R"( = ORIENTED_EDGE\('',\*,\*,#\d+,\.(.)\.\))")) &&
-    edge[1] == "T";
-}
-
 void CheckSolid(const Expected& expected)
 {
   const std::string name = expected.Solid + "-" + expected.Variant;
-  const bool isUnsound = expected.Solid == "torus" && HasTurnedLoop(expected.Path);
   std::string repaired;
   const auto data = ReadAsItIs(expected.Path, repaired);
   CheckTrue(name + ": read", data != nullptr);
@@ -57,7 +41,7 @@ void CheckSolid(const Expected& expected)
   {
     return;
   }
-  CheckEqual(name + ": repaired", isUnsound, !repaired.empty());
+  CheckEqual(name + ": repaired", std::string(), repaired);
   const Properties p = Weigh(data, 1e-9);
   // Digits far from the origin cost more than the tolerance in some solids.
   CheckTrue(name + ": status",

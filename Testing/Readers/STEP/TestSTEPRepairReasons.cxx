@@ -1,6 +1,6 @@
-// TestSTEPRepairReasons FOLDER: trim curves beside their edges are a reason for a repair; a torus with a
+// TestSTEPRepairReasons FOLDER: trim curves off their edges are a reason for a repair; a torus with a
 // negative radius, a pole on an edge, edges that run against both their loops and shells that are not
-// connected are none, and these are parted all the same. One face that lies beside its edges is repaired by
+// connected are none, and these are parted all the same. One face that lies off its edges is repaired by
 // itself. FOLDER takes the file.
 #include "smIntegralNames.h"
 #include "smOCCTRepair.h"
@@ -120,14 +120,14 @@ void CheckTrimReasons()
     SetTrim(solid, pole, bump);
     faces.clear();
     CheckEqual(
-      name, isSound ? "" : "face: an edge lies beside it", sm::FindShapeDamage(solid, label, faces).Problem);
+      name, isSound ? "" : "face: an edge lies off it", sm::FindShapeDamage(solid, label, faces).Problem);
     CheckEqual("  faces taken as they are", isSound ? 7 : 0, static_cast<int>(faces.size()));
   };
   check("trim on its edge", 0.5, 0.0, true);
   check("trim on its edge at another speed", 0.3, 0.0, true);
-  check("trim beside its edge by a thousandth of the size", 0.5, -0.1, false);
-  check("trim beside its edge, off the surface's face", 0.5, 0.1, false);
-  check("trim beside its edge by less than gaps may be", 0.5, -0.01, true);
+  check("trim off its edge by a thousandth of the size", 0.5, -0.1, false);
+  check("trim off its edge, off the surface's face", 0.5, 0.1, false);
+  check("trim off its edge by less than gaps may be", 0.5, -0.01, true);
 }
 
 std::vector<TopoDS_Shape> MakeBoxFaces(const gp_Pnt& corner)
@@ -267,7 +267,7 @@ std::string TurnUses(const std::string& text, int count, bool isEverywhere)
 }
 
 /// Edges of a box that run against both their loops are reversed in these; an edge that runs against one of
-/// them only is repaired. Of a bored box whose bore lies beside its edges only this face is repaired.
+/// them only is repaired. In a bored box whose bore lies off its edges only this face is repaired.
 void CheckFaceRepairs()
 {
   const std::string text = WriteEdgesOnly(BRepPrimAPI_MakeBox(40.0, 30.0, 10.0).Solid());
@@ -291,13 +291,13 @@ void CheckFaceRepairs()
   const std::string wide = std::regex_replace(
     WriteEdgesOnly(bored), std::regex("(CYLINDRICAL_SURFACE\\('',#[0-9]+,)5\\."), "$015.02");
   const std::string message = FindMessages(
-    "a bore beside its edges", wide, 7, 12000.0 - 252.004 * vtkMath::Pi(), "repaired by OpenCASCADE");
+    "a bore off its edges", wide, 7, 12000.0 - 252.004 * vtkMath::Pi(), "repaired by OpenCASCADE");
   CheckTrue("  one face", message.find("1 single face of 1 of 1 solids") == 0, message);
 }
 
 /// Half a sphere whose rim passes both poles, or where x leaves the sphere, or both; or near the poles, at a
 /// thirtieth to a thousandth of the radius, where the angle turns so fast that the trim curve needs many
-/// pieces: OpenCASCADE's approximation is beside the edge by some hundredths of the radius there.
+/// pieces: OpenCASCADE's approximation is off the edge by some hundredths of the radius there.
 void CheckPolesOnEdges()
 {
   const std::string text =

@@ -80,7 +80,7 @@ void CheckRevolvedLine(
   const StepText::Point along = { end[0] - start[0], end[1] - start[1], end[2] - start[2] };
   const std::string axis =
     step.Add("AXIS1_PLACEMENT(''," + step.AddPoint({ 0, 0, 7 }) + "," + step.AddDirection({ 0, 0, 1 }) + ")");
-  // The line begins beside its edge.
+  // The line begins off its edge.
   const StepText::Point origin = { start[0] - along[0], start[1] - along[1], start[2] - along[2] };
   const std::string side =
     step.Add("SURFACE_OF_REVOLUTION(''," + AddLine(step, origin, along) + "," + axis + ")");
@@ -142,7 +142,7 @@ void CheckTurnedEdges()
     turned[flag] = turned[flag] == 'T' ? 'F' : 'T';
     const Reading reading = ReadFile(Make("rewrite_turned.step", turned));
     const double other = reading.Result.Total.Volume.Value;
-    CheckTrue("edge " + std::to_string(++edges) + " turned",
+    CheckTrue("edge " + std::to_string(++edges) + " reversed",
       reading.Result.Total.Status != "ok" || std::abs(other - volume) < 1e-9, std::to_string(other));
   }
   CheckTrue("all edges", edges > 15);

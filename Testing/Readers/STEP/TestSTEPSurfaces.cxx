@@ -349,8 +349,8 @@ void CheckFarSurfaces()
   }
 }
 
-/// The end of a range that is a pole but for the file's digits becomes the pole, a row of one point; another
-/// end stays.
+/// The end of a range that is a pole except for the file's digits becomes the pole, a row of one point;
+/// another end stays.
 void CheckPoles()
 {
   const double pi = std::acos(-1.0);

@@ -99,7 +99,7 @@ void CheckErrors(const std::string& folder, const std::string& own)
   mesh->SetInputConnection(sphere->GetOutputPort());
   CheckFails(
     "a mesh", watchedMesh, (own + "/mesh.brep").c_str(), vtkErrorCode::UserError, "no exact geometry");
-  // The placement alone of a copy is of no use: a NaN is no number of a STEP file.
+  // The placement alone of a copy is of no use: a NaN is not a number of a STEP file.
   vtkNew<vtkNURBSDataSet> nowhere;
   nowhere->ShallowCopy(vtkPartitionedDataSetCollection::SafeDownCast(box)->GetPartition(0, 0));
   for (const auto& [row, column, value] :
@@ -179,7 +179,7 @@ void CheckTargets(const std::string& folder, const std::string& own)
   const std::string path = own + "/box.step";
   fs::create_symlink("nowhere", path + ".saving0");
   step->SetFileName(path.c_str());
-  CheckEqual("beside a link that leads nowhere", 1, step->Write());
+  CheckEqual("next to a link that leads nowhere", 1, step->Write());
   CheckTrue("which stays", fs::is_symlink(path + ".saving0") && !fs::exists(own + "/nowhere"));
   CheckEqual("nothing else was left behind", 5, CountFiles(own));
 }

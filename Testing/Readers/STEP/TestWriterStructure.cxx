@@ -1,5 +1,5 @@
-// TestWriterStructure SOLIDS OUTPUT: what vtkSTEPWriter keeps beside the geometry: assembly, instances,
-// names, colours, materials.
+// TestWriterStructure SOLIDS OUTPUT: what vtkSTEPWriter keeps in addition to the geometry: assembly,
+// instances, names, colours, materials.
 #include "smRoundTrip.h"
 #include "smTestManifest.h"
 #include "smWriterFiles.h"
@@ -225,7 +225,7 @@ void CheckUnits(vtkPartitionedDataSetCollection* box)
     writer->SetOutputUnit(unit);
     CheckEqual(name + " is written", 1, writer->Write());
     const auto after = ReadFile(path);
-    // A factor that is no double, on the way to the file and on the way back.
+    // A factor that is not a double, on the way to the file and on the way back.
     CompareProperties(name, box, after, 2e-14);
     const auto models = GetModels(after);
     CheckEqual(name + ": the file's", unit, models.empty() ? "" : models[0]->GetFileUnit());

@@ -121,7 +121,7 @@ void CheckEdits(const std::string& folder, const std::string& sample)
     const auto saved = Save("deformed", data);
     const Properties p = Weigh(data);
     CheckTrue("deformed: it was", std::fabs(p.Volume / Weigh(reader->GetOutput()).Volume - 1.0) > 1e-4);
-    // The lattice leaves faces beside their edges, which OpenCASCADE's reading then approximates again within
+    // The lattice leaves faces off their edges, which OpenCASCADE's reading then approximates again within
     // the gap.
     CompareProperties("deformed", data, saved, 1e-12 + p.GapSquared / p.Volume);
     CheckKernel(Output + "/deformed.brep", "deformed", data, p.Volume, p.Area);

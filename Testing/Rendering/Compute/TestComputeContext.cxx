@@ -32,7 +32,7 @@ void CheckReady(int source, const std::string& name)
   CheckEqual("reason", "", context->GetReason());
   CheckTrue("renderer", !context->GetRenderer().empty(), context->GetRenderer());
   CheckTrue("version", !context->GetVersionString().empty(), context->GetVersionString());
-  // The least that OpenGL 4.3 guarantees.
+  // The minimum that OpenGL 4.3 guarantees.
   CheckTrue("block size", context->GetMaximumStorageBlockSize() >= 1 << 24);
   CheckTrue("groups", context->GetMaximumWorkGroupCount() >= 65535);
   CheckTrue("not current outside a scope", !context->GetRenderWindow()->IsCurrent());
@@ -108,7 +108,7 @@ void TestDisplay()
   CheckTrue("Start() leaves it as it was", !window->IsCurrent());
   CheckComputes("computes in the window", context);
   context->SetSource(vtkComputeContext::EGL);
-  CheckEqual("EGL beside it", vtkComputeContext::READY, context->Start());
+  CheckEqual("EGL next to it", vtkComputeContext::READY, context->Start());
   CheckEqual("source", "egl", context->GetSourceName());
 }
 

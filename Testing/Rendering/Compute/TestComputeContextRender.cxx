@@ -247,7 +247,7 @@ int TestComputeContextRender(int argc, char* argv[])
     // EGL draws what the window draws, also while a window's context is current.
     Scene surfaceless(false);
     vtkSmartPointer<vtkImageData> image = surfaceless.Render();
-    // One driver, two framebuffer configurations: equal but for rounding.
+    // One driver, two framebuffer configurations: equal except for rounding.
     CheckRange("EGL differs by", 0.0, GetMaximumDifference(reference, image), display ? 2.0 : 0.0);
     surfaceless.Window->SetSize(150, 100);
     image = surfaceless.Render();

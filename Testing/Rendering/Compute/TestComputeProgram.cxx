@@ -47,7 +47,7 @@ void TestUniformsAndDispatch(vtkComputeContext* context)
   CheckContains("both sizes", program.GetError(), "64");
   const auto dispatches = context->GetNumberOfDispatches();
   CheckTrue("nothing to do", program.Dispatch(0, 64));
-  CheckTrue("is no dispatch", context->GetNumberOfDispatches() == dispatches);
+  CheckTrue("is not counted as a dispatch", context->GetNumberOfDispatches() == dispatches);
   CheckTrue("too many invocations", !program.Dispatch(std::numeric_limits<unsigned int>::max(), 64));
 }
 
@@ -55,11 +55,11 @@ void TestManyGroups(vtkComputeContext* context)
 {
   // More groups than one axis has, and a count that does not fill the rectangle.
   const unsigned int limit = static_cast<unsigned int>(context->GetMaximumWorkGroupCount());
-  const unsigned int most = 70001;
+  const unsigned int maximum = 70001;
   std::string detail;
   CheckTrue(
     "one group more than an axis has", limit > 1000000 || Compute(context, limit + 1, 1, detail), detail);
-  const bool computed = Compute(context, most, 1, detail);
+  const bool computed = Compute(context, maximum, 1, detail);
   CheckTrue("70001 groups", computed, detail);
 }
 

@@ -1,4 +1,4 @@
-// Sums, minima and maxima against the CPU; same bits whatever is reduced beside a segment.
+// Sums, minima and maxima against the CPU; same bits whatever is reduced next to a segment.
 #include "smComputeTesting.h"
 #include "smReduction.h"
 

@@ -164,7 +164,7 @@ void CheckSolid(const std::string& folder, const std::string& name, bool hasPole
     const double reach = size + 10.0;
     const Differences between = Compare(byGPU, byCPU);
     Check("positions agree", 0.0, between.Position, 16.0 * Epsilon * reach, "16 eps of the size");
-    Check("normals agree", 0.0, between.Normal, 1e-9, "eps / 1e-6, the least normal");
+    Check("normals agree", 0.0, between.Normal, 1e-9, "eps / 1e-6, the smallest normal");
     int degenerate = 0;
     const Differences against = CompareWithSurface(byGPU, degenerate);
     Check("positions are the surface's", 0.0, against.Position, 64.0 * Epsilon * reach, "blossoming");

@@ -19,8 +19,8 @@ namespace smtest
 Handle(Geom_BSplineSurface) MakeBlockPatch(const RationalBlock& block, int axis, int side);
 
 /// The solid. Trim curves are straight and edges, trims and patches have the same parameters, so nothing has
-/// a gap but for rounding. A surface in `replaced` (index 2 axis + side) stands for the patch; it must have
-/// the same points at the same parameters.
+/// a gap except for rounding. A surface in `replaced` (index 2 axis + side) stands for the patch; it must
+/// have the same points at the same parameters.
 TopoDS_Shape MakeBlockShape(
   const RationalBlock& block, const std::array<Handle(Geom_Surface), 6>& replaced = {});
 }

@@ -56,8 +56,8 @@ struct Variant
   const char* Unit = "MM";
 };
 
-/// plain, nopcurves, moved, turned, digits12 (OCCT's own number format), scaled, large, tiny (1e-3 mm), huge
-/// (1e5 mm), mirrored, reversed, far (1e5 mm), distant (1e5 sizes), inch, and nurbs where it is exact.
+/// plain, nopcurves, moved, `turned`, digits12 (OCCT's own number format), scaled, large, tiny (1e-3 mm),
+/// huge (1e5 mm), mirrored, reversed, far (1e5 mm), distant (1e5 sizes), inch, and nurbs where it is exact.
 std::vector<Variant> GetVariants(const ExactSolid& solid);
 
 /// The shape moved, scaled or mirrored, with its geometry changed (no location).

@@ -167,7 +167,7 @@ Real ClosedSpline::GetLengthMoment(int a) const
 
 ClosedSpline Airfoil(int count)
 {
-  // The circle passes 0.06 beside the critical point, which rounds the trailing edge.
+  // The circle passes 0.06 from the critical point, which rounds the trailing edge.
   const std::complex<double> center(-0.1, 0.08);
   const double radius = std::abs(std::complex<double>(1.0, 0.0) - center) + 0.06;
   std::vector<Point> points;

@@ -1,6 +1,6 @@
 // smMakeSolids OUTDIR: writes every exact solid in every variant to OUTDIR/<solid>-<variant>.step, files for
-// the error tests beside them, comparison.txt with what OCCT's quadrature says, and OUTDIR/manifest.json with
-// the expected values.
+// the error tests next to them, comparison.txt with what OCCT's quadrature says, and OUTDIR/manifest.json
+// with the expected values.
 
 #include "smExactBlocks.h"
 #include "smExactSolids.h"

@@ -89,10 +89,10 @@ std::vector<Point3> MakeNet(Random& random, const int degree[3], double size, bo
 
 void ChooseDegrees(Random& random, int degree[3])
 {
-  const int most = random.Chance(0.05) ? 9 : random.Chance(0.5) ? 3 : 5;
+  const int maximum = random.Chance(0.05) ? 9 : random.Chance(0.5) ? 3 : 5;
   for (int d = 0; d < 3; ++d)
   {
-    degree[d] = random.Integer(1, most);
+    degree[d] = random.Integer(1, maximum);
   }
 }
 
@@ -125,8 +125,8 @@ std::vector<double> MakeMoebius(Random& random, int degree, int budget)
       c = 1.0;
     }
     // Up to about 1e3 from one end to the other.
-    const int most = std::max(1, 9 / degree);
-    c *= std::ldexp(1.0, random.Integer(-most, most) - (c > 1.0 ? 2 : 0));
+    const int maximum = std::max(1, 9 / degree);
+    c *= std::ldexp(1.0, random.Integer(-maximum, maximum) - (c > 1.0 ? 2 : 0));
   }
   std::vector<double> factors(degree + 1, 1.0);
   for (int i = 1; i <= degree; ++i)
@@ -282,7 +282,7 @@ ProfilePiece MakeQuarter(int q, double center, double radius)
   return piece;
 }
 
-/// Polynomial pieces through corners; interior control points at random beside the chord.
+/// Polynomial pieces through corners; interior control points at random next to the chord.
 std::vector<ProfilePiece> MakePolynomialProfile(Random& random, double size, bool fromAxisToAxis)
 {
   const int corners = random.Integer(3, 5);

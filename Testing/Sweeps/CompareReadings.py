@@ -1,11 +1,15 @@
-"""Reads real files as they are and as OpenCASCADE repairs them all (--repair always), and compares the results.
+"""Reads real files in two ways, and compares the results.
 
-    CompareRepairs.py --program SOLIDMOMENTS --folder MODELS [--only ID ...] [--changed ID ...]
+    CompareReadings.py --program SOLIDMOMENTS --folder MODELS [--ways repair|reader] [--only ID ...] [--changed ID ...]
+
+--ways repair (default): as they are, and as OpenCASCADE repairs them all (--repair always). --ways reader: by our reader and by
+OpenCASCADE's (--reader kernel).
 
 What must hold: the same status, solids and faces; volume within both bounds and both squared gaps, area within both bounds and both gap
 areas, centre and inertia within both bounds and the squared gaps at the distance of the body's diagonal, since another trim curve within
-the gap is another way of closing it. The last line counts files whose volumes differ by more than both bounds alone. --changed names files whose status or counts may differ. Prints a row per file: the
-differences relative to what is allowed, seconds of reading, and what is repaired. Exit status 0 when all of this holds.
+the gap is another way of closing it. The last line counts files whose volumes differ by more than both bounds alone, and those whose
+numbers are equal. --changed names files whose status or counts may differ. Prints a row per file: the differences relative to what is
+allowed, seconds of reading, and what is repaired. Exit status 0 when all of this holds.
 """
 import argparse
 import glob
@@ -14,9 +18,11 @@ import os
 import subprocess
 import sys
 
+WAYS = {"repair": (["--repair", "always"], ["--repair", "needed"]), "reader": (["--reader", "kernel"], ["--reader", "direct"])}
 
-def run(program, path, repair):
-    done = subprocess.run([program, "--quiet", "--backend", "cpu", "--repair", repair, "--json", "-", path], stdout=subprocess.PIPE,
+
+def run(program, path, way):
+    done = subprocess.run([program, "--quiet", "--backend", "cpu", *way, "--json", "-", path], stdout=subprocess.PIPE,
                           stderr=subprocess.DEVNULL, universal_newlines=True, errors="replace", timeout=600, check=False)
     return json.loads(done.stdout)["files"][0]
 
@@ -25,9 +31,9 @@ def flatten(value):
     return [x for part in value for x in flatten(part)] if isinstance(value, list) else [value]
 
 
-def compare(always, needed):
+def compare(first, second):
     """Differences of the quantities relative to what is allowed."""
-    one, other = always["total"], needed["total"]
+    one, other = first["total"], second["total"]
     ratios = {}
     for name in ("volume", "area", "center_of_mass", "inertia"):
         if one[name] is None or other[name] is None:
@@ -35,7 +41,7 @@ def compare(always, needed):
             continue
         allowed = sum(total["bounds"][name] or 0.0 for total in (one, other))
         squared = sum(total["gap_squared"] or 0.0 for total in (one, other))
-        diagonal = needed["diagonal"]
+        diagonal = second["diagonal"]
         allowed += {"volume": squared, "area": sum(total["gap_area"] or 0.0 for total in (one, other)),
                     "center_of_mass": squared * diagonal / abs(one["volume"] or 1.0), "inertia": squared * diagonal ** 2}[name]
         difference = max(abs(x - y) for x, y in zip(flatten(one[name]), flatten(other[name])))
@@ -43,9 +49,9 @@ def compare(always, needed):
     return ratios
 
 
-def is_apart(always, needed):
+def is_apart(first, second):
     """True if the intervals of volume and bound have no common point."""
-    totals = (always.get("total") or {}, needed.get("total") or {})
+    totals = (first.get("total") or {}, second.get("total") or {})
     volumes = [total.get("volume") for total in totals]
     bounds = [(total.get("bounds") or {}).get("volume") for total in totals]
     return None not in volumes + bounds and abs(volumes[0] - volumes[1]) > sum(bounds)
@@ -55,13 +61,14 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--program", required=True)
     parser.add_argument("--folder", required=True)
+    parser.add_argument("--ways", choices=list(WAYS), default="repair")
     parser.add_argument("--only", nargs="*")
     parser.add_argument("--changed", nargs="*", default=[])
     options = parser.parse_args()
     names = options.only or sorted(os.path.basename(path)[:-5] for path in glob.glob(os.path.join(options.folder, "*.step")))
-    failures, repaired, apart, seconds = [], 0, 0, [0.0, 0.0]
+    failures, repaired, apart, equal, seconds = [], 0, 0, 0, [0.0, 0.0]
     for name in names:
-        results = [run(options.program, os.path.join(options.folder, name + ".step"), repair) for repair in ("always", "needed")]
+        results = [run(options.program, os.path.join(options.folder, name + ".step"), way) for way in WAYS[options.ways]]
         for i, result in enumerate(results):
             seconds[i] += result["seconds"].get("read") or 0.0
         told = [message for message in results[1]["messages"] if "repaired by OpenCASCADE" in message]
@@ -69,13 +76,15 @@ def main():
         apart += is_apart(*results)
         counts = [(result["status"], len(result.get("solids") or []), result.get("faces")) for result in results]
         if counts[0] != counts[1] and name not in options.changed:
-            failures.append(f"{name}: status, solids and faces {counts[0]} when all is repaired, {counts[1]} otherwise")
+            failures.append(f"{name}: status, solids and faces {counts[0]} with {' '.join(WAYS[options.ways][0])}, {counts[1]} otherwise")
         ratios = compare(*results) if all("total" in result for result in results) else {}
+        equal += bool(ratios) and not any(ratios.values())
         failures += [f"{name}: {key} differs by {ratio:.2g} times what is allowed" for key, ratio in ratios.items() if not ratio <= 1.0]
         print(f"{name:28s}", *(f"{ratio:8.2g}" for ratio in ratios.values()),
               f"{results[0]['seconds'].get('read') or 0:7.2f} {results[1]['seconds'].get('read') or 0:7.2f} s", *told, flush=True)
-    print(f"{len(names)} files, {repaired} with a body that is repaired; reading takes {seconds[1]:.1f} s, {seconds[0]:.1f} s when all is; "
-          f"the volumes of {apart} are apart by more than both bounds, which leave out gaps")
+    print(f"{len(names)} files, {repaired} with a body that is repaired; reading takes {seconds[1]:.1f} s, {seconds[0]:.1f} s with "
+          f"{' '.join(WAYS[options.ways][0])}; the numbers of {equal} are equal, and the volumes of {apart} are apart by more than both "
+          f"bounds, which leave out gaps")
     for failure in failures:
         print("FAIL", failure)
     return 1 if failures or not names else 0

@@ -1,4 +1,4 @@
-#include "smLeastTip.h"
+#include "smMinimumTip.h"
 
 #include "smUnitRoundoff.h"
 
@@ -24,13 +24,13 @@ struct DirectionValue
   double Error;
 };
 
-/// Lowers the enclosure to the least of a function inside a range of directions, of which the ends are
+/// Lowers the enclosure to the minimum of a function inside a range of directions, of which the ends are
 /// included already. `curvature` bounds the second derivative: where the slope at the middle is larger than
-/// it can change by, the least is at an end; elsewhere Taylor's formula bounds the function, which is nowhere
-/// below `floor`.
+/// it can change by, the minimum is at an end; elsewhere Taylor's formula bounds the function, which is
+/// nowhere below `floor`.
 template <typename Function>
 void SearchDirections(
-  double from, double to, double curvature, double floor, const Function& evaluate, double (&least)[2])
+  double from, double to, double curvature, double floor, const Function& evaluate, double (&minimum)[2])
 {
   std::vector<std::pair<double, double>> ranges{ { 0.5 * (from + to), 0.5 * (to - from) } };
   for (int count = 0; !ranges.empty(); ++count)
@@ -43,15 +43,15 @@ void SearchDirections(
     {
       continue;
     }
-    least[1] = std::min(least[1], at.Value + at.Error);
+    minimum[1] = std::min(minimum[1], at.Value + at.Error);
     const double low = std::max(floor, at.Value - at.Error - (std::abs(at.Slope) + 0.5 * variation) * half);
-    if (low >= least[0])
+    if (low >= minimum[0])
     {
       continue;
     }
     if (variation * half <= 0.1 * at.Error || count > MaximumDirections)
     {
-      least[0] = low;
+      minimum[0] = low;
       continue;
     }
     ranges.emplace_back(middle - 0.5 * half, 0.5 * half);
@@ -91,21 +91,21 @@ struct CornerTip
   }
   double GetReach() const { return std::hypot(this->Offset[0], this->Offset[1]); }
   double GetLean() const { return std::hypot(this->Body.Up[0], this->Body.Up[1]); }
-  /// Returns the least m in a range of directions, below 0 where it is not known: a sine that is positive at
-  /// both ends, less than pi apart, is nowhere less in between.
-  double GetLeastM(double from, double to) const
+  /// Returns the smallest m in a range of directions, below 0 where it is not known: a sine that is positive
+  /// at both ends, less than pi apart, is nowhere less in between.
+  double GetMinimumM(double from, double to) const
   {
     return to - from < 3.0 ? std::min(this->Resolve(from).M, this->Resolve(to).M) - this->Bound : -1.0;
   }
-  /// On level ground angle and rise grow with m, and are least at the ends of the range.
-  bool IsLeastAtEnds(double from, double to) const
+  /// On level ground angle and rise grow with m, and are smallest at the ends of the range.
+  bool IsMinimumAtEnds(double from, double to) const
   {
-    return this->GetLean() == 0.0 && this->GetLeastM(from, to) > 0.0;
+    return this->GetLean() == 0.0 && this->GetMinimumM(from, to) > 0.0;
   }
   /// Lower bounds of the angle and of the rise in a range, which do not depend on derivatives.
   double GetAngleFloor(double from, double to) const
   {
-    const double m = this->GetLeastM(from, to);
+    const double m = this->GetMinimumM(from, to);
     return m > 0.0 ? std::atan2(m, this->Body.Height + this->Bound) -
         std::atan2(this->GetLean(), this->Body.Up[2]) - 16.0 * UnitRoundoff
                    : -2.0 * HalfPi;
@@ -115,7 +115,7 @@ struct CornerTip
     const double angle = this->GetAngleFloor(from, to);
     const double half = std::sin(0.5 * angle);
     return angle > 0.0 ? (2.0 - 64.0 * UnitRoundoff) * this->Body.Up[2] *
-        std::hypot(this->GetLeastM(from, to), this->Body.Height - this->Bound) * half * half
+        std::hypot(this->GetMinimumM(from, to), this->Body.Height - this->Bound) * half * half
                        : 0.0;
   }
   /// Returns a bound of the angle's error, valid in every direction.
@@ -154,10 +154,11 @@ struct CornerTip
     const double d = std::hypot(m, z);
     const double u = std::hypot(lean, uh);
     const double slope = u * m * mSlope / d + d * lean * leanSlope / u - leanSlope * m - lean * mSlope;
-    const double most = std::hypot(this->GetReach(), z);
+    const double maximum = std::hypot(this->GetReach(), z);
     const double error = this->GetAngleError();
     return { ComputeTip(m, z, lean, uh, this->Bound).Rise, slope,
-      2.0 * this->Bound + (most + this->Bound) * (error + 0.5 * error * error) + 16.0 * UnitRoundoff * most };
+      2.0 * this->Bound + (maximum + this->Bound) * (error + 0.5 * error * error) +
+        16.0 * UnitRoundoff * maximum };
   }
 };
 }
@@ -184,7 +185,7 @@ Tip ComputeTip(double m, double z, double uv, double uh, double bound)
   return tip;
 }
 
-void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double bound, LeastTip& least)
+void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double bound, MinimumTip& minimum)
 {
   // Corner i belongs to the directions between the outward normals of the sides before and after it. Any
   // point of the polygon gives a lower bound of m(d), so that the rounding of the normals does no harm as
@@ -194,7 +195,7 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
   if (count == 1)
   {
     // Over a single point the centre can move without rising.
-    least.Rise[1] = 0.0;
+    minimum.Rise[1] = 0.0;
   }
   std::vector<double> normals(std::max<std::size_t>(count, 1), 0.0);
   for (std::size_t i = 0; i < count && count > 1; ++i)
@@ -205,10 +206,10 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
   }
   for (const bool rise : { false, true })
   {
-    if (rise && !(least.Angle[0] > 0.0))
+    if (rise && !(minimum.Angle[0] > 0.0))
     {
       // The centre may be beyond the polygon, where tipping needs no rise.
-      least.Rise[0] = 0.0;
+      minimum.Rise[0] = 0.0;
       return;
     }
     for (std::size_t i = 0; i < count; ++i)
@@ -217,7 +218,7 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
         bound };
       const double from = normals[(i + count - 1) % count];
       const double to = from + GetTurn(from, normals[i], count);
-      if (corner.IsLeastAtEnds(from, to))
+      if (corner.IsMinimumAtEnds(from, to))
       {
         continue;
       }
@@ -225,13 +226,13 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
       {
         SearchDirections(
           from, to, corner.GetRiseCurvature(), corner.GetRiseFloor(from, to),
-          [&](double a) { return corner.EvaluateRise(a); }, least.Rise);
+          [&](double a) { return corner.EvaluateRise(a); }, minimum.Rise);
       }
       else
       {
         SearchDirections(
           from, to, corner.GetAngleCurvature(), corner.GetAngleFloor(from, to),
-          [&](double a) { return corner.EvaluateAngle(a); }, least.Angle);
+          [&](double a) { return corner.EvaluateAngle(a); }, minimum.Angle);
       }
     }
   }

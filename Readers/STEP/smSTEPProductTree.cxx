@@ -1,0 +1,434 @@
+#include "smSTEPProductTree.h"
+
+#include "Geometry/smGeometryTransform.h"
+#include "smOCCTShapeAdder.h"
+#include "smSTEPAppearance.h"
+#include "smSTEPGeometryReading.h"
+#include "smSTEPProducts.h"
+#include "smSTEPPropertyAttributes.h"
+#include "smSTEPStructureAttributes.h"
+#include "smSTEPUnits.h"
+#include "smTextEncoding.h"
+
+#include <gp_Ax3.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace sm
+{
+namespace
+{
+constexpr STEPAttribute FirstOfTransformation = { "ITEM_DEFINED_TRANSFORMATION", 2, 2, "first item" };
+constexpr STEPAttribute SecondOfTransformation = { "ITEM_DEFINED_TRANSFORMATION", 3, 3, "second item" };
+
+using Index = Part21File::Index;
+
+/// Names that OpenCASCADE gives shapes without a name, and writes.
+bool IsMadeName(const std::string& name)
+{
+  static const std::set<std::string> made{ "COMPOUND", "COMPSOLID", "SOLID", "SHELL", "FACE", "NONE",
+    "ASSEMBLY" };
+  return made.count(name) > 0 || name.compare(0, 2, "=>") == 0;
+}
+
+std::string GetOwnName(std::string_view text)
+{
+  const std::string name = DecodePart21Text(text);
+  return IsMadeName(name) ? std::string() : name;
+}
+
+bool IsSameFrame(const gp_Ax3& a, const gp_Ax3& b)
+{
+  const auto isSame = [](const gp_XYZ& p, const gp_XYZ& q)
+  { return p.X() == q.X() && p.Y() == q.Y() && p.Z() == q.Z(); };
+  return isSame(a.Location().XYZ(), b.Location().XYZ()) && isSame(a.Direction().XYZ(), b.Direction().XYZ()) &&
+    isSame(a.XDirection().XYZ(), b.XDirection().XYZ());
+}
+
+/// Returns the motion of the world's frame to another one.
+gp_Trsf GetMotion(const gp_Ax3& frame)
+{
+  gp_Trsf motion;
+  motion.SetTransformation(frame, gp_Ax3());
+  return motion;
+}
+
+/// Returns the motion of one frame to another one.
+gp_Trsf Place(const gp_Ax3& from, const gp_Ax3& to)
+{
+  const gp_Trsf first = GetMotion(from);
+  const bool isOrigin = IsSameFrame(from, gp_Ax3());
+  return isOrigin ? GetMotion(to) : GetMotion(to) * first.Inverted();
+}
+
+gp_Trsf MakeMotion(const AffineTransform<3>& t)
+{
+  RequireDirect(t.GetScale() > 0.0, "it has an operator that is no similarity");
+  gp_Trsf motion;
+  motion.SetValues(t.Linear[0][0], t.Linear[0][1], t.Linear[0][2], t.Translation[0], t.Linear[1][0],
+    t.Linear[1][1], t.Linear[1][2], t.Translation[1], t.Linear[2][0], t.Linear[2][1], t.Linear[2][2],
+    t.Translation[2]);
+  return motion;
+}
+
+class ProductTree
+{
+public:
+  ProductTree(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
+    const std::map<std::uint32_t, TopoDS_Shape>& bodies,
+    const std::unordered_map<std::uint64_t, Vector3>& colors, Document& document)
+    : Entities(entities)
+    , Census(census)
+    , Kind(kind)
+    , Bodies(bodies)
+    , Colors(colors)
+    , Result(document)
+    , Adder(document)
+  {
+  }
+
+  void Build()
+  {
+    for (const STEPProduct& product : ReadSTEPProducts(this->Entities.File, this->Census))
+    {
+      this->Stated.emplace(product.Definition, product.Stated);
+    }
+    this->Materials = ReadSTEPMaterials(this->Entities);
+    this->Layers = ReadSTEPLayers(this->Entities);
+    for (const CensusProduct& product : this->Census.Products)
+    {
+      this->Products.emplace(product.Id, &product);
+    }
+    for (const CensusOccurrence& occurrence : this->Census.Occurrences)
+    {
+      this->Occurrences[occurrence.Parent].push_back(&occurrence);
+    }
+    for (std::size_t k = 0; k < this->Census.Shapes.size(); ++k)
+    {
+      for (const std::uint64_t representation : this->Census.Shapes[k].Representations)
+      {
+        this->ShapesOfRepresentations.emplace(representation, k);
+      }
+    }
+    for (const CensusBody& body : this->Census.Bodies)
+    {
+      if (body.Kind == CensusBodyKind::SurfaceModel && this->Kind == CensusBodyKind::Solid)
+      {
+        this->FreeFaces.emplace(body.Id, body.Faces);
+      }
+    }
+    for (const auto& [index, shape] : this->Bodies)
+    {
+      this->Adder.Announce(shape);
+      this->BodyIndices.emplace(this->Census.Bodies[index].Id, index);
+    }
+    std::vector<ProductNode>& roots = this->Result.Root.Children;
+    for (const CensusProduct& product : this->Census.Products)
+    {
+      if (!product.IsPart && product.Instances > 0)
+      {
+        roots.push_back(this->Visit(product, "", gp_Trsf(), Inherited()));
+      }
+    }
+    for (std::size_t k = 0; k < this->Census.Shapes.size() && this->Census.WithoutProducts; ++k)
+    {
+      if (!this->Census.Shapes[k].IsUsed)
+      {
+        ProductNode node;
+        this->AddShapeOf(k, PartBody(), gp_Trsf(), Inherited(), node);
+        roots.push_back(std::move(node));
+      }
+    }
+  }
+
+private:
+  static constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
+
+  /// Attributes that an occurrence inherits from the assemblies above it.
+  struct Inherited
+  {
+    Vector3 Color{ -1.0, -1.0, -1.0 };
+    double Volume = Nothing;
+    double Area = Nothing;
+    std::string Material;
+  };
+
+  /// Returns the number of solids of a product and of the products in it.
+  std::size_t CountSolids(const CensusProduct& product)
+  {
+    const auto [found, isNew] = this->SolidCounts.try_emplace(product.Id, 0);
+    if (isNew)
+    {
+      std::size_t count = 0;
+      for (const std::size_t shape : product.Shapes)
+      {
+        this->VisitItems(shape,
+          [&](std::uint32_t body, const gp_Trsf&)
+          { count += this->Adder.CountSolids(this->Bodies.at(body)); });
+      }
+      for (const CensusOccurrence* occurrence : this->Occurrences[product.Id])
+      {
+        const auto child = this->Products.find(occurrence->Child);
+        count += child == this->Products.end() ? 0 : this->CountSolids(*child->second);
+      }
+      this->SolidCounts[product.Id] = count;
+    }
+    return this->SolidCounts[product.Id];
+  }
+
+  ProductNode Visit(const CensusProduct& product, std::string_view occurrenceName, const gp_Trsf& placement,
+    Inherited inherited)
+  {
+    ProductNode node;
+    node.Name = GetOwnName(product.Name);
+    node.Name = node.Name.empty() ? GetOwnName(occurrenceName) : node.Name;
+    const auto stated = this->Stated.find(product.Id);
+    const bool isSingle = this->CountSolids(product) == 1;
+    if (!isSingle)
+    {
+      inherited.Volume = inherited.Area = Nothing;
+    }
+    else if (stated != this->Stated.end())
+    {
+      inherited.Volume = std::isfinite(stated->second.Volume) ? stated->second.Volume : inherited.Volume;
+      inherited.Area = std::isfinite(stated->second.Area) ? stated->second.Area : inherited.Area;
+    }
+    const auto material = this->Materials.find(product.Id);
+    inherited.Material = material == this->Materials.end() ? inherited.Material : material->second;
+    for (const CensusOccurrence* occurrence : this->Occurrences[product.Id])
+    {
+      const auto child = this->Products.find(occurrence->Child);
+      if (child != this->Products.end() && occurrence->Transformation != 0 && occurrence->ChildShape != 0)
+      {
+        const auto color = this->Colors.find(occurrence->Id);
+        Inherited passed = inherited;
+        passed.Color = color == this->Colors.end() ? inherited.Color : color->second;
+        node.Children.push_back(
+          this->Visit(*child->second, occurrence->Name, placement * this->GetPlacement(*occurrence), passed));
+      }
+    }
+    PartBody part;
+    part.Name = GetOwnName(product.Name);
+    part.FileVolume = inherited.Volume;
+    part.FileArea = inherited.Area;
+    part.Material = inherited.Material;
+    for (const std::size_t shape : product.Shapes)
+    {
+      this->AddShapeOf(shape, part, placement, inherited, node);
+    }
+    return node;
+  }
+
+  void AddShapeOf(std::size_t shape, const PartBody& part, const gp_Trsf& placement,
+    const Inherited& inherited, ProductNode& node)
+  {
+    this->VisitItems(shape,
+      [&](std::uint32_t body, const gp_Trsf& motion)
+      { this->Adder.Add(this->Bodies.at(body), part, placement * motion, inherited.Color, node); });
+    for (const std::uint64_t representation : this->Census.Shapes[shape].Representations)
+    {
+      this->CountFreeFaces(representation);
+      this->SetLayer(representation, node);
+    }
+  }
+
+  /// Sets the layer of a product: the first one of its shapes and their items.
+  void SetLayer(std::uint64_t representation, ProductNode& node) const
+  {
+    std::vector<std::uint64_t> ids{ representation };
+    for (const Index item : this->GetItems(representation))
+    {
+      ids.push_back(this->Entities.File.GetId(item));
+    }
+    for (const std::uint64_t id : ids)
+    {
+      const auto layer = this->Layers.find(id);
+      node.Layer = node.Layer.empty() && layer != this->Layers.end() ? layer->second : node.Layer;
+    }
+  }
+
+  /// Counts the faces of surface models, which are left out if there are solids.
+  void CountFreeFaces(std::uint64_t representation)
+  {
+    for (const Index item : this->GetItems(representation))
+    {
+      const auto surfaces = this->FreeFaces.find(this->Entities.File.GetId(item));
+      this->Result.FreeFaces += surfaces == this->FreeFaces.end() ? 0 : static_cast<int>(surfaces->second);
+    }
+  }
+
+  /// Returns the items of a representation, each once.
+  std::vector<Index> GetItems(std::uint64_t representation) const
+  {
+    std::vector<Index> items;
+    std::unordered_set<Index> seen;
+    Part21Values values(
+      this->Entities.Get(this->Entities.File.Find(representation), ItemsOfRepresentation).Text);
+    for (Part21Value value; values.Next(value);)
+    {
+      const Index item = this->Entities.Follow(value);
+      if (item != Part21File::None && seen.insert(item).second)
+      {
+        items.push_back(item);
+      }
+    }
+    return items;
+  }
+
+  /// Calls visit(body, motion) for the bodies of a shape, and of those that are mapped into it.
+  void VisitItems(std::size_t shape, const std::function<void(std::uint32_t, const gp_Trsf&)>& visit,
+    const gp_Trsf& motion = gp_Trsf(), std::size_t depth = 0)
+  {
+    RequireDirect(depth < MostLevels, "its mapped items are nested too deeply");
+    std::set<std::uint32_t> seen;
+    for (const std::uint64_t representation : this->Census.Shapes[shape].Representations)
+    {
+      for (const Index item : this->GetItems(representation))
+      {
+        const auto body = this->BodyIndices.find(this->Entities.File.GetId(item));
+        if (body != this->BodyIndices.end() && seen.insert(body->second).second)
+        {
+          visit(body->second, motion);
+        }
+        else if (this->Entities.Has(item, STEPRole::MappedItem))
+        {
+          const Index map = this->Entities.Follow(this->Entities.Get(item, MappingSource));
+          const Index mapped = this->Entities.Follow(this->Entities.Get(map, MappedRepresentation));
+          const auto place = mapped == Part21File::None
+            ? this->ShapesOfRepresentations.end()
+            : this->ShapesOfRepresentations.find(this->Entities.File.GetId(mapped));
+          if (place != this->ShapesOfRepresentations.end())
+          {
+            const gp_Trsf own =
+              this->GetMapping(map, item, representation, this->Entities.File.GetId(mapped));
+            this->VisitItems(place->second, visit, motion * own, depth + 1);
+          }
+        }
+      }
+    }
+  }
+
+  /// Returns the motion of a mapped item: from its origin to its target (ISO 10303-43).
+  gp_Trsf GetMapping(Index map, Index item, std::uint64_t parent, std::uint64_t child)
+  {
+    const Part21Value target = this->Entities.Get(item, MappingTarget);
+    const Part21Value origin = this->Entities.Get(map, MappingOrigin);
+    try
+    {
+      const gp_Ax3 from = this->ReadFrame(origin, this->GetUnit(child));
+      if (this->Entities.Has(this->Entities.Follow(target), STEPRole::Transformation))
+      {
+        RequireDirect(IsSameFrame(from, gp_Ax3()),
+          "an operator is the target of a mapped item whose origin is not that of its representation");
+        const AffineTransform<3> transform =
+          ReadGeometryOperator<3>(this->Entities, this->Entities.Follow(target), this->GetUnit(parent));
+        return MakeMotion(transform);
+      }
+      return Place(from, this->ReadFrame(target, this->GetUnit(parent)));
+    }
+    catch (const STEPGeometryFailure& failure)
+    {
+      throw STEPNotDirect{ "a mapped item is not read: " + failure.Reason };
+    }
+  }
+
+  /// Returns the size in millimetres of the length unit of a representation.
+  double GetUnit(std::uint64_t representation)
+  {
+    const Index context = this->Entities.Follow(
+      this->Entities.Get(this->Entities.File.Find(representation), ContextOfRepresentation));
+    const auto [found, isNew] = this->Units.try_emplace(context, 1.0);
+    if (isNew && context != Part21File::None)
+    {
+      CensusContext units;
+      units.Id = this->Entities.File.GetId(context);
+      std::vector<Index> used;
+      ReadSTEPUnits(this->Entities, context, units, used);
+      found->second = units.Length.Factor > 0.0 ? units.Length.Factor : 1.0;
+    }
+    return found->second;
+  }
+
+  gp_Ax3 ReadFrame(const Part21Value& value, double unit) const
+  {
+    const Index placement = this->Entities.Follow(value);
+    const GeometricFrame frame = ReadGeometryFrame(this->Entities, placement, unit);
+    return gp_Ax3(gp_Pnt(frame.Origin[0], frame.Origin[1], frame.Origin[2]),
+      gp_Dir(frame.Axes[2][0], frame.Axes[2][1], frame.Axes[2][2]),
+      gp_Dir(frame.Axes[0][0], frame.Axes[0][1], frame.Axes[0][2]));
+  }
+
+  bool HasItem(std::uint64_t representation, const Part21Value& item) const
+  {
+    Part21Values items(
+      this->Entities.Get(this->Entities.File.Find(representation), ItemsOfRepresentation).Text);
+    for (Part21Value value; items.Next(value);)
+    {
+      if (value.IsReference() && value.Id == item.Id)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Returns the motion that brings the frame of the part onto that of the assembly.
+  gp_Trsf GetPlacement(const CensusOccurrence& occurrence)
+  {
+    const Index transformation = this->Entities.File.Find(occurrence.Transformation);
+    Part21Value frames[2] = { this->Entities.Get(transformation, FirstOfTransformation),
+      this->Entities.Get(transformation, SecondOfTransformation) };
+    if (occurrence.IsReversed)
+    {
+      std::swap(frames[0], frames[1]);
+    }
+    // Some files name the frame of the assembly first: what a representation lists is its own.
+    if (this->HasItem(occurrence.ParentShape, frames[0]) && !this->HasItem(occurrence.ChildShape, frames[0]))
+    {
+      std::swap(frames[0], frames[1]);
+    }
+    try
+    {
+      return Place(this->ReadFrame(frames[0], this->GetUnit(occurrence.ChildShape)),
+        this->ReadFrame(frames[1], this->GetUnit(occurrence.ParentShape)));
+    }
+    catch (const STEPGeometryFailure& failure)
+    {
+      throw STEPNotDirect{ "a placement is not read: " + failure.Reason };
+    }
+  }
+
+  const STEPAttributes& Entities;
+  const STEPCensus& Census;
+  const CensusBodyKind Kind;
+  const std::map<std::uint32_t, TopoDS_Shape>& Bodies;
+  const std::unordered_map<std::uint64_t, Vector3>& Colors;
+  Document& Result;
+  ShapeAdder Adder;
+  /// Indices of bodies in the census by the number of their entity.
+  std::unordered_map<std::uint64_t, std::uint32_t> BodyIndices;
+  /// Numbers of faces of surface models that are left out, by the number of their entity.
+  std::unordered_map<std::uint64_t, std::uint64_t> FreeFaces;
+  std::unordered_map<std::uint64_t, std::size_t> ShapesOfRepresentations;
+  std::unordered_map<std::uint64_t, const CensusProduct*> Products;
+  std::unordered_map<std::uint64_t, std::vector<const CensusOccurrence*>> Occurrences;
+  std::unordered_map<std::uint64_t, std::size_t> SolidCounts;
+  std::unordered_map<std::uint64_t, STEPValidation> Stated;
+  std::unordered_map<std::uint64_t, std::string> Materials;
+  std::unordered_map<std::uint64_t, std::string> Layers;
+  std::unordered_map<Index, double> Units;
+};
+}
+
+void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
+  const std::map<std::uint32_t, TopoDS_Shape>& bodies,
+  const std::unordered_map<std::uint64_t, Vector3>& colors, Document& document)
+{
+  ProductTree(entities, census, kind, bodies, colors, document).Build();
+}
+}

@@ -1,0 +1,45 @@
+/**
+ * @file smSTEPProductTree.h
+ * @brief The products of a STEP file with their bodies and placements, from its entities alone
+ */
+#ifndef smSTEPProductTree_h
+#define smSTEPProductTree_h
+
+#include "smOCCTDocument.h"
+#include "smSTEPAttributes.h"
+#include "smSTEPCensus.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+namespace sm
+{
+/// Thrown where a file has something that ReadSTEPDirectly() does not read.
+struct STEPNotDirect
+{
+  std::string Reason;
+};
+
+inline void RequireDirect(bool isGiven, const char* reason)
+{
+  if (!isGiven)
+  {
+    throw STEPNotDirect{ reason };
+  }
+}
+
+/**
+ * Adds the products to the root of a document, with materials and stated volumes, and the instances of their
+ * bodies: those of occurrences (NEXT_ASSEMBLY_USAGE_OCCURRENCE) and of mapped items, in the order of the
+ * file. A placement moves a representation so that its first frame lands on the second one (ISO 10303-43).
+ * Operators may scale uniformly and reflect. `bodies` are shapes by the index of their body in the census;
+ * `colors` are those of occurrences. Faces of surface models beside solids are counted. Throws STEPNotDirect.
+ */
+void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
+  const std::map<std::uint32_t, TopoDS_Shape>& bodies,
+  const std::unordered_map<std::uint64_t, Vector3>& colors, Document& document);
+}
+
+#endif

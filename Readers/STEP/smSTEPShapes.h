@@ -1,0 +1,71 @@
+/**
+ * @file smSTEPShapes.h
+ * @brief Bodies of a STEP file as shapes of OpenCASCADE, from their entities alone
+ */
+#ifndef smSTEPShapes_h
+#define smSTEPShapes_h
+
+#include "smOCCTBody.h"
+#include "smOCCTContradictions.h"
+#include "smSTEPAttributes.h"
+#include "smSTEPCensus.h"
+#include "smSTEPKernelGeometry.h"
+#include "smSTEPLedger.h"
+#include "smSTEPParameterCurves.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace sm
+{
+/**
+ * Makes the bodies of a file. Every face, edge, vertex, curve and surface is converted, or has a row in the
+ * ledger; a body with a row is not made.
+ *
+ * Faces have the loops of the file: edges on their curves between their vertices, with the parameter curves
+ * that the file has on this surface if both ends agree with the edge's within the file's accuracy, and that
+ * is no plane. Vertices closer than STEPEdges::SameVertex at the ends of one edge, or closer than the file's
+ * accuracy at neighbouring edges of a loop, are one.
+ */
+class STEPShapes
+{
+public:
+  /// Keeps references to all. Numbers, names and surfaces of shapes are added to `table`.
+  STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger, ShapeTable& table);
+  ~STEPShapes();
+
+  /// Returns a solid, or a compound of the shells of a surface model; null if it has a row in the ledger.
+  TopoDS_Shape MakeBody(const CensusBody& body);
+  /// Reports contradictions within the file that the shapes made so far do not show.
+  void Report(std::vector<std::string>& messages, std::vector<std::string>& defects) const;
+  /// Returns "face #12" for a shape that was made of entity #12, else "a shape".
+  std::string GetLabel(const TopoDS_Shape& shape) const;
+  /// Returns the accuracy of coordinates that the file states for a body, in millimetres.
+  double GetPrecision(const CensusBody& body) const;
+
+private:
+  class BodyShaper;
+
+  STEPKernelGeometry& GetGeometry(int context);
+  /// Extends the box of the file's edges.
+  void Extend(const Vector3& point);
+
+  const STEPAttributes& Entities;
+  const STEPCensus& Census;
+  STEPLedger& Ledger;
+  ShapeTable& Table;
+  std::unordered_map<int, std::unique_ptr<STEPKernelGeometry>> Geometries;
+  Vector3 Low{ 1e300, 1e300, 1e300 };
+  Vector3 High{ -1e300, -1e300, -1e300 };
+  /// Parameter curves that are farther from their edges than the file is accurate.
+  std::vector<STEPParameterCurve> ParameterCurves;
+  FirstOfSeveral ShortArcs;
+  std::vector<std::string> Defects;
+};
+}
+
+#endif
