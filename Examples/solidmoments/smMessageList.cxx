@@ -1,5 +1,7 @@
 #include "smMessageList.h"
 
+#include "smInstanceNames.h"
+
 #include "vtkCADReader.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -137,7 +139,7 @@ void MessageList::CollectBodies(vtkCADReader* reader)
       }
       const char* given =
         parts->HasMetaData(i) ? parts->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : nullptr;
-      const std::string name = given && *given ? given : model->GetName();
+      const std::string name = GetPartName(*leaf, given ? given : "");
       const auto [place, isNew] = places.emplace(model, this->Bodies.size());
       if (isNew)
       {

@@ -166,6 +166,14 @@ std::string GetVerdict(const BodyResult& body)
   return stability ? stability->Verdict : std::string();
 }
 
+/// Returns a path of at most 23 characters, with its end, where single instances differ.
+std::string ShortenPath(const std::string& path)
+{
+  const size_t slash = path.rfind('/');
+  return path.size() <= 23 || slash == std::string::npos ? Shorten(path, 23)
+                                                         : Shorten("..." + path.substr(slash), 23);
+}
+
 std::string SolidRows(const FileResult& file)
 {
   const std::vector<SolidResult>& solids = file.Solids;
@@ -190,7 +198,7 @@ std::string SolidRows(const FileResult& file)
   {
     const SolidResult& solid = solids[i];
     const std::string verdict = GetVerdict(solid);
-    text += "  " + Pad(Shorten(solid.Name.empty() ? solid.Id : solid.Name, 23), 24) +
+    text += "  " + Pad(ShortenPath(solid.Path.empty() ? solid.Id : solid.Path), 24) +
       Pad(FormatBrief(solid.Volume.Get(), solid.Volume.Bound), 18, true) +
       Pad(FormatBrief(solid.Area.Get(), solid.Area.Bound), 18, true) +
       massCells(FormatValue(solid.Density, Unknown, 9), FormatBrief(solid.Mass.Get(), solid.Mass.Bound),

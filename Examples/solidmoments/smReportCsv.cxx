@@ -109,6 +109,7 @@ Columns MakeRow(const FileResult& file, const SolidResult* solid)
   columns.Add("row", Text(solid ? "solid" : "total"));
   columns.Add("name", solid ? Text(solid->Name) : std::nullopt);
   columns.Add("id", solid ? Text(solid->Id) : std::nullopt);
+  columns.Add("path", solid ? Text(solid->Path) : std::nullopt);
   columns.Add("status", Text(solid ? solid->Status : file.Status));
   columns.Add("scheme", file.Scheme);
   columns.Add("length_unit", file.LengthUnit);

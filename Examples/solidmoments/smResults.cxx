@@ -195,6 +195,7 @@ void FileResult::VisitSolid(Fields& fields, SolidResult& solid)
 {
   fields.Note("", "").Text("name", solid.Name);
   fields.Note("", "unique in the file").Text("id", solid.Id);
+  fields.Note("", "with the assemblies above, where single instances differ").Text("path", solid.Path);
   fields.Note("", "").Text("status", solid.Status);
   this->VisitBody(fields, solid);
   fields.Note("", "at most five edges with a gap, the widest first")
@@ -315,6 +316,7 @@ void ReadSolids(vtkTable* table, vtkTable* edges, FileResult& file)
     Scheme::ReadBody(columns, row, solid);
     solid.Name = GetText(columns, row, names::Name);
     solid.Id = GetText(columns, row, names::Id);
+    solid.Path = GetText(columns, row, names::Path);
     solid.Status = GetText(columns, row, names::Status);
     file.Solids.push_back(std::move(solid));
   }

@@ -43,7 +43,8 @@ struct EdgeResult
 
 struct SolidResult : BodyResult
 {
-  std::string Name, Id, Status;
+  /// The path has the names of the assemblies above, with which instances of one name differ.
+  std::string Name, Id, Path, Status;
   std::vector<EdgeResult> WorstEdges;
 };
 

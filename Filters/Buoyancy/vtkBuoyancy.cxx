@@ -269,7 +269,9 @@ void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, con
     sm::columns::Writer(outputs.Arrays, outputs.Solids->GetRowData(), self.Rows.size()));
   const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
   std::string summary = this->FormatStatus(bodies) + DescribeSide(bodies, this->Point, this->Normal) +
-    "Displaced volume: " + sm::FormatWithBound(self.Total.Volume, self.Total.VolumeBound, unit + "^3") + "\n";
+    "Displaced volume: " +
+    sm::FormatWithBound(self.Total.Volume, self.Total.VolumeBound, unit + "^3", sm::SumClosing(bodies, 0)) +
+    "\n";
   if (std::isfinite(self.Total.CenterBound))
   {
     summary += "Centre of buoyancy:";

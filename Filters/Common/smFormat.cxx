@@ -97,15 +97,17 @@ std::string FormatBoundOfShown(double bound, int digits)
   return FormatBound((1.0 + RoundingShare) * bound, digits);
 }
 
-std::string FormatBoundNote(double bound)
+std::string FormatBoundNote(double bound, double gaps)
 {
-  return std::isfinite(bound) ? " (+- " + FormatBoundOfShown(bound) + ")" : std::string(" (bound not known)");
+  const std::string note = gaps > bound ? ", gaps " + FormatDigits(gaps, 2) + ")" : std::string(")");
+  return std::isfinite(bound) ? " (+- " + FormatBoundOfShown(bound) + note
+                              : std::string(" (bound not known)");
 }
 
-std::string FormatWithBound(double value, double bound, const std::string& unit)
+std::string FormatWithBound(double value, double bound, const std::string& unit, double gaps)
 {
   return std::isfinite(value)
-    ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + FormatBoundNote(bound)
+    ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + FormatBoundNote(bound, gaps)
     : std::string("not known");
 }
 

@@ -68,8 +68,10 @@ constexpr const char* ClosureCorrection =
 constexpr const char* ClosureResidual =
   "ClosureResidual"; // 1, relative change of V when the origin moves by cbrt(V)
 
-// Cell data (float) of the meshes on port 5 of vtkMassPropertiesGPU, in addition to Volume and Mass, those of
-// the whole solid.
+// Cell data (float) of the meshes on port 5 of vtkMassPropertiesGPU. Those of the whole solid are the same in
+// all its cells: no sum or integral over cells has a meaning, and their names say so.
+constexpr const char* VolumeOfWholeSolid = "VolumeOfWholeSolid"; // 1, L^3
+constexpr const char* MassOfWholeSolid = "MassOfWholeSolid";     // 1, kg
 constexpr const char* FaceShare =
   "FaceShare"; // 1, part of the solid's volume: flux about the part's origin / Volume
 constexpr const char* FaceArea = "FaceArea";   // 1, L^2

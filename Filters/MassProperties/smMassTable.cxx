@@ -185,8 +185,8 @@ std::string FormatSummary(
   {
     text += "Solids: " + std::to_string(solids) + "\n";
   }
-  text += "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3") + "\n";
-  text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2") + "\n";
+  text += "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3", total.ClosureCorrection) + "\n";
+  text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2", total.GapArea) + "\n";
   // Where densities differ, or are not all known, the centre of the volume is not that of the mass.
   const bool isMixed = std::isfinite(total.KnownMass) && !std::isfinite(total.Density);
   if (std::isfinite(p.Center[0]))
@@ -195,7 +195,7 @@ std::string FormatSummary(
   }
   if (std::isfinite(total.Mass))
   {
-    text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg") + "\n";
+    text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg", total.MassUncertainty[2]) + "\n";
     text += total.Density < MinDensity
       ? "A density of " + FormatDigits(total.Density, 6) + " kg/m^3 is that of foam: steel has 7850\n"
       : "";

@@ -1,5 +1,7 @@
 #include "smProducts.h"
 
+#include "smInstanceNames.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataAssembly.h"
 #include "vtkNURBSDataSet.h"
@@ -64,7 +66,7 @@ void AddNode(
       continue;
     }
     ProductTreeNode below;
-    below.Name = assembly->GetAttributeOrDefault(child, "label", "");
+    below.Name = GetFileName(*assembly, child);
     below.Layer = assembly->GetAttributeOrDefault(child, "layer", "");
     AddNode(assembly, child, level + 1, groups, below);
     if (!below.Bodies.empty() || !below.Children.empty())

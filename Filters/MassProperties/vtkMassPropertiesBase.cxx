@@ -344,9 +344,9 @@ std::vector<sm::MeshArray> vtkMassPropertiesBase::GetMeshArrays(
     const sm::FaceIntegrals* result = hasBounds ? getFace(body, face) : nullptr;
     return result ? result->GetBound(sm::MassVolume) : vtkMath::Nan();
   };
-  return { { sm::names::Volume,
+  return { { sm::names::VolumeOfWholeSolid,
              [&rows](std::size_t body, std::size_t) { return rows[body].Properties.Volume; } },
-    { sm::names::Mass, [&rows](std::size_t body, std::size_t) { return rows[body].Mass; } },
+    { sm::names::MassOfWholeSolid, [&rows](std::size_t body, std::size_t) { return rows[body].Mass; } },
     { sm::names::FaceShare, getShare }, { sm::names::FaceArea, getArea }, { sm::names::FaceGap, getGap },
     { sm::names::FaceBound, getBound } };
 }

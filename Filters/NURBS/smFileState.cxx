@@ -43,6 +43,7 @@ void SetFileState(vtkDataObject* data, const FileState& state)
   SetStrings(fields, FileStatusArrayName, { state.Status });
   SetStrings(fields, FileProblemArrayName, { state.Problem });
   SetStrings(fields, FileDefectsArrayName, state.Defects);
+  SetStrings(fields, FileNotesArrayName, state.Notes);
 }
 
 FileState GetFileState(vtkDataObject* data)
@@ -52,12 +53,14 @@ FileState GetFileState(vtkDataObject* data)
   state.Status = GetFirst(GetStrings(fields, FileStatusArrayName));
   state.Problem = GetFirst(GetStrings(fields, FileProblemArrayName));
   state.Defects = GetStrings(fields, FileDefectsArrayName);
+  state.Notes = GetStrings(fields, FileNotesArrayName);
   return state;
 }
 
 void RemoveFileState(vtkDataObject* data)
 {
-  for (const char* name : { FileStatusArrayName, FileProblemArrayName, FileDefectsArrayName })
+  for (const char* name :
+    { FileStatusArrayName, FileProblemArrayName, FileDefectsArrayName, FileNotesArrayName })
   {
     data->GetFieldData()->RemoveArray(name);
   }

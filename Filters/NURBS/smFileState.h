@@ -23,18 +23,21 @@ struct FileState
   /// Reasons why every result of the file is suspect, one sentence each: solids, faces or instances that the
   /// file declares and that are not in the output, and contradictions that belong to no single body.
   std::vector<std::string> Defects;
+  /// What a user has to know although no result is in doubt, such as a unit that was assumed: sentences.
+  std::vector<std::string> Notes;
 };
 
-/// Names of the string arrays in the field data of the output, with one value, one value, and one for each
-/// defect.
+/// Names of the string arrays in the field data of the output, with one value, one value, one for each defect
+/// and one for each note.
 constexpr const char* FileStatusArrayName = "FileStatus";
 constexpr const char* FileProblemArrayName = "FileProblem";
 constexpr const char* FileDefectsArrayName = "FileDefects";
+constexpr const char* FileNotesArrayName = "FileNotes";
 
 SMFILTERSNURBS_EXPORT void SetFileState(vtkDataObject* data, const FileState& state);
 SMFILTERSNURBS_EXPORT FileState GetFileState(vtkDataObject* data);
-/// Removes the three arrays. The pipeline copies the field data of a filter's input to its outputs, also to
-/// those that are not the file's data.
+/// Removes these arrays. The pipeline copies the field data of a filter's input to its outputs, also to those
+/// that are not the file's data.
 SMFILTERSNURBS_EXPORT void RemoveFileState(vtkDataObject* data);
 }
 

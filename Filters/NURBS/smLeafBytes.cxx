@@ -192,6 +192,8 @@ void LeafWriter::Put(vtkNURBSDataSet* leaf)
 {
   this->PutMesh(leaf);
   this->To.PutBlock(leaf->GetPlacementData(), 16 * sizeof(double));
+  this->To.PutText(leaf->GetPartName());
+  this->To.PutText(leaf->GetPartPath());
   this->Put(leaf->GetModel());
 }
 
@@ -345,6 +347,8 @@ vtkSmartPointer<vtkNURBSDataSet> LeafReader::Get()
   vtkNew<vtkMatrix4x4> placement;
   this->From.GetBlock(placement->GetData(), 16 * sizeof(double));
   leaf->SetPlacement(placement);
+  leaf->SetPartName(this->From.GetText());
+  leaf->SetPartPath(this->From.GetText());
   leaf->SetModel(this->Models.Get(this->From, [this]() { return this->ReadModel(); }));
   return this->From.IsGood() ? leaf : nullptr;
 }

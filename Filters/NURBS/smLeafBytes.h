@@ -12,9 +12,9 @@ class vtkPartitionedDataSetCollection;
 
 namespace sm
 {
-/// Writes the first partition of every partitioned dataset: points, triangles, arrays of numbers, placement
-/// and model. An array, a model or an edge that several leaves share is written once. Names and the assembly
-/// of the collection are not written.
+/// Writes the first partition of every partitioned dataset: points, triangles, arrays of numbers, placement,
+/// part name and path, and model. An array, a model or an edge that several leaves share is written once.
+/// Names of blocks and the assembly of the collection are not written.
 SMFILTERSNURBS_EXPORT void PutLeaves(vtkPartitionedDataSetCollection* from, ByteWriter& to);
 
 /// Makes the leaves of PutLeaves() in `to`, which has as many partitioned datasets; what was shared is shared

@@ -96,7 +96,9 @@ void vtkNURBSDataSet::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Model: " << (this->Model ? this->Model->GetName() : "(none)")
-     << (this->IsModelWithheld() ? " (withheld: the points changed)" : "") << "\n";
+     << (this->IsModelWithheld() ? " (withheld: the points changed)" : "") << "\n"
+     << indent << "PartName: " << this->PartName << "\n"
+     << indent << "PartPath: " << this->PartPath << "\n";
 }
 
 void vtkNURBSDataSet::SetModel(vtkTrimmedNURBSModel* model)
@@ -156,8 +158,22 @@ void vtkNURBSDataSet::GetPlacement(vtkMatrix4x4* placement)
   placement->DeepCopy(this->Placement);
 }
 
+void vtkNURBSDataSet::SetPartName(const std::string& name)
+{
+  this->PartName = name;
+  this->Modified();
+}
+
+void vtkNURBSDataSet::SetPartPath(const std::string& path)
+{
+  this->PartPath = path;
+  this->Modified();
+}
+
 void vtkNURBSDataSet::DropModel()
 {
+  this->PartName.clear();
+  this->PartPath.clear();
   this->Model = nullptr;
   this->ModelPoints = nullptr;
   this->ModelPointsTime = 0;
@@ -173,6 +189,8 @@ void vtkNURBSDataSet::CopyModel(vtkNURBSDataSet* source)
     return;
   }
   std::copy_n(source->Placement, 16, this->Placement);
+  this->PartName = source->PartName;
+  this->PartPath = source->PartPath;
   if (this->GetPoints() != source->ModelPoints)
   {
     this->SetModel(source->Model);

@@ -37,6 +37,7 @@
 #include "vtkSmartPointer.h" // for the model
 
 #include <cstdint>
+#include <string> // for the names
 #include <vector>
 
 class vtkInformationIntegerKey;
@@ -75,6 +76,17 @@ public:
   void SetPlacement(vtkMatrix4x4* placement);
   void GetPlacement(vtkMatrix4x4* placement);
   const double* GetPlacementData() const VTK_SIZEHINT(16) { return this->Placement; }
+
+  ///@{
+  /** The name of the instance's solid in the file, which several instances may have; and its place in the
+   * product structure, which no other instance of the file has, for example "rod-assembly/nut (2)". They
+   * belong to the model: copies have them, and a mesh that loses its model loses them. Empty, the default:
+   * the name of the block counts, and there is no path. */
+  void SetPartName(const std::string& name);
+  const std::string& GetPartName() const { return this->PartName; }
+  void SetPartPath(const std::string& path);
+  const std::string& GetPartPath() const { return this->PartPath; }
+  ///@}
 
   void Initialize() override;
   void ShallowCopy(vtkDataObject* source) override;
@@ -115,6 +127,8 @@ private:
 
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
   double Placement[16];
+  std::string PartName;
+  std::string PartPath;
   /// The points that the model describes, their time when they were known to be the original ones, and the
   /// hash of their coordinates.
   vtkSmartPointer<vtkPoints> ModelPoints;

@@ -1,5 +1,6 @@
 #include "smProductBodies.h"
 
+#include "smInstanceNames.h"
 #include "smMaterials.h"
 
 #include "vtkDataAssembly.h"
@@ -41,7 +42,8 @@ std::vector<std::string> FindProducts(vtkDataObject* input, const std::string& p
   {
     for (const int node : assembly->GetChildNodes(vtkDataAssembly::GetRootNode(), true))
     {
-      if (MatchesPattern(pattern, assembly->GetAttributeOrDefault(node, "label", "")))
+      if (MatchesPattern(pattern, GetFileName(*assembly, node)) ||
+        MatchesPattern(pattern, assembly->GetAttributeOrDefault(node, "label", "")))
       {
         selectors.push_back("//*[@id='" + std::to_string(node) + "']");
       }

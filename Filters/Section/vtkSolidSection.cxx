@@ -13,13 +13,16 @@
 #include "smSectionNames.h"
 #include "smVector.h"
 
-#include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -117,6 +120,33 @@ void CheckShells(
   }
 }
 
+/// Returns the distance of a plane from the box of the bodies; 0 where they meet, or there is no body.
+double GetDistance(
+  const std::vector<sm::BodyIntegrals>& bodies, const double point[3], const sm::Vector3& normal)
+{
+  vtkBoundingBox box;
+  for (const sm::BodyIntegrals& body : bodies)
+  {
+    sm::AddPlacedBox(body, box);
+  }
+  if (!box.IsValid())
+  {
+    return 0.0;
+  }
+  double nearest = HUGE_VAL;
+  double farthest = -HUGE_VAL;
+  for (int i = 0; i < 8; ++i)
+  {
+    double corner[3];
+    box.GetCorner(i, corner);
+    const double height =
+      sm::Dot(sm::Vector3{ corner[0] - point[0], corner[1] - point[1], corner[2] - point[2] }, normal);
+    nearest = std::min(nearest, height);
+    farthest = std::max(farthest, height);
+  }
+  return std::max({ nearest, -farthest, 0.0 });
+}
+
 /// Flags a body with a bound above the tolerance, or with results that contradict each other.
 void CheckResults(
   const sm::SectionRow& row, const std::string& contradiction, double tolerance, sm::BodyIntegrals& body)
@@ -151,7 +181,7 @@ struct vtkSolidSection::Internals
   std::vector<sm::BodyBuoyancy> Above;
   std::vector<sm::SectionRow> Rows;
   sm::SectionRow Total;
-  vtkNew<vtkPolyData> Mesh;
+  vtkNew<vtkPartitionedDataSetCollection> Meshes;
   /// Names of the bodies whose mesh could not be closed.
   std::string WithoutCap;
 };
@@ -180,7 +210,7 @@ int vtkSolidSection::FillOutputPortInformation(int port, vtkInformation* info)
 {
   if (port == MeshPort)
   {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPartitionedDataSetCollection");
     sm::DeclareMeshOutput(info);
     return 1;
   }
@@ -191,8 +221,9 @@ int vtkSolidSection::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  vtkPolyData::GetData(outputVector, MeshPort)->ShallowCopy(this->Implementation->Mesh);
-  this->Implementation->Mesh->Initialize();
+  vtkDataObject::GetData(outputVector, MeshPort)->ShallowCopy(this->Implementation->Meshes);
+  this->Implementation->Meshes->Initialize();
+  this->ShareBlocks(request, outputVector, MeshPort);
   return result;
 }
 
@@ -264,7 +295,7 @@ void vtkSolidSection::ResetResults()
   self.Above.clear();
   self.Rows.clear();
   self.Total = sm::SectionRow();
-  self.Mesh->Initialize();
+  self.Meshes->Initialize();
   self.WithoutCap.clear();
 }
 
@@ -388,20 +419,18 @@ void vtkSolidSection::DrawSection(const std::vector<sm::BodyIntegrals>& bodies) 
   const sm::Vector3 normal = sm::Normalized(sm::Vector3{ this->Normal[0], this->Normal[1], this->Normal[2] });
   plane->SetOrigin(this->Point[0], this->Point[1], this->Point[2]);
   plane->SetNormal(normal[0], normal[1], normal[2]);
-  vtkNew<vtkAppendPolyData> append;
+  const std::vector<std::string> blocks = sm::NameBlocks(bodies);
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     bool hasCap = true;
-    append->AddInputData(sm::MakeSectionMesh(bodies[b].Mesh, plane, static_cast<int>(b), hasCap));
+    const auto block = static_cast<unsigned int>(b);
+    self.Meshes->SetPartition(
+      block, 0, sm::MakeSectionMesh(bodies[b].Mesh, plane, static_cast<int>(b), hasCap));
+    self.Meshes->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), blocks[b].c_str());
     if (!hasCap)
     {
       self.WithoutCap += (self.WithoutCap.empty() ? "" : ", ") + bodies[b].Name;
     }
-  }
-  if (!bodies.empty())
-  {
-    append->Update();
-    self.Mesh->ShallowCopy(append->GetOutput());
   }
 }
 
@@ -410,8 +439,14 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
   const Internals& self = *this->Implementation;
   const sm::SectionRow& total = self.Total;
   const std::string unit = bodies.empty() ? "mm" : bodies.front().Model->GetLengthUnit();
+  const double distance = GetDistance(
+    bodies, this->Point, sm::Normalized(sm::Vector3{ this->Normal[0], this->Normal[1], this->Normal[2] }));
+  const std::string away =
+    distance > 0.0 ? ": their box is " + sm::FormatDistance(distance) + " " + unit + " away" : "";
   std::string text = this->FormatStatus(bodies) +
-    (total.Area == 0.0 && total.AreaBound == 0.0 ? "The plane does not meet the solids.\n" : "") +
+    (distance > 0.0 || (total.Area == 0.0 && total.AreaBound == 0.0)
+        ? "The plane does not meet the solids" + away + ".\n"
+        : "") +
     "Section area: " + sm::FormatWithBound(total.Area, total.AreaBound, unit + "^2") + "\n";
   const auto addPoint = [&text, &unit](const char* label, const std::array<double, 3>& point, double bound)
   {
@@ -433,9 +468,11 @@ std::string vtkSolidSection::WriteSummary(const std::vector<sm::BodyIntegrals>& 
       "  " + sm::FormatNumber(section.Principal[1], section.PrincipalBound) + " " + unit + "^4" +
       sm::FormatBoundNote(section.PrincipalBound) + "\n";
   }
-  const auto addSide = [&text, &unit](const std::string& label, const sm::SectionSide& side)
+  const double gaps = sm::SumClosing(bodies, 0);
+  const auto addSide = [&text, &unit, gaps](const std::string& label, const sm::SectionSide& side)
   {
-    text += "Volume " + label + ": " + sm::FormatWithBound(side.Volume, side.VolumeBound, unit + "^3") + "\n";
+    text +=
+      "Volume " + label + ": " + sm::FormatWithBound(side.Volume, side.VolumeBound, unit + "^3", gaps) + "\n";
     if (std::isfinite(side.Mass))
     {
       text += "Mass " + label + ": " + sm::FormatWithBound(side.Mass, side.MassBound, "kg") + "\n";

@@ -31,10 +31,10 @@
  * Shells are taken as the file orients them. A solid with a shell that is inside out is `suspect` here
  * (vtkMassPropertiesGPU reverses such shells and reports them).
  *
- * Port 7 (polydata): the display mesh below the plane, closed by its section; cell arrays Solid (row of port
- * 1), Cap (1 on the section) and Color. It is a picture; the values above do not depend on it. Port 3 and the
- * meshes of port 5 have the contribution of every face to VolumeBelow, see vtkBuoyancy. The other outputs are
- * those of vtkSurfaceIntegralBase.
+ * Port 7 (partitioned dataset collection, a block for each solid): the display mesh below the plane, closed
+ * by its section; cell arrays Solid (row of port 1), Cap (1 on the section) and Color. It is a picture; the
+ * values above do not depend on it. Port 3 and the meshes of port 5 have the contribution of every face to
+ * VolumeBelow, see vtkBuoyancy. The other outputs are those of vtkSurfaceIntegralBase.
  */
 #ifndef vtkSolidSection_h
 #define vtkSolidSection_h

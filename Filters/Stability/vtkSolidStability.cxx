@@ -399,6 +399,7 @@ void vtkSolidStability::UpdateMassProperties(vtkDataObject* input)
     self.Mass->Update();
   }
   self.Status = self.Mass->GetStatus();
+  self.FileNotes = sm::GetFileState(input).Notes;
   for (int i = 0; i < self.Mass->GetNumberOfMessages(); ++i)
   {
     self.Messages.push_back(self.Mass->GetMessage(i));
@@ -457,9 +458,13 @@ void vtkSolidStability::FillOutputs(const sm::GroundDirections& ground,
   fields.SetString(names::Backend, self.Mass->GetBackendName());
   Internals::AddColumns(
     arrays, supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 1)->GetRowData());
+  const std::string reason =
+    self.Status == names::StatusOk || self.Messages.empty() ? std::string() : self.Messages.front();
+  std::vector<std::string> notes = self.Messages;
+  notes.insert(notes.end(), self.FileNotes.begin(), self.FileNotes.end());
   sm::columns::Writer(arrays, vtkTable::GetData(outputVector, 2)->GetRowData())
     .SetString(names::Text,
-      sm::FormatStatus(self.Status, self.Messages.empty() ? "" : self.Messages.front(), self.Messages) +
-        Internals::GetSummary(supported, this->GravityStrength));
+      sm::FormatStatus(self.Status, reason) + Internals::GetSummary(supported, this->GravityStrength) +
+        sm::FormatNotes(reason, notes));
   Internals::AddSides(arrays, supported, ground, this->GravityStrength, vtkTable::GetData(outputVector, 3));
 }

@@ -20,6 +20,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -45,7 +46,13 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   /// Input dataset of the body: the display mesh of this instance.
   vtkSmartPointer<vtkPolyData> Mesh;
   std::array<double, 16> Placement{};
+  /// Name of the solid in the file, which several instances may have.
   std::string Name;
+  /// Name of its block in the input.
+  std::string Block;
+  /// Name of the instance that no other one has, with its place in the product structure: "rod-assembly/nut
+  /// (2)".
+  std::string Path;
   /// Number of the instance, 1, 2, … in the order of the input.
   std::string Id;
 
@@ -110,6 +117,8 @@ struct RejectedInput
 {
   int Plain = 0;
   int Withheld = 0;
+  /// Those of them that have points, with the names of their blocks.
+  std::vector<std::pair<vtkDataObject*, std::string>> Meshes;
 };
 
 /// Returns a body for every vtkNURBSDataSet with a model in a data object, in depth-first order.
@@ -148,6 +157,11 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void ReverseShells(
 /// Flags a closed body as suspect if its shells are not nested, or not oriented, as a solid's are, by the
 /// volumes of its display mesh: needed for integrals over a part of the body, whose values do not show it.
 SMFILTERSSURFACEINTEGRALS_EXPORT void CheckShells(BodyIntegrals& body);
+
+/// Returns how much closing the gaps of the bodies changed the sum of an integrand, each body's change
+/// without its sign; NaN if unknown.
+SMFILTERSSURFACEINTEGRALS_EXPORT double SumClosing(
+  const std::vector<BodyIntegrals>& bodies, std::size_t integrand);
 
 /// Sets the values of a body for which nothing was computed to NaN, one per integrand, and adds a message.
 SMFILTERSSURFACEINTEGRALS_EXPORT void SetUnknown(BodyIntegrals& body, std::size_t integrands);

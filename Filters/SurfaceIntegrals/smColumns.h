@@ -108,7 +108,7 @@ private:
   vtkIdType Rows;
 };
 
-/// Adds the columns Name, Id and Status with a row for every body.
+/// Adds the columns Name, Path, Id and Status with a row for every body.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddBodyLabels(
   KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* solids);
 
@@ -125,15 +125,15 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void AppendTotalRow(
 /// Returns true for a row that AppendTotalRow() added to a table with the columns of AddBodyLabels().
 SMFILTERSSURFACEINTEGRALS_EXPORT bool IsTotalRow(vtkTable* solids, vtkIdType row);
 
-/// Adds a row per face and instance: Solid, FaceIndex, FaceId, the integrands with indices `wanted` over
-/// face, ribbons and caps, their bounds, and MaxGap. Fluxes of a shell or body that is inside out are
-/// reversed.
+/// Adds a row per face and instance: Solid, Name and Id of the solid, FaceIndex, FaceId, the integrands with
+/// indices `wanted` over face, ribbons and caps, their bounds, MaxGap and LengthUnit. Fluxes of a shell or
+/// body that is inside out are reversed.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddFaceRows(KeptArrays& arrays,
   const std::vector<BodyIntegrals>& bodies, const std::vector<Integrand>& integrands, vtkTable* faces,
   const std::vector<int>& wanted);
 
-/// Adds a row per edge and instance, the widest gap first: Solid, EdgeIndex, EdgeId, Name, Uses, Open,
-/// MaxGap, GapArea, GapSquared.
+/// Adds a row per edge and instance, the widest gap first: Solid and its Id, EdgeIndex, EdgeId, Name, Uses,
+/// Open, MaxGap, GapArea, GapSquared, LengthUnit.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddEdgeRows(
   KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* edges);
 }

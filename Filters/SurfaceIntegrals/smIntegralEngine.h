@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+class vtkPartitionedDataSetCollection;
+
 namespace sm
 {
 /// The backends that may compute, as in vtkSurfaceIntegralBase::BackendType.
@@ -105,6 +107,9 @@ public:
    * FinishSharing().
    */
   Role ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies);
+  /// Gives the meshes the same blocks on all ranks that run together (smSharedStructure.h). Collective, under
+  /// the condition of ChooseRole().
+  void ShareStructure(int pieces, vtkPartitionedDataSetCollection* meshes);
   /// Ends the part of this rank in a shared run, wherever it is in it, so that no rank waits for it.
   /// `failure` is the exception that ended the run of this rank, or null.
   void FinishSharing(const std::exception_ptr& failure = nullptr) noexcept;
@@ -155,6 +160,7 @@ public:
   void ReleaseMemory();
 
 private:
+  bool IsSharedUpdate(int pieces) const;
   RankDevice GetDevice() const;
   void ReportRanks();
   std::string DescribeEstimate(bool hasOpenGL) const;

@@ -36,7 +36,9 @@ constexpr const char* Faces = "Faces";             // 1 (int)
 constexpr const char* Ranks = "Ranks";             // 1 (int), processes that integrated faces
 
 // Columns of the tables only.
-constexpr const char* Name = "Name";           // string
+constexpr const char* Name = "Name"; // string: the name in the file, of one or several instances
+constexpr const char* Path =
+  "Path"; // string: the instance's place in the product structure, with the name by which it is selected
 constexpr const char* Id = "Id";               // string: instance id, unique in the file
 constexpr const char* Solid = "Solid";         // int: row of the solid in the table on port 1
 constexpr const char* FaceId = "FaceId";       // int: entity number in the file
@@ -53,7 +55,7 @@ constexpr const char* AreaInDoubt =
 constexpr const char* VolumeInDoubt = "VolumeInDoubt"; // 1, L^3, likewise in the volume
 
 // Names of other columns in vtkSurfaceIntegralGPU's outputs, which integrands must not have.
-constexpr const char* ReservedColumnNames[] = { Name, Id, Solid, FaceId, MaxGap, Faces, Status, Backend,
+constexpr const char* ReservedColumnNames[] = { Name, Path, Id, Solid, FaceId, MaxGap, Faces, Status, Backend,
   Renderer, BackendReason, Evaluations, Dispatches, LengthUnit, OpenEdges, FlippedShells, BoundsEstimated,
   Ranks };
 

@@ -54,12 +54,16 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   double IntegrateSeconds = 0.0;
   double AnalyseSeconds = 0.0;
 
+  /// What the reader notes about a file that is not in doubt.
+  std::vector<std::string> FileNotes;
+
   /// Adds a message; the first one of a run becomes its Reason.
   void SetReason(const std::string& message);
   /// Reports the status of the file, and why there is nothing to integrate. `hasBodies`: the input has some;
   /// `isChosen`: some of them are to be integrated.
   void AddFile(const FileState& file, bool hasBodies, bool isChosen);
-  /// Counts the bodies with their faces, and reports that meshes without exact geometry are left out.
+  /// Counts the bodies with their faces. Where there are bodies, meshes without exact geometry are missing
+  /// from the result: they make it suspect, and a message has their names.
   void AddBodies(const std::vector<BodyIntegrals>& bodies, const RejectedInput& rejected);
   /// Reports an input that has meshes only, without exact geometry; `isWithheld`: it had some, but its points
   /// were changed.
@@ -68,6 +72,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   void AddStatuses(const std::vector<BodyIntegrals>& bodies);
   /// Adds the messages of the bodies, and the note.
   void AddMessages(const std::vector<BodyIntegrals>& bodies);
+  /// Returns the messages of the run, of its bodies and of the file.
+  std::vector<std::string> ListNotes(const std::vector<BodyIntegrals>& bodies) const;
   /// Returns a sentence with the reason for the status; empty if none is known.
   std::string FindReason(const std::vector<BodyIntegrals>& bodies) const;
   /// Adds the arrays Status, Backend, Renderer, BackendReason, Evaluations, Dispatches, Faces, Ranks,
@@ -75,11 +81,15 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT RunReport
   void FillFieldData(columns::Writer data) const;
 };
 
-/// Returns the first lines of a summary: the status, its reason in lines of at most 64 characters, the number
-/// of other messages, and, where the model is suspect or open, that bounds do not include its defects. With
-/// the status `ok`, returns the first message as a note, or nothing.
+/// Returns the first lines of a summary: the status, its reason in lines of at most 64 characters, and, where
+/// the model is suspect or open, that bounds do not include its defects.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::string FormatStatus(
-  const std::string& status, const std::string& reason, const std::vector<std::string>& messages);
+  const std::string& status, const std::string& reason);
+
+/// Returns the last lines of a summary: the first few messages that do not repeat the reason, each as a note,
+/// and the number of the others.
+SMFILTERSSURFACEINTEGRALS_EXPORT std::string FormatNotes(
+  const std::string& reason, const std::vector<std::string>& messages);
 }
 
 #endif

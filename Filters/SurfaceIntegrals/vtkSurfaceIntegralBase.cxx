@@ -339,14 +339,14 @@ sm::IntegralLimits vtkSurfaceIntegralBase::MakeLimits(double begin, double end)
 
 std::string vtkSurfaceIntegralBase::FindReason(const std::vector<sm::BodyIntegrals>& bodies) const
 {
-  return this->Engine->GetReport().FindReason(bodies);
+  const sm::RunReport& report = this->Engine->GetReport();
+  return report.Status == sm::Status::Ok ? std::string() : report.FindReason(bodies);
 }
 
 std::string vtkSurfaceIntegralBase::FormatStatus(const std::vector<sm::BodyIntegrals>& bodies) const
 {
-  const sm::RunReport& report = this->Engine->GetReport();
-  return sm::FormatStatus(this->GetStatus(), this->FindReason(bodies), report.Messages) +
-    (report.Estimated ? "Some bounds are estimates.\n" : "");
+  return sm::FormatStatus(this->GetStatus(), this->FindReason(bodies)) +
+    (this->Engine->GetReport().Estimated ? "Some bounds are estimates.\n" : "");
 }
 
 sm::IntegralEngine& vtkSurfaceIntegralBase::GetEngine()

@@ -66,6 +66,7 @@ class vtkTable;
 namespace sm
 {
 struct BodyIntegrals;
+struct RejectedInput;
 struct IntegralLimits;
 struct IntegralRequest;
 struct MeshArray;
@@ -300,7 +301,8 @@ protected:
    * `end`. */
   sm::IntegralLimits MakeLimits(double begin = 0.0, double end = 1.0);
 
-  /** Returns a sentence with the reason for the status of these bodies; empty if none is known. */
+  /** Returns a sentence with the reason for the status of these bodies; empty if none is known, and for the
+   * status `ok`. */
   std::string FindReason(const std::vector<sm::BodyIntegrals>& bodies) const;
 
   /** Returns the first lines of a summary: sm::FormatStatus(), and that bounds are estimated where they are.
@@ -326,6 +328,11 @@ protected:
   void ChangeSetting(double& setting, double value, bool isValid, const char* name, const char* advice);
   /** Changes a setting that is a density in kg/m^3: finite, not negative, 0 for none. */
   void ChangeDensity(double& setting, double density);
+
+  /** Gives the collection on a port the same blocks on all ranks that run together; collective, called by
+   * RequestData() for each such port. */
+  void ShareBlocks(vtkInformation* request, vtkInformationVector* outputVector, int port);
+
   /** Option of subclasses that can keep results of faces. */
   bool CacheFaceResults = true;
   bool TotalRow = false;
@@ -357,7 +364,8 @@ private:
   /** Reports that the input has no exact geometry, and returns 0. */
   int RejectInput(bool isWithheld);
   /** Removes the bodies that no selector matches, and adds messages about unmatched selectors. */
-  void ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
+  void ChooseBodies(
+    vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies, sm::RejectedInput& rejected);
   /** Adds the row of TotalRow to the table of port 1; `all` is the number of bodies of the input. */
   void WriteTotalRow(std::size_t bodies, std::size_t all, vtkInformationVector* outputVector) const;
   /** Adds the messages of the bodies to the report, and issues at most one warning. */

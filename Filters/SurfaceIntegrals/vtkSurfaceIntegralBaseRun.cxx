@@ -79,6 +79,14 @@ void AddPlaceholderPoint(const std::vector<sm::BodyIntegrals>& bodies, vtkPolyDa
   totals->SetPoints(points);
 }
 
+/// Returns the number of pieces of the update.
+int GetNumberOfPieces(vtkInformation* request, vtkInformationVector* outputVector)
+{
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  return outputVector->GetInformationObject(port)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+}
+
 void AppendText(const std::string& text, vtkTable* table)
 {
   auto* summary = vtkStringArray::SafeDownCast(table->GetRowData()->GetAbstractArray(sm::names::Text));
@@ -115,7 +123,7 @@ void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t
     const std::size_t edges = body.Edges ? body.Edges->size() : 0;
     const bool isFirst = models.insert(body.Model).second;
     const std::size_t cells = isFirst ? static_cast<std::size_t>(body.Mesh->GetNumberOfCells()) : 0;
-    bytes += BytesOfValue * (Columns + faces * (arrays + 3) + edges * 8) + cells * arrays * sizeof(float);
+    bytes += BytesOfValue * (Columns + faces * (arrays + 6) + edges * 10) + cells * arrays * sizeof(float);
     // At most: every edge and every face is drawn as a flagged one.
     bytes += body.Status >= sm::Status::Suspect ? edges * BytesOfFlaggedEdge : 0;
     bytes += body.FaceDefects.empty() ? 0 : GetNumberOfTriangles(body) * BytesOfFlaggedTriangle;
@@ -124,7 +132,8 @@ void CheckOutputMemory(const std::vector<sm::BodyIntegrals>& bodies, std::size_t
 }
 }
 
-void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies)
+void vtkSurfaceIntegralBase::ChooseBodies(
+  vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies, sm::RejectedInput& rejected)
 {
   if (this->Selectors.empty())
   {
@@ -142,6 +151,15 @@ void vtkSurfaceIntegralBase::ChooseBodies(vtkDataObject* input, std::vector<sm::
   {
     messages.push_back("the selector \"" + selector + "\" names no solid");
   }
+  auto& meshes = rejected.Meshes;
+  meshes.erase(std::remove_if(meshes.begin(), meshes.end(),
+                 [&chosen](const auto& mesh)
+                 {
+                   // The places of a data object are numbered from 0.
+                   const auto place = chosen.lower_bound({ mesh.first, 0 });
+                   return place == chosen.end() || place->first != mesh.first;
+                 }),
+    meshes.end());
   // Bodies have the order of the leaves.
   std::map<vtkDataObject*, int> occurrences;
   std::vector<sm::BodyIntegrals> kept;
@@ -196,6 +214,8 @@ void vtkSurfaceIntegralBase::Write(
   const std::vector<sm::FlaggedPlace> places = sm::FindFlaggedPlaces(bodies);
   sm::DrawFlaggedPlaces(places, bodies, vtkPolyData::GetData(outputVector, 6));
   AppendText(sm::ListFlaggedPlaces(places, bodies, MaxPlacesOfText), outputs.Text);
+  AppendText(
+    sm::FormatNotes(this->FindReason(bodies), this->Engine->GetReport().ListNotes(bodies)), outputs.Text);
   this->Engine->GetReport().FillFieldData(
     sm::columns::Writer(outputs.Arrays, outputs.Totals->GetFieldData()));
 }
@@ -230,7 +250,7 @@ void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
   found.AllBodies = found.Bodies.size();
   if (found.AllBodies > 0)
   {
-    this->ChooseBodies(input, found.Bodies);
+    this->ChooseBodies(input, found.Bodies, found.Rejected);
   }
   found.Request = this->MakeRequest();
   this->Engine->EstimateBackends(found.Request, found.Bodies);
@@ -239,9 +259,7 @@ void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
 int vtkSurfaceIntegralBase::Run(
   vtkInformation* request, vtkDataObject* input, vtkInformationVector* outputVector)
 {
-  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  const int pieces = outputVector->GetInformationObject(port)->Get(
-    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  const int pieces = GetNumberOfPieces(request, outputVector);
   Input found;
   std::exception_ptr failure;
   try
@@ -355,11 +373,19 @@ int vtkSurfaceIntegralBase::RequestData(
   {
     this->Fail(failure, outputVector);
   }
+  this->ShareBlocks(request, outputVector, 5);
   if (this->GetReleaseDataFlag())
   {
     this->ReleaseMemory();
   }
   return result;
+}
+
+void vtkSurfaceIntegralBase::ShareBlocks(
+  vtkInformation* request, vtkInformationVector* outputVector, int port)
+{
+  this->Engine->ShareStructure(
+    GetNumberOfPieces(request, outputVector), vtkPartitionedDataSetCollection::GetData(outputVector, port));
 }
 
 void vtkSurfaceIntegralBase::Fail(const std::exception_ptr& failure, vtkInformationVector* outputVector)

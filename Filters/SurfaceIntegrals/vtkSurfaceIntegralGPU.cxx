@@ -162,7 +162,7 @@ void vtkSurfaceIntegralGPU::WriteOutputs(
     }
     totals.SetDouble(name, total);
     totals.SetDouble(name + sm::names::BoundSuffix, bound);
-    summary += name + " = " + sm::FormatWithBound(total, bound, "") + "\n";
+    summary += name + " = " + sm::FormatWithBound(total, bound, "", sm::SumClosing(bodies, k)) + "\n";
   }
   sm::columns::Writer(outputs.Arrays, outputs.Text->GetRowData()).SetString(sm::names::Text, summary);
   std::vector<int> all(integrands.size());

@@ -49,6 +49,8 @@ constexpr Unit Units[] = {
   { names::GapSquared, "", 3 },
   { names::MaxGap, "", 1 },
   { names::GapArea, "", 2 },
+  { names::VolumeOfWholeSolid, "", 3 },
+  { names::MassOfWholeSolid, "kg", 0 },
   { names::FaceArea, "", 2 },
   { names::FaceGap, "", 1 },
   { names::FaceBound, "", 3 },

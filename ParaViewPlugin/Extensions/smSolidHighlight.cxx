@@ -196,11 +196,17 @@ private:
     vtkNew<Entities> entities;
     if (shown)
     {
+      entities->SetBefore(this->Picked.Solids, this->Picked.Faces);
       if (!GatherMeshes(filter, *entities))
       {
         return false;
       }
       this->Picked.Remember(*entities);
+      // ParaView clears the rows after each change of this selection, which leads here again.
+      if (shown != this->Whole)
+      {
+        this->ShowWholeFaces(filter, *entities);
+      }
       std::set<vtkIdType> solids = entities->GetSolids();
       for (const auto& faces : entities->GetFaces())
       {
@@ -225,8 +231,27 @@ private:
     {
       this->Clear(filter, table);
     }
+    this->Picked = Pick();
     Describe(filter, *entities);
     return true;
+  }
+
+  /// Replaces picked cells by all cells of their faces. The new selection counts as the user's.
+  void ShowWholeFaces(vtkSMSourceProxy* filter, Entities& entities)
+  {
+    const Entities::Highlight& highlight = entities.GetHighlight();
+    // Where there are too many cells, those that were picked stay.
+    if (!entities.GetFaces().empty() && !(highlight == Entities::Highlight()))
+    {
+      const auto whole =
+        MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells);
+      this->Whole = whole;
+      filter->SetSelectionInput(Entities::MeshesPort, whole, 0);
+    }
+    else if (entities.GetFaces().empty() && entities.GetSolids().empty())
+    {
+      filter->CleanSelectionInputs(Entities::MeshesPort);
+    }
   }
 
   /// Returns false for a selection whose cells and blocks are not known.
@@ -408,6 +433,8 @@ private:
   /// The elements that are highlighted for these rows in the views.
   Entities::Highlight Highlighted;
   Pick Picked;
+  /// The selection that ShowWholeFaces() made last.
+  vtkWeakPointer<vtkSMSourceProxy> Whole;
   /// The selections that this object made last, by their ports.
   std::map<unsigned int, vtkWeakPointer<vtkSMSourceProxy>> Own;
 };

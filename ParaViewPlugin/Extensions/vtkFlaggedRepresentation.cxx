@@ -30,8 +30,9 @@ vtkFlaggedRepresentation::vtkFlaggedRepresentation()
     number->SetDisplayOffset(6, 6);
     number->GetTextProperty()->SetFontSize(18);
     number->GetTextProperty()->SetBold(true);
-    number->GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
-    number->GetTextProperty()->SetBackgroundOpacity(0.6);
+    // White on it has a contrast of 6 : 1.
+    number->GetTextProperty()->SetBackgroundColor(0.75, 0.1, 0.1);
+    number->GetTextProperty()->SetBackgroundOpacity(1.0);
   }
 }
 

@@ -25,7 +25,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Colour of the numbers: red, green and blue, each from 0 to 1. Default: 1 0.4 0.35. */
+  /** Colour of the numbers: red, green and blue, each from 0 to 1, on dark red. Default: 1 1 1. */
   vtkSetVector3Macro(NumberColor, double);
   vtkGetVector3Macro(NumberColor, double);
   ///@}
@@ -45,7 +45,7 @@ private:
   vtkFlaggedRepresentation(const vtkFlaggedRepresentation&) = delete;
   void operator=(const vtkFlaggedRepresentation&) = delete;
 
-  double NumberColor[3] = { 1.0, 0.4, 0.35 };
+  double NumberColor[3] = { 1.0, 1.0, 1.0 };
   /// One for each place that the summary names.
   std::array<vtkNew<vtkBillboardTextActor3D>, 5> Numbers;
 };

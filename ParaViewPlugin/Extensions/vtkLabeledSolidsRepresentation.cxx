@@ -182,7 +182,7 @@ void vtkLabeledSolidsRepresentation::MakeLabels(vtkDataObject* data)
       box.GetCenter(label.Middle);
       label.Size = box.GetDiagonalLength();
       label.Text = name;
-      vtkDataArray* masses = mesh->GetCellData()->GetArray(sm::names::Mass);
+      vtkDataArray* masses = mesh->GetCellData()->GetArray(sm::names::MassOfWholeSolid);
       const double mass = masses ? masses->GetComponent(0, 0) : 0.0;
       if (this->PartLabels == NamesAndMasses && masses && std::isfinite(mass))
       {

@@ -3,9 +3,9 @@
  * @brief   draws solids, with their names or names and masses as labels, and edges that are selected
  *
  * A label begins in the middle of its solid's box. The 50 largest solids that are not hidden have labels;
- * where two would overlap, the larger solid keeps its own. The mass is that of the cell array Mass, with four
- * digits. Labels and selected edges are in front of everything, drawn by the process with the window, and not
- * at all while a server renders for it.
+ * where two would overlap, the larger solid keeps its own. The mass is that of the cell array
+ * MassOfWholeSolid, with four digits. Labels and selected edges are in front of everything, drawn by the
+ * process with the window, and not at all while a server renders for it.
  */
 #ifndef vtkLabeledSolidsRepresentation_h
 #define vtkLabeledSolidsRepresentation_h

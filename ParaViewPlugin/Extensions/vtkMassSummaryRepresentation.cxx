@@ -4,25 +4,36 @@
 #include "smIntegralNames.h"
 
 #include "vtk3DWidgetRepresentation.h"
+#include "vtkActor2D.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkCellArray.h"
+#include "vtkCoordinate.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty2D.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
 #include "vtkTextRepresentation.h"
+#include "vtkViewport.h"
+#include "vtkWindow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <sstream>
 #include <string>
 
@@ -30,6 +41,38 @@ vtkStandardNewMacro(vtkMassSummaryRepresentation);
 
 namespace
 {
+/// Pixels of the box around the text.
+constexpr double Padding = 4.0;
+/// The relative luminance that has the same contrast to black and to white.
+constexpr double MiddleLuminance = 0.179;
+
+/// Returns the relative luminance of a colour in sRGB.
+double GetLuminance(const double color[3])
+{
+  const auto linear = [](double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
+}
+
+/// A box that is placed whenever it is drawn.
+class BoxActor : public vtkActor2D
+{
+public:
+  static BoxActor* New();
+  vtkTypeMacro(BoxActor, vtkActor2D);
+
+  std::function<void(vtkViewport*)> Place;
+
+  int RenderOverlay(vtkViewport* viewport) override
+  {
+    if (this->Place)
+    {
+      this->Place(viewport);
+    }
+    return this->Superclass::RenderOverlay(viewport);
+  }
+};
+vtkStandardNewMacro(BoxActor);
+
 /// Fraction of the view's width for text in a corner; ParaView leaves a margin of one per cent.
 constexpr double WidthShare = 0.98;
 
@@ -94,15 +137,113 @@ std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi,
 }
 }
 
-vtkMassSummaryRepresentation::vtkMassSummaryRepresentation() = default;
-vtkMassSummaryRepresentation::~vtkMassSummaryRepresentation() = default;
+vtkMassSummaryRepresentation::vtkMassSummaryRepresentation()
+{
+  this->Corners->SetNumberOfPoints(4);
+  vtkNew<vtkCellArray> quads;
+  quads->InsertNextCell({ 0, 1, 2, 3 });
+  vtkNew<vtkPolyData> box;
+  box->SetPoints(this->Corners);
+  box->SetPolys(quads);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(box);
+  vtkNew<BoxActor> actor;
+  actor->Place = [this](vtkViewport* viewport) { this->PlaceBox(viewport); };
+  actor->SetMapper(mapper);
+  this->Box = actor.Get();
+  this->StatusActor->SetTextScaleModeToNone();
+  this->StatusActor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  for (vtkActor2D* prop : { this->Box.Get(), static_cast<vtkActor2D*>(this->StatusActor) })
+  {
+    prop->SetVisibility(false);
+    prop->SetPickable(false);
+  }
+}
+
+vtkMassSummaryRepresentation::~vtkMassSummaryRepresentation()
+{
+  // The view may keep the actor.
+  BoxActor::SafeDownCast(this->Box)->Place = nullptr;
+}
 
 void vtkMassSummaryRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FlaggedColor: " << this->FlaggedColor[0] << " " << this->FlaggedColor[1] << " "
      << this->FlaggedColor[2] << "\n"
+     << indent << "BoxOpacity: " << this->BoxOpacity << "\n"
+     << indent << "Heading: " << this->Heading << "\n"
      << indent << "SelectedText: " << this->SelectedText << "\n";
+}
+
+bool vtkMassSummaryRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  vtkRenderer* front =
+    renderView ? renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER) : nullptr;
+  // Actors are drawn in the order in which they are added: the box behind the text, the status in front of
+  // it.
+  if (front)
+  {
+    front->AddViewProp(this->Box);
+  }
+  const bool isAdded = this->Superclass::AddToView(view);
+  if (front)
+  {
+    front->AddViewProp(this->StatusActor);
+  }
+  return isAdded;
+}
+
+bool vtkMassSummaryRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    vtkRenderer* front = renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER);
+    front->RemoveViewProp(this->Box);
+    front->RemoveViewProp(this->StatusActor);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkMassSummaryRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  // The next rendering shows them.
+  this->Box->SetVisibility(false);
+  this->StatusActor->SetVisibility(false);
+}
+
+void vtkMassSummaryRepresentation::SetHeading(const std::string& text)
+{
+  if (this->Heading != text)
+  {
+    this->Heading = text;
+    this->Modified();
+  }
+}
+
+std::string vtkMassSummaryRepresentation::GetHeading() const
+{
+  return this->Heading;
+}
+
+std::string vtkMassSummaryRepresentation::GetWholeText(const std::string& summary) const
+{
+  int shown = 0;
+  vtkView* view = this->GetView();
+  for (int i = 0; view && i < view->GetNumberOfRepresentations(); ++i)
+  {
+    auto* other = vtkMassSummaryRepresentation::SafeDownCast(view->GetRepresentation(i));
+    shown += other && other->GetVisibility() ? 1 : 0;
+  }
+  std::string text = shown > 1 && !this->Heading.empty() && !summary.empty() ? this->Heading + "\n" : "";
+  text += summary;
+  if (!this->SelectedText.empty())
+  {
+    text += (text.empty() || text.back() == '\n' ? "\n" : "\n\n") + this->SelectedText;
+  }
+  return text;
 }
 
 void vtkMassSummaryRepresentation::SetSelectedText(const std::string& text)
@@ -168,22 +309,9 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     vtkAlgorithmOutput* piece = vtkPVRenderView::GetPieceProducer(inInfo, this);
     vtkDataObject* data = piece ? piece->GetProducer()->GetOutputDataObject(piece->GetIndex()) : nullptr;
     vtkTextProperty* text = widget->GetTextActor()->GetTextProperty();
-    double color[3];
-    text->GetColor(color);
-    // A colour that differs from the one drawn here was set by the user or the palette.
-    if (!std::equal(color, color + 3, this->DrawnColor))
-    {
-      std::copy_n(color, 3, this->OrdinaryColor);
-    }
-    const bool flagged = data && IsFlagged(data->GetFieldData());
-    text->SetColor(flagged ? this->FlaggedColor : this->OrdinaryColor);
-    // Several summaries in the corner stand below each other.
-    std::string written = widget->GetText() ? widget->GetText() : "";
-    if (!this->SelectedText.empty())
-    {
-      written += (written.empty() || written.back() == '\n' ? "\n" : "\n\n") + this->SelectedText;
-      widget->SetText(written.c_str());
-    }
+    this->Flagged = data && IsFlagged(data->GetFieldData());
+    std::string written = this->GetWholeText(widget->GetText() ? widget->GetText() : "");
+    widget->SetText(written.c_str());
     if (auto* view = vtkPVRenderView::SafeDownCast(this->GetView()))
     {
       written = BreakLines(
@@ -196,6 +324,7 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     {
       this->Lines = static_cast<int>(std::count(written.begin(), written.end(), '\n')) +
         (written.empty() || written.back() == '\n' ? 0 : 1);
+      // Several summaries in the corner stand below each other.
       const int above = this->CountLinesAbove(this->LineHeight);
       if (above > 0 && !written.empty())
       {
@@ -204,10 +333,78 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     }
     // ParaView has no property for the line spacing, and VTK's default makes lines touch.
     text->SetLineSpacing(1.3);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->DrawnColor[i] = flagged ? this->FlaggedColor[i] : -1.0;
-    }
+    const bool isShown = this->GetVisibility() && !written.empty();
+    this->Written = written;
+    this->Box->SetVisibility(isShown && this->BoxOpacity > 0.0);
+    this->StatusActor->SetVisibility(isShown && this->Flagged);
   }
   return 1;
+}
+
+void vtkMassSummaryRepresentation::PlaceBox(vtkViewport* viewport)
+{
+  auto* widget = this->TextWidgetRepresentation
+    ? vtkTextRepresentation::SafeDownCast(this->TextWidgetRepresentation->GetRepresentation())
+    : nullptr;
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  vtkWindow* window = viewport->GetVTKWindow();
+  if (!widget || !widget->GetText() || !renderer || !window)
+  {
+    return;
+  }
+  // The widget places its text for the size of the view.
+  widget->BuildRepresentation();
+  vtkTextActor* actor = widget->GetTextActor();
+  vtkTextProperty* text = actor->GetTextProperty();
+  double box[4];
+  actor->GetBoundingBox(viewport, box);
+  const double* anchor = actor->GetActualPositionCoordinate()->GetComputedDoubleViewportValue(viewport);
+  const auto measure = [&](const std::string& lines)
+  {
+    int own[4] = { 0, -1, 0, -1 };
+    renderer->GetBoundingBox(text, lines, own, window->GetDPI());
+    return std::array<double, 2>{ own[1] - own[0] + 1.0, own[3] - own[2] + 1.0 };
+  };
+  const std::string lines =
+    this->Written.substr(0, this->Written.find_last_not_of('\n') + 1); // not those at the end
+  const double advance = measure("X\nX")[1] - measure("X")[1];
+  const double empty =
+    static_cast<double>(this->Written.size() - std::min(lines.size(), this->Written.size())) * advance;
+  const std::array<double, 2> size = measure(lines);
+  const double left = anchor[0] + box[0];
+  const double bottom = anchor[1] + box[2] + empty;
+  const double top = bottom + size[1];
+  const double corners[4][2] = { { left - Padding, bottom - Padding },
+    { left + size[0] + Padding, bottom - Padding }, { left + size[0] + Padding, top + Padding },
+    { left - Padding, top + Padding } };
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Corners->SetPoint(i, corners[i][0], corners[i][1], 0.0);
+  }
+  this->Corners->Modified();
+  double color[3];
+  text->GetColor(color);
+  const double shade = GetLuminance(color) > MiddleLuminance ? 0.0 : 1.0;
+  this->Box->GetProperty()->SetColor(shade, shade, shade);
+  this->Box->GetProperty()->SetOpacity(this->BoxOpacity);
+  // The line with the status.
+  const std::size_t at = lines.rfind("Status: ", 0) == 0 ? 0 : lines.find("\nStatus: ");
+  if (at == std::string::npos)
+  {
+    this->StatusActor->SetVisibility(false);
+    return;
+  }
+  const std::size_t begin = at == 0 ? 0 : at + 1;
+  const std::string status = lines.substr(begin, lines.find('\n', begin) - begin);
+  const auto before = static_cast<double>(std::count(lines.begin(), lines.begin() + begin, '\n'));
+  vtkTextProperty* own = this->StatusActor->GetTextProperty();
+  own->ShallowCopy(text);
+  own->SetColor(1.0, 1.0, 1.0);
+  own->SetShadow(false);
+  own->SetBackgroundColor(this->FlaggedColor);
+  own->SetBackgroundOpacity(1.0);
+  own->SetJustificationToLeft();
+  own->SetVerticalJustificationToTop();
+  this->StatusActor->SetInput(status.c_str());
+  this->StatusActor->SetPosition(left, top - before * advance);
 }

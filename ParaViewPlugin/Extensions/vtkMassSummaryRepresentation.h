@@ -1,18 +1,27 @@
 /**
  * @class   vtkMassSummaryRepresentation
- * @brief   the summary of a filter as text in the view, in another colour when its status is not ok
+ * @brief   the summary of a filter as text in the view, on a box, with a status that is not ok on red
  *
  * The input is that of vtkTextSourceRepresentation; the table's field data may hold the string array Status.
- * If it does and the status is not "ok", the text has the colour FlaggedColor, else the colour of the text
- * property, as the user or the palette sets it.
+ * If it does and the status is not "ok", the line of the text that begins with "Status:" is white on
+ * FlaggedColor. The text has the colour of the text property, as the user or the palette sets it; the box
+ * behind it is black or white, whichever contrasts more, so that the text has a contrast of at least 4.5 : 1
+ * on any background and before any part.
  */
 #ifndef vtkMassSummaryRepresentation_h
 #define vtkMassSummaryRepresentation_h
 
 #include "smParaViewExtensionsModule.h" // for the export macro
+#include "vtkNew.h"                     // for the box
+#include "vtkSmartPointer.h"            // for the box
 #include "vtkTextSourceRepresentation.h"
 
 #include <string> // for the text
+
+class vtkActor2D;
+class vtkPoints;
+class vtkTextActor;
+class vtkViewport;
 
 class SMPARAVIEWEXTENSIONS_EXPORT vtkMassSummaryRepresentation : public vtkTextSourceRepresentation
 {
@@ -22,8 +31,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Colour of the text when the status is not ok: red, green and blue, each from 0 to 1. Default: 1 0.4
-   * 0.35. */
+  /** Colour behind the status when it is not ok: red, green and blue, each from 0 to 1. Default: 0.75 0.1
+   * 0.1. */
   vtkSetVector3Macro(FlaggedColor, double);
   vtkGetVector3Macro(FlaggedColor, double);
   ///@}
@@ -34,12 +43,28 @@ public:
   std::string GetSelectedText() const;
   ///@}
 
+  ///@{
+  /** Opacity of the box behind the text, from 0 to 1, clamped. Default: 0.7. */
+  vtkSetClampMacro(BoxOpacity, double, 0.0, 1.0);
+  vtkGetMacro(BoxOpacity, double);
+  ///@}
+
+  ///@{
+  /** The line above the summary, which is drawn where the view shows other summaries, too. Default: empty. */
+  void SetHeading(const std::string& text);
+  std::string GetHeading() const;
+  ///@}
+
+  void SetVisibility(bool visible) override;
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
 protected:
   vtkMassSummaryRepresentation();
   ~vtkMassSummaryRepresentation() override;
+
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
@@ -48,16 +73,25 @@ private:
   /** Number of lines, of this text's height, that summaries before this one take in the same corner of the
    * view. */
   int CountLinesAbove(double lineHeight) const;
+  /** Returns the text: heading, summary and selection. */
+  std::string GetWholeText(const std::string& summary) const;
+  /** Places the box and the status for the text that the widget draws, whose first `above` lines are empty.
+   */
+  void PlaceBox(vtkViewport* viewport);
 
   vtkMassSummaryRepresentation(const vtkMassSummaryRepresentation&) = delete;
   void operator=(const vtkMassSummaryRepresentation&) = delete;
 
   std::string SelectedText;
-  double FlaggedColor[3] = { 1.0, 0.4, 0.35 };
-  /// The colour of the text property when it is not overridden.
-  double OrdinaryColor[3] = { 1.0, 1.0, 1.0 };
-  /// The flagged colour that the text has now; negative when it has the ordinary one.
-  double DrawnColor[3] = { -1.0, -1.0, -1.0 };
+  std::string Heading;
+  double FlaggedColor[3] = { 0.75, 0.1, 0.1 };
+  double BoxOpacity = 0.7;
+  bool Flagged = false;
+  /// The text that is drawn, without the empty lines above.
+  std::string Written;
+  vtkNew<vtkPoints> Corners;
+  vtkSmartPointer<vtkActor2D> Box;
+  vtkNew<vtkTextActor> StatusActor;
   /// Lines of the text, without those that CountLinesAbove() adds; 0 where it is not in the upper left
   /// corner.
   int Lines = 0;

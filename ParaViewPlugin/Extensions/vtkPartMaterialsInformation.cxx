@@ -1,6 +1,7 @@
 #include "vtkPartMaterialsInformation.h"
 
 #include "smColumns.h"
+#include "smInstanceNames.h"
 #include "smMassPropertyNames.h"
 #include "smOutputData.h"
 #include "smTableCells.h"
@@ -71,7 +72,7 @@ void AddModels(vtkDataObject* data, const std::string& name, PartCollector& part
     if (vtkTrimmedNURBSModel* model = leaf->GetModel())
     {
       sm::PartMaterial part;
-      part.Name = name.empty() ? model->GetName() : name;
+      part.Name = sm::GetPartName(*leaf, name);
       part.Material = model->GetMaterial();
       part.Density = model->GetDensity();
       parts.Add(part);

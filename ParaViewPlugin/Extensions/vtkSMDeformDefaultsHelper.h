@@ -1,12 +1,13 @@
 /**
  * @class   vtkSMDeformDefaultsHelper
- * @brief   gives a new NURBS Deform values for the size of its input, so that the first Apply changes
- * something
+ * @brief   gives a new NURBS Deform a region for the size of its input, in which nothing moves until the user
+ * says so
  *
- * The displacement is a tenth of the input's height along z. The points of the top of the lattice move by a
- * tenth of its length along x, which shears the solid without opening it. Properties that were set keep their
- * values; for 0 0 0 the displacement has "none" as its default_values, as vtkSMPlaneDefaultsHelper.h
- * explains.
+ * The region is a sphere at the middle of the input's box, with a quarter of its diagonal as radius. A script
+ * that sets the displacement, the centre or the radius when it makes the filter keeps the defaults of the
+ * others: with a radius of 0 everything moves. The rows of the lattice are those of its top, with
+ * displacements of 0. For 0 0 0 the displacement has "none" as its default_values, as
+ * vtkSMPlaneDefaultsHelper.h explains.
  */
 #ifndef vtkSMDeformDefaultsHelper_h
 #define vtkSMDeformDefaultsHelper_h

@@ -1,6 +1,7 @@
 #include "vtkSMSolidMomentsSourceProxy.h"
 
 #include "smEscapeKey.h"
+#include "smLivePlane.h"
 #include "smPlotSeries.h"
 #include "smSolidHighlight.h"
 
@@ -13,6 +14,7 @@
 #include "vtkPVProgressHandler.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSurfaceIntegralBase.h"
 #include "vtkWeakPointer.h"
 
@@ -127,9 +129,29 @@ void vtkSMSolidMomentsSourceProxy::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
+void vtkSMSolidMomentsSourceProxy::TakeFirstName()
+{
+  vtkPVXMLElement* second =
+    this->GetHints() ? this->GetHints()->FindNestedElementByName("SecondNameOf") : nullptr;
+  vtkSMProxy* named = second
+    ? this->GetSessionProxyManager()->GetPrototypeProxy(this->GetXMLGroup(), second->GetAttribute("name"))
+    : nullptr;
+  // A prototype has no location: it keeps the name by which the menu finds the filter.
+  if (named && this->GetLocation() != 0)
+  {
+    this->SetXMLName(named->GetXMLName());
+    this->SetXMLLabel(named->GetXMLLabel());
+    this->SetHints(named->GetHints());
+  }
+}
+
 void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
 {
   const bool first = !this->ObjectsCreated;
+  if (first)
+  {
+    this->TakeFirstName();
+  }
   this->Superclass::CreateVTKObjects();
   if (!first || !this->ObjectsCreated)
   {
@@ -139,6 +161,10 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   {
     sm::HighlightSelectedEntities(this);
     sm::ChoosePlotSeries();
+  }
+  if (this->GetHints() && this->GetHints()->FindNestedElementByName("LivePlane"))
+  {
+    sm::FollowPlane(this, vtkAlgorithm::SafeDownCast(this->GetClientSideObject()));
   }
   // The text of the status bar, also for a run on a server; the default is the name of the class.
   vtkClientServerStream stream;

@@ -11,6 +11,9 @@
  * enables its own button next to the progress bar. During such a run the status bar shows "Mass Properties,
  * Esc stops it". A run on a server cannot be stopped by the client: limit it by the property MaximumSeconds.
  * - the choice of series with which new plots of such filters begin (smPlotSeries.h);
+ * - a plane that the filter follows while it is dragged (smLivePlane.h), where the hints have `<LivePlane/>`;
+ * - second names: a definition with the hint `<SecondNameOf name="MassPropertiesGPU"/>` makes that filter, so
+ * that ParaView's search, which knows labels only, finds it by other words;
  * - the text "Mass Properties: compiling shaders" in the status bar during the seconds that a first run may
  * take for it.
  */
@@ -34,6 +37,9 @@ protected:
   void CreateVTKObjects() override;
 
 private:
+  /// Makes the filter that the hint SecondNameOf names of one that was found by its second name.
+  void TakeFirstName();
+
   vtkSMSolidMomentsSourceProxy(const vtkSMSolidMomentsSourceProxy&) = delete;
   void operator=(const vtkSMSolidMomentsSourceProxy&) = delete;
 };

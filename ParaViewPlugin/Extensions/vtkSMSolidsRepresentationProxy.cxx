@@ -3,6 +3,9 @@
 #include "smColumnUnits.h"
 #include "smMassPropertyNames.h"
 #include "vtkExactGeometryInformation.h"
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
+#include "smStabilityNames.h"
+#endif
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -31,6 +34,18 @@ std::string GetArrayName(vtkSMProxy* proxy)
   vtkSMPropertyHelper helper(proxy->GetProperty("ColorArrayName"));
   const char* name = helper.GetInputArrayNameToProcess();
   return name ? name : "";
+}
+
+/// True for an array of colours, which are drawn as they are.
+bool IsColor(const std::string& array)
+{
+#if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
+  if (array == sm::names::StabilityColor)
+  {
+    return true;
+  }
+#endif
+  return array == sm::names::Color;
 }
 }
 
@@ -76,7 +91,7 @@ void vtkSMSolidsRepresentationProxy::FollowArray()
 {
   if (vtkSMProperty* map = this->GetProperty("MapScalars"))
   {
-    vtkSMPropertyHelper(map).Set(GetArrayName(this) == sm::names::Color ? 0 : 1);
+    vtkSMPropertyHelper(map).Set(IsColor(GetArrayName(this)) ? 0 : 1);
   }
 }
 
@@ -85,7 +100,7 @@ bool vtkSMSolidsRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* view, bo
   const std::string array = GetArrayName(this);
   // Without an array there is no colour bar. For the file's colours the superclass would make a bar in order
   // to hide it.
-  if (array.empty() || (array == sm::names::Color && (visible || !this->IsScalarBarVisible(view))))
+  if (array.empty() || (IsColor(array) && (visible || !this->IsScalarBarVisible(view))))
   {
     return false;
   }

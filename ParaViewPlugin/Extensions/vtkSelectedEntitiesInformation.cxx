@@ -74,6 +74,27 @@ bool Read(const vtkClientServerStream* stream, int& argument, std::vector<vtkTyp
     stream->GetArgument(0, argument++, numbers.data(), static_cast<vtkTypeUInt32>(count)) != 0;
 }
 
+void WriteNumbers(vtkMultiProcessStream& stream, const std::vector<vtkTypeInt64>& numbers)
+{
+  stream << static_cast<vtkTypeInt64>(numbers.size());
+  for (const vtkTypeInt64 number : numbers)
+  {
+    stream << number;
+  }
+}
+
+std::vector<vtkTypeInt64> ReadNumbers(vtkMultiProcessStream& stream)
+{
+  vtkTypeInt64 count = 0;
+  stream >> count;
+  std::vector<vtkTypeInt64> numbers(static_cast<std::size_t>(std::max<vtkTypeInt64>(count, 0)));
+  for (vtkTypeInt64& number : numbers)
+  {
+    stream >> number;
+  }
+  return numbers;
+}
+
 template <typename Numbers>
 std::vector<vtkTypeInt64> ToList(const Numbers& numbers)
 {
@@ -123,6 +144,13 @@ void vtkSelectedEntitiesInformation::Select(Port port, const sm::SelectionTerms&
 {
   this->Selected = port;
   this->Terms = terms;
+}
+
+void vtkSelectedEntitiesInformation::SetBefore(
+  const std::set<vtkIdType>& solids, const std::map<vtkIdType, std::set<vtkIdType>>& faces)
+{
+  this->SolidsBefore = solids;
+  this->FacesBefore = faces;
 }
 
 void vtkSelectedEntitiesInformation::Clear()
@@ -215,10 +243,7 @@ void vtkSelectedEntitiesInformation::FindSolidsAndFacesOfCells(
     {
       this->Solids.insert(solid);
     }
-    for (const vtkIdType cell : selected.Elements)
-    {
-      this->Faces[solid].insert(static_cast<vtkIdType>(index->GetComponent(cell, 0)));
-    }
+    this->AddFacesOfCells(solid, selected.Elements, index);
   }
   for (vtkIdType row = 0; !this->Faces.empty() && row < sm::CountRows(faces); ++row)
   {
@@ -227,6 +252,37 @@ void vtkSelectedEntitiesInformation::FindSolidsAndFacesOfCells(
       found->second.count(sm::GetIndex(faces, vtkNURBSDataSet::FaceIndexArrayName(), row)) > 0)
     {
       this->FaceRows.push_back(row);
+    }
+  }
+}
+
+void vtkSelectedEntitiesInformation::AddFacesOfCells(
+  vtkIdType solid, const std::vector<vtkIdType>& cells, vtkDataArray* index)
+{
+  if (cells.empty())
+  {
+    return;
+  }
+  std::map<vtkIdType, vtkIdType> counts;
+  for (const vtkIdType cell : cells)
+  {
+    ++counts[static_cast<vtkIdType>(index->GetComponent(cell, 0))];
+  }
+  std::map<vtkIdType, vtkIdType> all;
+  for (vtkIdType cell = 0; cell < index->GetNumberOfTuples(); ++cell)
+  {
+    ++all[static_cast<vtkIdType>(index->GetComponent(cell, 0))];
+  }
+  const auto before = this->FacesBefore.find(solid);
+  for (const auto& [face, count] : counts)
+  {
+    // A single set is a new selection, which takes the place of what was selected before.
+    const bool wasSelected = this->Terms.Sets.size() > 1 &&
+      (this->SolidsBefore.count(solid) > 0 ||
+        (before != this->FacesBefore.end() && before->second.count(face) > 0));
+    if (count == all[face] || !wasSelected)
+    {
+      this->Faces[solid].insert(face);
     }
   }
 }
@@ -258,6 +314,12 @@ void vtkSelectedEntitiesInformation::FindHighlight(vtkPartitionedDataSetCollecti
   }
   if (count > MostHighlightedCells || this->Shown.Cells.size() > MostSolidsWithHighlightedCells)
   {
+    if (this->Selected == MeshesPort)
+    {
+      // The cells that were picked stay as they are.
+      this->Shown = {};
+      return;
+    }
     for (const auto& solid : this->Shown.Cells)
     {
       this->Shown.Solids.insert(solid.first);
@@ -389,6 +451,8 @@ void vtkSelectedEntitiesInformation::CopyParametersToStream(vtkMultiProcessStrea
 {
   stream << static_cast<int>(this->Selected);
   sm::Write(this->Terms, stream);
+  WriteNumbers(stream, ToList(this->SolidsBefore));
+  WriteNumbers(stream, ToPairs(this->FacesBefore));
 }
 
 void vtkSelectedEntitiesInformation::CopyParametersFromStream(vtkMultiProcessStream& stream)
@@ -397,4 +461,7 @@ void vtkSelectedEntitiesInformation::CopyParametersFromStream(vtkMultiProcessStr
   stream >> port;
   this->Selected = static_cast<Port>(port);
   sm::Read(this->Terms, stream);
+  const std::vector<vtkTypeInt64> solids = ReadNumbers(stream);
+  this->SolidsBefore = { solids.begin(), solids.end() };
+  this->FacesBefore = FromPairs<std::set<vtkIdType>>(ReadNumbers(stream));
 }

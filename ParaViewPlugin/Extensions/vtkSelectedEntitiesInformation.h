@@ -22,6 +22,7 @@
 #include <string> // for the text
 #include <vector> // for the rows
 
+class vtkDataArray;
 class vtkPartitionedDataSetCollection;
 class vtkTable;
 
@@ -58,6 +59,11 @@ public:
    * all solids. Default: nothing.
    */
   void Select(Port port, const sm::SelectionTerms& terms);
+  /**
+   * Sets the solids and faces that were selected before. A face with some selected cells is selected; but if
+   * it was so before and lacks cells now, the user has deselected it. Default: none.
+   */
+  void SetBefore(const std::set<vtkIdType>& solids, const std::map<vtkIdType, std::set<vtkIdType>>& faces);
 
   /** Returns the numbers of the solids that are selected themselves, not by faces or edges. */
   const std::set<vtkIdType>& GetSolids() const
@@ -80,8 +86,9 @@ public:
     return this->SolidIds;
   }
   /**
-   * Returns the elements by which a view shows the selected rows. A solid all of whose faces are selected is
-   * highlighted as a whole, and so are all solids if there are too many cells for ParaView. Empty for edges.
+   * Returns the elements by which a view shows the selection: all cells of selected faces. A solid all of
+   * whose faces are selected is highlighted as a whole, and so are all solids of selected rows if there are
+   * too many cells for ParaView; of picked cells the result is empty then. Empty for edges.
    */
   const Highlight& GetHighlight() const
   {
@@ -125,9 +132,14 @@ private:
   void FindEdges(vtkTable* solids, vtkTable* edges, vtkPartitionedDataSetCollection* meshes);
   void FindSolidIds(vtkTable* solids);
 
-  /// The request: port and selection.
+  /// Selects the faces of some cells of a solid.
+  void AddFacesOfCells(vtkIdType solid, const std::vector<vtkIdType>& cells, vtkDataArray* index);
+
+  /// The request: port and selection, and what was selected before.
   Port Selected = MeshesPort;
   sm::SelectionTerms Terms;
+  std::set<vtkIdType> SolidsBefore;
+  std::map<vtkIdType, std::set<vtkIdType>> FacesBefore;
   /// The results.
   std::set<vtkIdType> Solids;
   std::map<vtkIdType, std::set<vtkIdType>> Faces;

@@ -40,8 +40,8 @@ constexpr const char* RowNumber = "vtkOriginalIndices";
 
 /// Columns before the integrals that the user named: identity and status of the row, then the main results.
 const char* const Leading[] = { RowNumber, names::Solid, vtkNURBSDataSet::FaceIndexArrayName(), names::FaceId,
-  names::EdgeIndex, names::EdgeId, names::Name, names::Id, names::Status, names::Kind, names::Count,
-  names::CountInAll,
+  names::EdgeIndex, names::EdgeId, names::Name, names::Path, names::Id, names::Status, names::Kind,
+  names::Count, names::CountInAll,
 #if VTK_MODULE_ENABLE_SolidMoments_FiltersStability
   names::Stability, names::Support, names::DecidedBy, names::SideFrom, names::SideTo, names::StabilityMargin,
   names::TipAngle, names::CenterOfMassRise, names::TipEnergy,

@@ -4,10 +4,10 @@
  *
  * vtkSpreadSheetView sorts columns by name, so that Name and Volume of a solid come after a hundred others.
  * This class shows and exports the tables of Mass Properties with its parts list, Surface Integral, Buoyancy
- * and Static Stability in this order: the row's number; Name, Id, Status; the main results, such as Volume,
- * Mass, SurfaceArea, CenterOfMass; integrals by the names that the user gave them; units, tensors and gaps;
- * each followed by its bound. The magnitudes that the view adds to centres, tensors and axes have no meaning
- * and are left out. Numbers are shown and exported with all their digits. Any other table is shown as
+ * and Static Stability in this order: the row's number; Name, Path, Id, Status; the main results, such as
+ * Volume, Mass, SurfaceArea, CenterOfMass; integrals by the names that the user gave them; units, tensors and
+ * gaps; each followed by its bound. The magnitudes that the view adds to centres, tensors and axes have no
+ * meaning and are left out. Numbers are shown and exported with all their digits. Any other table is shown as
  * ParaView does. A table of this project has the columns Name, Id and Status, Name, Level and CountInAll, or
  * Solid with FaceId, EdgeId or StabilityMargin.
  *

@@ -43,7 +43,7 @@ def main(file, output, unit, input_unit, deflection):
         triangles = mesh.GetPolys().GetConnectivityArray()
         assert mesh.GetPolys().GetMaxCellSize() in (0, 3)
         name = collection.GetMetaData(i).Get(vtkCompositeDataSet.NAME()) if collection.HasMetaData(i) else None
-        solid = {"name": name or "", "length_unit": mesh.GetModel().GetLengthUnit(), "points": describe(mesh.GetPoints().GetData())}
+        solid = {"name": mesh.GetPartName() or name or "", "length_unit": mesh.GetModel().GetLengthUnit(), "points": describe(mesh.GetPoints().GetData())}
         solid["triangles"] = {**describe(triangles), "components": 3}
         solid["cell_data"], solid["point_data"] = describe_all(mesh.GetCellData()), describe_all(mesh.GetPointData())
         solids.append(solid)

@@ -2,6 +2,7 @@
 
 #include "smExportColors.h"
 #include "smFormat.h"
+#include "smInstanceNames.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -244,13 +245,13 @@ private:
         ", those of the first body in " + this->Tree.LengthUnit + ".");
       return;
     }
-    this->Leaves.push_back({ leaf, name.empty() ? model->GetName() : name, false });
+    this->Leaves.push_back({ leaf, GetPartName(*leaf, name), false });
   }
 
   static std::string GetLabel(vtkDataAssembly* assembly, int node)
   {
-    const char* label = assembly->GetAttributeOrDefault(node, "label", "");
-    return label && *label ? label : assembly->GetNodeName(node);
+    const std::string label = GetFileName(*assembly, node);
+    return label.empty() ? assembly->GetNodeName(node) : label;
   }
 
   void AddNode(vtkDataAssembly* assembly, int id, ExportNode& parent)

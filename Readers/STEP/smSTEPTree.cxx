@@ -1,6 +1,7 @@
 #include "smSTEPTree.h"
 
 #include "smFailureReason.h"
+#include "smInstanceNames.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataAssembly.h"
@@ -18,23 +19,35 @@ namespace sm
 {
 namespace
 {
-/// Adds a node below `parent`. Its node name is made valid for XML; its attribute "label" is the given name,
-/// or `fallback`.
-int AddChild(vtkDataAssembly* assembly, int parent, const std::string& name, const std::string& fallback)
+/// Returns the name of a product, or what stands for it.
+std::string GetLabel(const ProductNode& product)
 {
-  std::string valid = name.empty() ? fallback : vtkDataAssembly::MakeValidNodeName(name.c_str());
-  if (vtkDataAssembly::IsNodeNameReserved(valid.c_str()))
-  {
-    valid += "_";
-  }
-  const int node = assembly->AddNode(valid.c_str(), parent);
-  assembly->SetAttribute(node, "label", name.empty() ? fallback.c_str() : name.c_str());
-  return node;
+  return product.Name.empty() ? "Part" : product.Name;
 }
 
-void AddProduct(vtkDataAssembly* assembly, int parent, const ProductNode& product)
+/// Adds the node names that the file's names make to `names`.
+void CollectNodeNames(const ProductNode& product, std::unordered_set<std::string>& names)
 {
-  const int node = AddChild(assembly, parent, product.Name, "Part");
+  for (const ProductNode& child : product.Children)
+  {
+    names.insert(MakeNodeName(GetLabel(child)));
+    CollectNodeNames(child, names);
+  }
+}
+
+void AddProducts(vtkDataAssembly* assembly, int parent, const std::vector<ProductNode>& products,
+  const std::unordered_set<std::string>& taken);
+
+/// Adds a node below `parent`. Its attribute "label" is the given one, and its node name is made of it.
+void AddProduct(vtkDataAssembly* assembly, int parent, const ProductNode& product, const std::string& label,
+  const std::unordered_set<std::string>& taken)
+{
+  const int node = assembly->AddNode(MakeNodeName(label).c_str(), parent);
+  assembly->SetAttribute(node, "label", label.c_str());
+  if (label != GetLabel(product))
+  {
+    assembly->SetAttribute(node, FileNameAttribute, GetLabel(product).c_str());
+  }
   if (product.Name.empty())
   {
     // The file has no name: the label is the fallback.
@@ -48,9 +61,23 @@ void AddProduct(vtkDataAssembly* assembly, int parent, const ProductNode& produc
   {
     assembly->AddDataSetIndex(node, static_cast<unsigned int>(instance));
   }
-  for (const ProductNode& child : product.Children)
+  AddProducts(assembly, node, product.Children, taken);
+}
+
+/// Adds nodes for the products, with numbers where names repeat.
+void AddProducts(vtkDataAssembly* assembly, int parent, const std::vector<ProductNode>& products,
+  const std::unordered_set<std::string>& taken)
+{
+  std::vector<std::string> names;
+  names.reserve(products.size());
+  for (const ProductNode& product : products)
   {
-    AddProduct(assembly, node, child);
+    names.push_back(GetLabel(product));
+  }
+  const std::vector<std::string> labels = NumberNames(names, taken);
+  for (std::size_t i = 0; i < products.size(); ++i)
+  {
+    AddProduct(assembly, parent, products[i], labels[i], taken);
   }
 }
 
@@ -70,10 +97,9 @@ vtkSmartPointer<vtkDataAssembly> MakeAssembly(
   const std::string stem = GetStem(fileName);
   assembly->SetRootNodeName(format);
   assembly->SetAttribute(vtkDataAssembly::GetRootNode(), "label", stem.c_str());
-  for (const ProductNode& product : root.Children)
-  {
-    AddProduct(assembly, vtkDataAssembly::GetRootNode(), product);
-  }
+  std::unordered_set<std::string> names;
+  CollectNodeNames(root, names);
+  AddProducts(assembly, vtkDataAssembly::GetRootNode(), root.Children, names);
   return assembly;
 }
 

@@ -22,7 +22,9 @@ class vtkPartitionedDataSetCollection;
 namespace sm
 {
 /// Makes the vtkDataAssembly of the products. Its root is named `format`; the attribute "label" of it is the
-/// file's name without folder and extension.
+/// file's name without folder and extension. Nodes of one parent have different names: where those of the
+/// file repeat, their labels have a number, "nut (1)", and their attribute "name" is that of the file
+/// (smInstanceNames.h).
 vtkSmartPointer<vtkDataAssembly> MakeAssembly(
   const ProductNode& root, const char* format, const std::string& fileName);
 

@@ -251,7 +251,19 @@ bool vtkCADReader::IsReadingCurrent()
 void vtkCADReader::WriteState(vtkPartitionedDataSetCollection* output) const
 {
   sm::CheckMemory(sm::SpareMemory);
-  sm::SetFileState(output, { this->GetStatusAsString(), this->Last->Problem, this->Last->Defects });
+  sm::FileState state{ this->GetStatusAsString(), this->Last->Problem, this->Last->Defects, {} };
+  const std::vector<std::string>& defects = state.Defects;
+  for (const std::string& message : this->Last->Messages)
+  {
+    // The models have the messages about single bodies, which begin like this (LeafMaker).
+    const bool isOfBody = message.rfind("Body \"", 0) == 0;
+    if (!isOfBody && message != state.Problem &&
+      std::find(defects.begin(), defects.end(), message) == defects.end())
+    {
+      state.Notes.push_back(message);
+    }
+  }
+  sm::SetFileState(output, state);
 }
 
 void vtkCADReader::ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept
@@ -380,6 +392,7 @@ void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
   }
   reading->Assembly =
     sm::MakeAssembly(document.Root, this->GetFormatName(), this->FileName ? this->FileName : "");
+  reading->NameInstances();
   this->Last->Bodies = static_cast<int>(document.Bodies.size());
   this->Last->Instances = static_cast<int>(document.Instances.size());
   reading->Last = *this->Last;

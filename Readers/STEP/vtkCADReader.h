@@ -4,10 +4,12 @@
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per solid instance; its
  * partition 0 is a vtkNURBSDataSet. A file without solids gives one per free shell instead. The name of a
- * partitioned dataset (vtkCompositeDataSet::NAME()) is that of the product. A vtkDataAssembly mirrors the
- * product structure: its node names are valid XML names, the attribute "label" has the name in the file,
- * "layer" its layer. Instances of one part share a vtkTrimmedNURBSModel, which stays in the coordinates of
- * the part.
+ * partitioned dataset (vtkCompositeDataSet::NAME()) is that of the product, with a number where it repeats:
+ * `nut (1)`, `nut (2)`. A vtkDataAssembly mirrors the product structure: its node names are valid XML names,
+ * the attribute "label" has the name in the file, with a number where siblings have the same one, and then
+ * "name" the name itself; "layer" has its layer. Every leaf has its name in the file and its path in the
+ * product structure (vtkNURBSDataSet::GetPartName(), GetPartPath()). Instances of one part share a
+ * vtkTrimmedNURBSModel, which stays in the coordinates of the part.
  *
  * Surfaces become rational B-splines without error; a surface that has no such form (an offset surface) is
  * fitted, with NURBSSurface::Residual as the error of the fit. Trim and edge curves are exact polynomials, or

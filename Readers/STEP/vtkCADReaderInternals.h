@@ -5,6 +5,7 @@
 #ifndef vtkCADReaderInternals_h
 #define vtkCADReaderInternals_h
 
+#include "smInstanceNames.h"
 #include "smLeafMesh.h"
 #include "vtkCADReader.h"
 
@@ -39,12 +40,23 @@ struct vtkCADReader::Reading
 
   /// An entry for each partitioned dataset.
   std::vector<sm::LeafSource> Sources;
+  /// Names in the file, which may repeat; the names of the blocks, and the paths, which do not
+  /// (smInstanceNames.h).
   std::vector<std::string> Names;
+  std::vector<std::string> BlockNames;
+  std::vector<std::string> Paths;
   vtkSmartPointer<vtkDataAssembly> Assembly;
   /// Results without the messages about display meshes.
   Results Last;
   /// MTime of the newest model.
   vtkMTimeType ModelTime = 0;
+
+  /// Sets BlockNames and Paths.
+  void NameInstances()
+  {
+    this->BlockNames = sm::NumberNames(this->Names, {});
+    this->Paths = sm::ListPaths(*this->Assembly, this->Names);
+  }
 
   vtkMTimeType FindModelTime() const
   {

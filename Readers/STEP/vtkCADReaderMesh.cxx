@@ -143,8 +143,10 @@ bool vtkCADReader::FillOutput(vtkPartitionedDataSetCollection* output)
       this->Stop();
       return false;
     }
+    leaf->SetPartName(this->Kept->Names[i]);
+    leaf->SetPartPath(this->Kept->Paths[i]);
     output->SetPartition(i, 0, leaf);
-    output->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), this->Kept->Names[i].c_str());
+    output->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), this->Kept->BlockNames[i].c_str());
   }
   output->SetDataAssembly(this->Kept->Assembly);
   this->MeshIsCoarse = this->HasMesh && mesher.IsCoarse();

@@ -147,9 +147,10 @@ bool vtkCADReader::UnpackReading(sm::ByteReader& from, vtkPartitionedDataSetColl
     }
     std::copy_n(leaf->GetPlacementData(), source.Placement.size(), source.Placement.begin());
     reading->Sources.push_back(source);
-    reading->Names.emplace_back(tree->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
+    reading->Names.push_back(leaf->GetPartName());
   }
   reading->Assembly = tree->GetDataAssembly();
+  reading->NameInstances();
   reading->Last = *this->Last;
   reading->ModelTime = reading->FindModelTime();
   this->Kept = std::move(reading);

@@ -144,10 +144,9 @@ if has("SolidSection"):
     check("second moment", math.pi * radius ** 4 / 4, vector(cut, "SectionSecondMoments")[0], 1e-7 * radius ** 4)
     check("half of the mass, kg", 0.5e-6 * sphere["volume"], total(cut, "MassBelow"), 1e-14 * sphere["volume"])
     check("the other half", 0.5e-6 * sphere["volume"], total(cut, "MassAbove"), 1e-14 * sphere["volume"])
-    clipped = servermanager.Fetch(cut, idx=7)
-    check("the clipped mesh ends at the plane", center[2], clipped.GetBounds()[5], 1e-6 * radius)
-    caps = clipped.GetCellData().GetArray("Cap")
-    check_equal("it has a section", (0.0, 1.0), caps.GetRange())
+    clipped = servermanager.OutputPort(cut, 7)
+    check("the clipped mesh ends at the plane", center[2], clipped.GetDataInformation().GetBounds()[5], 1e-6 * radius)
+    check_equal("it has a section", (0.0, 1.0), clipped.CellData["Cap"].GetRange())
     check_true("the summary has it", "Section area: " in servermanager.Fetch(cut, idx=2).GetValueByName(0, "Text").ToString())
     check_equal("and the volume of the input stays", total(MassProperties(Input=source), "Volume"), plain_volume)  # noqa: F821
 
@@ -164,7 +163,7 @@ for name, property_name in (("Buoyancy", "Point"), ("Section", "Point"), ("NURBS
         check_equal(f"{name}, input has run: {has_run}: 0 0 0 is kept", [0.0, 0.0, 0.0], list(getattr(given, property_name)))
         check_equal(f"{name}: and is in traces and states", 0, given.SMProxy.GetProperty(property_name).IsValueDefault())
         values.append(list(getattr(make(Input=input_of_both), property_name)))
-    check_true(f"{name}: the same default", not make or (values[0] == values[1] != [0.0, 0.0, 0.0]), str(values))
+    check_true(f"{name}: the same default", not make or (values[0] == values[1] and (values[0] != [0.0, 0.0, 0.0] or name == "NURBSDeform")), str(values))
 
 # ParaView's filters call Modified() on the points that they read (Clip does): their input stays what it is.
 for name in ("Clip", "Cut", "Threshold", "PolyDataNormals", "CleanPolyData", "ExtractEdges", "FeatureEdges", "ElevationFilter",

@@ -74,7 +74,7 @@ elif mode == "section":
 else:
     check_equal("mode", "volume", mode)
     mass = apply(os.path.join(parts, "gear_train.step"))
-    color_by(mass, "Volume", 0.0, 2e5)
+    color_by(mass, "VolumeOfWholeSolid", 0.0, 2e5)
 
 name = "TestPluginPictures_" + mode
 expected = read_picture(os.path.join(baselines, name + ".png"))

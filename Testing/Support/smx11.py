@@ -1,4 +1,4 @@
-"""An X display over its plain protocol, without a library or a program: keys pressed as by a user (the extension XTEST), and pictures of the screen."""
+"""An X display over its plain protocol, without a library or a program: keys and mouse as by a user (the extension XTEST), and pictures of the screen."""
 import os
 import socket
 import struct
@@ -58,13 +58,40 @@ class Display:
             data += more
         return data
 
+    def _receive_reply(self):
+        """The head of the next reply. Events are skipped: every client gets one when a pressed key changes the keyboard."""
+        while (head := self._receive(32))[0] > 1:
+            pass
+        if head[0] == 0:
+            raise OSError(f"the display refuses a request: {head!r}")
+        return head
+
+    def _send(self, events):
+        """Sends events of the extension: kind, detail, x and y."""
+        for kind, detail, x, y in events:
+            self.socket.sendall(struct.pack("<BBHBBxxII8xHH7xB", self.opcode, 2, 9, kind, detail, 0, 0, x, y, 0))
+        # A request with a reply, so that all are done.
+        self.socket.sendall(struct.pack("<BxH", 43, 1))
+        self._receive_reply()
+
     def tap(self, keycode):
         """Presses and lets go of a key."""
-        for kind in (2, 3):
-            self.socket.sendall(struct.pack("<BBHBBxxII8xHH7xB", self.opcode, 2, 9, kind, keycode, 0, 0, 0, 0, 0))
-        # A request with a reply, so that both are done.
-        self.socket.sendall(struct.pack("<BxH", 43, 1))
-        self._receive(32)
+        self._send([(2, keycode, 0, 0), (3, keycode, 0, 0)])
+
+    def move(self, x, y):
+        """Moves the mouse to a place on the screen."""
+        self._send([(6, 0, x, y)])
+
+    def press(self, button=1):
+        self._send([(4, button, 0, 0)])
+
+    def release(self, button=1):
+        self._send([(5, button, 0, 0)])
+
+    def click(self, x, y):
+        self.move(x, y)
+        self.press()
+        self.release()
 
     def grab(self):
         """The screen: width, height, and its pixels from the upper left corner, each as blue, green, red and a byte without meaning."""
@@ -72,7 +99,7 @@ class Display:
         screen = self.setup[32 + vendor + -vendor % 4 + 8 * formats:]
         root, (width, height) = struct.unpack("<I", screen[:4])[0], struct.unpack("<HH", screen[20:24])
         self.socket.sendall(struct.pack("<BBHIHHHHI", 73, 2, 5, root, 0, 0, width, height, 0xffffffff))
-        size = 4 * struct.unpack("<I", self._receive(32)[4:8])[0]
+        size = 4 * struct.unpack("<I", self._receive_reply()[4:8])[0]
         chunks = []
         while size > 0:
             chunks.append(self.socket.recv(min(size, 1 << 20)))

@@ -37,6 +37,8 @@ struct vtkSolidStability::Internals
   sm::SupportedBody Worst;
   std::string Status;
   std::vector<std::string> Messages;
+  /// See sm::FileState.
+  std::vector<std::string> FileNotes;
 
   /// Removes the bodies that the mass filter has no row for, because its selectors leave them out.
   void KeepChosen(std::vector<sm::BodyIntegrals>& bodies) const;

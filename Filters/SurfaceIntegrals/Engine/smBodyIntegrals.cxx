@@ -6,6 +6,7 @@
 #include "smBodyScales.h"
 #include "smCompensatedSum.h"
 #include "smFormat.h"
+#include "smInstanceNames.h"
 #include "smMeshTriangles.h"
 #include "smVector.h"
 
@@ -40,6 +41,16 @@ std::string NameOf(vtkInformation* info, const std::string& otherwise)
   return name && *name ? name : otherwise;
 }
 
+void Reject(vtkDataObject* data, const std::string& name, int& count, RejectedInput& rejected)
+{
+  ++count;
+  auto* mesh = vtkDataSet::SafeDownCast(data);
+  if (!mesh || mesh->GetNumberOfPoints() > 0)
+  {
+    rejected.Meshes.emplace_back(data, name);
+  }
+}
+
 void Collect(
   vtkDataObject* data, const std::string& name, std::vector<BodyIntegrals>& bodies, RejectedInput& rejected)
 {
@@ -51,12 +62,14 @@ void Collect(
       body.Model = model;
       body.Mesh = leaf;
       std::copy_n(leaf->GetPlacementData(), 16, body.Placement.begin());
-      body.Name = name.empty() ? model->GetName() : name;
+      body.Name = GetPartName(*leaf, name);
+      body.Block = name.empty() ? body.Name : name;
+      body.Path = leaf->GetPartPath().empty() ? body.Name : leaf->GetPartPath();
       body.Id = std::to_string(bodies.size() + 1);
       bodies.push_back(std::move(body));
       return;
     }
-    ++(leaf->IsModelWithheld() ? rejected.Withheld : rejected.Plain);
+    Reject(data, name, leaf->IsModelWithheld() ? rejected.Withheld : rejected.Plain, rejected);
   }
   else if (auto collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
   {
@@ -83,7 +96,7 @@ void Collect(
   }
   else if (data)
   {
-    ++rejected.Plain;
+    Reject(data, name, rejected.Plain, rejected);
   }
 }
 
@@ -156,6 +169,18 @@ void CheckTopology(BodyIntegrals& body)
         ", is beyond 1e-40 to 1e40: products of lengths leave the range of doubles");
   }
   CountOpenEdges(body);
+}
+
+double SumClosing(const std::vector<BodyIntegrals>& bodies, std::size_t integrand)
+{
+  double sum = 0.0;
+  for (const BodyIntegrals& body : bodies)
+  {
+    const bool isKnown = integrand < body.Value.size() && integrand < body.FaceValue.size();
+    sum += isKnown ? std::abs(body.Value[integrand] - body.FaceValue[integrand])
+                   : std::numeric_limits<double>::quiet_NaN();
+  }
+  return sum;
 }
 
 void SetUnknown(BodyIntegrals& body, std::size_t integrands)

@@ -1,7 +1,10 @@
 #include "smBodySelection.h"
 
+#include "smInstanceNames.h"
+
 #include "vtkDataAssembly.h"
 #include "vtkDataAssemblyUtilities.h"
+#include "vtkNURBSDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -28,6 +31,49 @@ std::vector<std::vector<LeafPlace>> ListPlaces(vtkPartitionedDataSetCollection& 
     }
   }
   return places;
+}
+
+/// Returns the assembly with the node names and labels that the names in the file make; null where these are
+/// its own. Nodes keep their datasets.
+vtkSmartPointer<vtkDataAssembly> MakeFileTree(
+  vtkDataAssembly& assembly, const std::vector<std::vector<LeafPlace>>& places)
+{
+  vtkSmartPointer<vtkDataAssembly> tree;
+  for (const int node : assembly.GetChildNodes(vtkDataAssembly::GetRootNode(), true))
+  {
+    std::string name = assembly.GetAttributeOrDefault(node, FileNameAttribute, "");
+    const std::vector<unsigned int> own = assembly.GetDataSetIndices(node, false);
+    // A node of the hierarchy has no such attribute.
+    if (name.empty() && assembly.HasAttribute(node, "number_of_partitions") && own.size() == 1 &&
+      own[0] < places.size() && places[own[0]].size() == 1)
+    {
+      auto* leaf = vtkNURBSDataSet::SafeDownCast(places[own[0]][0].first);
+      name = leaf ? leaf->GetPartName() : name;
+    }
+    const std::string nodeName = MakeNodeName(name);
+    if (!nodeName.empty() && nodeName != assembly.GetNodeName(node))
+    {
+      if (!tree)
+      {
+        tree = vtkSmartPointer<vtkDataAssembly>::New();
+        tree->DeepCopy(&assembly);
+      }
+      tree->SetNodeName(node, nodeName.c_str());
+      tree->SetAttribute(node, "label", name.c_str());
+    }
+  }
+  return tree;
+}
+
+/// Returns the numbers of the datasets below the nodes of a selector.
+std::set<unsigned int> FindDataSets(vtkDataAssembly* assembly, const std::string& selector)
+{
+  if (!assembly)
+  {
+    return {};
+  }
+  const std::vector<unsigned int> found = assembly->GetDataSetIndices(assembly->SelectNodes({ selector }));
+  return { found.begin(), found.end() };
 }
 }
 
@@ -59,10 +105,14 @@ std::string SelectLeaves(vtkDataObject* input, const std::string& assemblyName,
     return "the input has no assembly \"" + assemblyName + "\" to choose from";
   }
   const std::vector<std::vector<LeafPlace>> places = ListPlaces(*collection);
+  // A name of the file means all instances that have it, a numbered name one of them.
+  const vtkSmartPointer<vtkDataAssembly> fileTree = MakeFileTree(*assembly, places);
   for (const std::string& selector : selectors)
   {
     bool found = false;
-    for (const unsigned int index : assembly->GetDataSetIndices(assembly->SelectNodes({ selector })))
+    std::set<unsigned int> indices = FindDataSets(assembly, selector);
+    indices.merge(FindDataSets(fileTree, selector));
+    for (const unsigned int index : indices)
     {
       if (index < places.size())
       {

@@ -2,6 +2,7 @@
 #include "smIntegralEngine.h"
 
 #include "Sharing/smFaceExchange.h"
+#include "Sharing/smSharedStructure.h"
 #include "smFailureReason.h"
 
 namespace sm
@@ -30,11 +31,24 @@ vtkMultiProcessController* IntegralEngine::GetController() const
   return this->Exchange ? this->Exchange->GetController() : nullptr;
 }
 
-IntegralEngine::Role IntegralEngine::ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies)
+bool IntegralEngine::IsSharedUpdate(int pieces) const
 {
   // If the update has another number of pieces, it concerns this process alone, and other ranks may not take
   // part.
-  if (!this->Exchange || pieces < 2 || this->Exchange->GetNumberOfRanks() != pieces)
+  return this->Exchange && pieces > 1 && this->Exchange->GetNumberOfRanks() == pieces;
+}
+
+void IntegralEngine::ShareStructure(int pieces, vtkPartitionedDataSetCollection* meshes)
+{
+  if (this->IsSharedUpdate(pieces) && !sm::ShareStructure(*this->Exchange, *meshes))
+  {
+    this->Report.Messages.push_back("the meshes are missing: a rank has not enough memory, or is lost");
+  }
+}
+
+IntegralEngine::Role IntegralEngine::ChooseRole(bool canShare, int pieces, bool hasInput, bool hasBodies)
+{
+  if (!this->IsSharedUpdate(pieces))
   {
     return Role::Owner;
   }

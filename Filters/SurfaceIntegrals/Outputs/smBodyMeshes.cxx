@@ -1,5 +1,7 @@
 #include "smBodyMeshes.h"
 
+#include "smInstanceNames.h"
+
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataAssembly.h"
@@ -108,10 +110,22 @@ void KeepAssembly(
 }
 }
 
+std::vector<std::string> NameBlocks(const std::vector<BodyIntegrals>& bodies)
+{
+  std::vector<std::string> blocks;
+  blocks.reserve(bodies.size());
+  for (const BodyIntegrals& body : bodies)
+  {
+    blocks.push_back(body.Block);
+  }
+  return NumberNames(blocks, {});
+}
+
 void MakeBodyMeshes(const std::vector<BodyIntegrals>& bodies, const std::vector<MeshArray>& arrays,
   vtkDataObject* input, vtkPartitionedDataSetCollection* output)
 {
   ArrayPool pool;
+  const std::vector<std::string> blocks = NameBlocks(bodies);
   output->SetNumberOfPartitionedDataSets(static_cast<unsigned int>(bodies.size()));
   for (std::size_t i = 0; i < bodies.size(); ++i)
   {
@@ -131,8 +145,7 @@ void MakeBodyMeshes(const std::vector<BodyIntegrals>& bodies, const std::vector<
       }
     }
     output->SetPartition(static_cast<unsigned int>(i), 0, mesh);
-    output->GetMetaData(static_cast<unsigned int>(i))
-      ->Set(vtkCompositeDataSet::NAME(), bodies[i].Name.c_str());
+    output->GetMetaData(static_cast<unsigned int>(i))->Set(vtkCompositeDataSet::NAME(), blocks[i].c_str());
   }
   KeepAssembly(bodies, input, output);
 }

@@ -63,11 +63,13 @@ void AddBodyLabels(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies,
 {
   Writer writer(arrays, solids->GetRowData(), bodies.size());
   vtkStdString* name = writer.AddStrings(names::Name);
+  vtkStdString* path = writer.AddStrings(names::Path);
   vtkStdString* id = writer.AddStrings(names::Id);
   vtkStdString* status = writer.AddStrings(names::Status);
   for (const BodyIntegrals& body : bodies)
   {
     *name++ = body.Name;
+    *path++ = body.Path;
     *id++ = body.Id;
     *status++ = GetText(body.Status);
   }
@@ -133,6 +135,8 @@ void AddFaceRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies,
   }
   Writer writer(arrays, faces->GetRowData(), rows);
   int* solid = writer.AddIntegers(names::Solid);
+  vtkStdString* name = writer.AddStrings(names::Name);
+  vtkStdString* solidId = writer.AddStrings(names::Id);
   int* index = writer.AddIntegers(vtkNURBSDataSet::FaceIndexArrayName());
   int* id = writer.AddIntegers(names::FaceId);
   std::vector<std::array<double*, 2>> values;
@@ -143,6 +147,7 @@ void AddFaceRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies,
   }
   double* widest = writer.AddDoubles(names::MaxGap);
   int* estimated = writer.AddIntegers(names::BoundsEstimated);
+  vtkStdString* unit = writer.AddStrings(names::LengthUnit);
   for (std::size_t body = 0; body < bodies.size(); ++body)
   {
     const double bodySign = bodies[body].InsideOut ? -1.0 : 1.0;
@@ -150,6 +155,9 @@ void AddFaceRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies,
     for (std::size_t i = 0; i < sources.size(); ++i)
     {
       *solid++ = static_cast<int>(body);
+      *name++ = bodies[body].Name;
+      *solidId++ = bodies[body].Id;
+      *unit++ = bodies[body].Model->GetLengthUnit();
       *index++ = static_cast<int>(i);
       *id++ = sources[i]->FileId;
       const FaceIntegrals* result = bodies[body].Faces ? &(*bodies[body].Faces)[i] : nullptr;
@@ -184,6 +192,7 @@ void AddEdgeRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, v
     rows.begin(), rows.end(), [](const auto& a, const auto& b) { return IsWider(*a.second, *b.second); });
   Writer writer(arrays, edges->GetRowData(), rows.size());
   int* solid = writer.AddIntegers(names::Solid);
+  vtkStdString* solidId = writer.AddStrings(names::Id);
   int* index = writer.AddIntegers(names::EdgeIndex);
   int* id = writer.AddIntegers(names::EdgeId);
   vtkStdString* name = writer.AddStrings(names::Name);
@@ -192,9 +201,12 @@ void AddEdgeRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, v
   double* widest = writer.AddDoubles(names::MaxGap);
   double* area = writer.AddDoubles(names::GapArea);
   double* squared = writer.AddDoubles(names::GapSquared);
+  vtkStdString* unit = writer.AddStrings(names::LengthUnit);
   for (const auto& [body, edge] : rows)
   {
     *solid++ = body;
+    *solidId++ = bodies[static_cast<std::size_t>(body)].Id;
+    *unit++ = bodies[static_cast<std::size_t>(body)].Model->GetLengthUnit();
     *index++ = edge->Index;
     *id++ = edge->Source->FileId;
     *name++ = edge->Source->Name;

@@ -6,12 +6,16 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace sm
 {
 namespace
 {
+/// Number of messages that a summary lists at most.
+constexpr std::size_t MaxNotes = 5;
+
 /// Lines of at most 64 characters, in which every line of the text begins a new one.
 std::string WrapLines(const std::string& text)
 {
@@ -25,26 +29,57 @@ std::string WrapLines(const std::string& text)
 }
 }
 
-std::string FormatStatus(
-  const std::string& status, const std::string& reason, const std::vector<std::string>& messages)
+std::string FormatStatus(const std::string& status, const std::string& reason)
 {
-  // Messages with the status ok are notes, such as a unit that was assumed.
-  const bool isNote = status == names::StatusOk;
-  if (isNote && messages.empty())
-  {
-    return "";
-  }
-  const std::string& first = isNote ? messages.front() : reason;
-  const auto others = std::count_if(messages.begin(), messages.end(),
-    [&first](const std::string& message) { return first.find(message) == std::string::npos; });
-  std::string text = isNote ? WrapLines("Note: " + first) : "Status: " + status + "\n" + WrapLines(first);
-  if (others > 0)
-  {
-    text += "and " + FormatCount(others, "more message\n", "more messages\n");
-  }
+  const std::string text = "Status: " + status + "\n" + WrapLines(reason);
   return status == GetText(Status::Suspect) || status == GetText(Status::Open)
     ? text + "Bounds are those of the computation: the model is in doubt.\n"
     : text;
+}
+
+std::string FormatNotes(const std::string& reason, const std::vector<std::string>& messages)
+{
+  std::string text;
+  std::set<std::string> listed;
+  std::size_t left = 0;
+  for (const std::string& message : messages)
+  {
+    if (reason.find(message) != std::string::npos || !listed.insert(message).second)
+    {
+      continue;
+    }
+    if (listed.size() <= MaxNotes)
+    {
+      text += WrapLines("Note: " + message);
+    }
+    else
+    {
+      ++left;
+    }
+  }
+  return left > 0 ? text + "and " + FormatCount(left, "more note\n", "more notes\n") : text;
+}
+
+namespace
+{
+/// Largest number of meshes that a message names.
+constexpr std::size_t MaxMeshes = 5;
+
+std::string DescribeMeshes(const RejectedInput& rejected)
+{
+  std::string names;
+  for (std::size_t i = 0; i < std::min(rejected.Meshes.size(), MaxMeshes); ++i)
+  {
+    const std::string& name = rejected.Meshes[i].second;
+    names += (names.empty() ? "" : ", ") + (name.empty() ? std::string("a mesh without a name") : name);
+  }
+  names += rejected.Meshes.size() > MaxMeshes
+    ? " and " + std::to_string(rejected.Meshes.size() - MaxMeshes) + " more"
+    : "";
+  return FormatCount(rejected.Meshes.size(), "part of the input has", "parts of the input have") +
+    " no exact geometry, or lost it when points were changed, and " +
+    (rejected.Meshes.size() == 1 ? "is" : "are") + " left out: " + names;
+}
 }
 
 void RunReport::SetReason(const std::string& message)
@@ -68,7 +103,8 @@ void RunReport::FillFieldData(columns::Writer data) const
 
 void RunReport::AddFile(const FileState& file, bool hasBodies, bool isChosen)
 {
-  this->FileStatus = Status::Ok;
+  this->FileStatus = this->Reason.empty() ? Status::Ok : Status::Suspect;
+  this->FileNotes = file.Notes;
   for (const std::string& defect : file.Defects)
   {
     this->FileStatus = Status::Suspect;
@@ -87,11 +123,9 @@ void RunReport::AddFile(const FileState& file, bool hasBodies, bool isChosen)
 
 void RunReport::AddBodies(const std::vector<BodyIntegrals>& bodies, const RejectedInput& rejected)
 {
-  const int meshes = rejected.Plain + rejected.Withheld;
-  if (meshes > 0)
+  if (!bodies.empty() && !rejected.Meshes.empty())
   {
-    this->Messages.push_back(FormatCount(
-      meshes, "mesh without exact geometry was left out", "meshes without exact geometry were left out"));
+    this->SetReason(DescribeMeshes(rejected));
   }
   this->Solids = static_cast<int>(bodies.size());
   for (const BodyIntegrals& body : bodies)
@@ -130,6 +164,14 @@ void RunReport::AddMessages(const std::vector<BodyIntegrals>& bodies)
   {
     this->Messages.push_back(this->Note);
   }
+}
+
+std::vector<std::string> RunReport::ListNotes(const std::vector<BodyIntegrals>& bodies) const
+{
+  RunReport all = *this;
+  all.AddMessages(bodies);
+  all.Messages.insert(all.Messages.end(), this->FileNotes.begin(), this->FileNotes.end());
+  return all.Messages;
 }
 
 std::string RunReport::FindReason(const std::vector<BodyIntegrals>& bodies) const

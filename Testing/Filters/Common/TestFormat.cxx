@@ -53,6 +53,9 @@ int TestFormat(int, char*[])
   CheckEqual("a value far below its bound", "0", sm::FormatNumber(-1e-17, 1e-12));
   CheckEqual("a value without error", "0.1", sm::FormatNumber(0.1, 0.0));
   CheckEqual("no bound", " (bound not known)", sm::FormatBoundNote(HUGE_VAL));
+  CheckEqual(
+    "gaps above the bound", "42.66 mm^3 (+- 0.1, gaps 39)", sm::FormatWithBound(42.66, 0.09, "mm^3", 39.2));
+  CheckEqual("gaps below the bound", "42.66 mm^3 (+- 0.1)", sm::FormatWithBound(42.66, 0.09, "mm^3", 0.05));
   CheckEqual("no value", "not known", sm::FormatWithBound(std::nan(""), 1.0, "mm"));
 
   CheckEqual("counts", "0 faces, 1 face, 2 faces",

@@ -189,9 +189,9 @@ SceneChange MakeColors(const Folders& folders, Scene& scene)
 {
   scene.Add(folders.Models + "/free_form_part.step").ColorBy(sm::names::FaceShare, 0.0, 0.08, false);
   scene.Add(folders.Parts + "/propeller.step").ColorBy(sm::names::FaceShare, -0.1, 0.4, false);
-  scene.Add(folders.Parts + "/gear_train.step").ColorBy(sm::names::Volume, 20.0, 2e5, true);
+  scene.Add(folders.Parts + "/gear_train.step").ColorBy(sm::names::VolumeOfWholeSolid, 20.0, 2e5, true);
   scene.Add(smtest::Manifest(folders.Solids).GetSpecial("two_solids").Path)
-    .ColorBy(sm::names::Volume, 0.0, 8000.0, false);
+    .ColorBy(sm::names::VolumeOfWholeSolid, 0.0, 8000.0, false);
   return [](Scene& wrong) { wrong.GetTiles().front().ColorBy(sm::names::FaceShare, 0.0, 0.1, false); };
 }
 

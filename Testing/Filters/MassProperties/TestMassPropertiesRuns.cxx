@@ -244,17 +244,20 @@ void CheckIntegrands(const std::string& box)
   CheckEqual("a tolerance below rounding", names::StatusToleranceNotMet, integral->GetStatus());
 }
 
-/// The first lines of a summary.
+/// The first and the last lines of a summary.
 void CheckStatusLines()
 {
   std::printf("--- status lines\n");
   const std::string unit = "mm is assumed";
-  CheckEqual("ok", "", sm::FormatStatus("ok", "", {}));
-  CheckEqual("ok with a note", "Note: mm is assumed\n", sm::FormatStatus("ok", "", { unit }));
-  CheckEqual("and another", "Note: mm is assumed\nand 1 more message\n",
-    sm::FormatStatus("ok", "", { unit, "second" }));
-  CheckEqual("a reason first", "Status: tolerance-not-met\nsecond\nand 1 more message\n",
-    sm::FormatStatus("tolerance-not-met", "second", { unit, "second" }));
+  CheckEqual("ok", "Status: ok\n", sm::FormatStatus("ok", ""));
+  CheckEqual(
+    "a reason", "Status: tolerance-not-met\nsecond\n", sm::FormatStatus("tolerance-not-met", "second"));
+  CheckEqual("no note", "", sm::FormatNotes("", {}));
+  CheckEqual("notes", "Note: mm is assumed\nNote: second\n", sm::FormatNotes("", { unit, "second", unit }));
+  CheckEqual(
+    "not the reason again", "Note: mm is assumed\n", sm::FormatNotes("a: second", { unit, "second" }));
+  CheckEqual("the number of the others", "Note: 1\nNote: 2\nNote: 3\nNote: 4\nNote: 5\nand 2 more notes\n",
+    sm::FormatNotes("", { "1", "2", "3", "4", "5", "6", "7" }));
 }
 }
 

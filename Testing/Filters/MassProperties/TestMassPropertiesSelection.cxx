@@ -7,6 +7,7 @@
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataAssembly.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
@@ -268,7 +269,8 @@ void CheckMeshes(const Manifest& manifest)
   }
   Check("shares add up to 1", 1.0, share, 7 * 6e-8, "(roundoff of a float)");
   CheckRange("bounds of the faces make the solid's", 0.0, bound, 1.001 * pipeline.Mass->GetVolumeBound());
-  Check("volume of the solid", volume, Get(mesh, names::Volume, 0), 6e-8 * volume, "(roundoff of a float)");
+  Check("volume of the solid", volume, Get(mesh, names::VolumeOfWholeSolid, 0), 6e-8 * volume,
+    "(roundoff of a float)");
   Check("widest gap", GetField(pipeline.Mass->GetOutput()->GetFieldData(), names::MaxGap), gap, 6e-8 * gap);
 
   // The meshes are an input like any other, of the same bits.
@@ -284,7 +286,7 @@ void CheckSharedArrays(const Manifest& manifest)
   const Expected expected = manifest.GetSpecial("assembly");
   Pipeline pipeline(expected.Path);
   pipeline.Mass->Update(5);
-  for (const char* name : { names::Volume, names::FaceShare, names::FaceGap, names::FaceBound })
+  for (const char* name : { names::VolumeOfWholeSolid, names::FaceShare, names::FaceGap, names::FaceBound })
   {
     std::set<vtkDataArray*> arrays;
     for (unsigned int i = 0; i < static_cast<unsigned int>(expected.Solids); ++i)
@@ -320,6 +322,39 @@ void CheckColors(const Manifest& manifest)
   CheckEqual("the text knows", names::StatusOpen, getStatus(open.Mass));
   CheckEqual("and that a good one is", names::StatusOk, getStatus(good.Mass));
 }
+
+/// A part without exact geometry is missing in the sums: it makes the result suspect, unless it is not
+/// selected.
+void CheckMissingParts(const Manifest& manifest)
+{
+  vtkNew<vtkPolyData> mesh;
+  mesh->ShallowCopy(ReadLeaf(manifest.GetSolid("box", "plain").front()));
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkPartitionedDataSetCollection> input;
+  const Expected expected = manifest.GetSolid("sphere", "plain").front();
+  input->SetPartition(0, 0, ReadLeaf(expected));
+  input->SetPartition(1, 0, mesh);
+  input->SetPartition(2, 0, nothing);
+  input->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "ball");
+  input->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "lid");
+  input->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "nothing");
+  vtkNew<vtkMassPropertiesGPU> mass;
+  MessageTrap trap(mass);
+  mass->SetInputDataObject(input);
+  mass->Update();
+  CheckEqual("missing: status", names::StatusSuspect, mass->GetStatus());
+  CheckTrue("missing: it is named", HasMessage(mass, "left out: lid"));
+  CheckTrue("missing: an empty block is not", !HasMessage(mass, "nothing"));
+  Check("missing: the volume of the others", expected.Volume, mass->GetVolume(), 1e-9 * expected.Volume);
+  const std::string text =
+    GetFieldText(vtkTable::SafeDownCast(mass->GetOutputDataObject(2))->GetRowData(), names::Text);
+  CheckTrue("missing: the text begins with it",
+    text.rfind("Status: suspect\n1 part of the input has no exact", 0) == 0);
+  mass->SetAssemblyName("Hierarchy");
+  mass->AddSelector("/Root/ball");
+  mass->Update();
+  CheckEqual("not selected: status", names::StatusOk, mass->GetStatus());
+}
 }
 
 int TestMassPropertiesSelection(int argc, char* argv[])
@@ -336,5 +371,6 @@ int TestMassPropertiesSelection(int argc, char* argv[])
   CheckMeshes(manifest);
   CheckSharedArrays(manifest);
   CheckColors(manifest);
+  CheckMissingParts(manifest);
   return smtest::Finish();
 }

@@ -99,6 +99,8 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> MakeCollection()
     vtkNew<vtkMatrix4x4> placement;
     placement->SetElement(0, 3, 5.0 + i);
     leaf->SetPlacement(placement);
+    leaf->SetPartName("nut");
+    leaf->SetPartPath("arm/nut (" + std::to_string(i) + ")");
     leaf->SetModel(model);
     collection->SetPartition(i, 0, leaf);
   }
@@ -156,6 +158,8 @@ void CheckLeaf(vtkNURBSDataSet* leaf, double shift)
   CheckEqual("point arrays", 2, leaf->GetPointData()->GetNumberOfArrays());
   CheckTrue("colours", vtkUnsignedCharArray::SafeDownCast(leaf->GetCellData()->GetArray("Color")) != nullptr);
   Check("field array", 0.25, leaf->GetFieldData()->GetArray("MeshDeviation")->GetTuple1(0), 0.0);
+  CheckEqual("part name and path", "nut in arm/nut (" + std::to_string(static_cast<int>(shift)) + ")",
+    leaf->GetPartName() + " in " + leaf->GetPartPath());
   Check("placement", 5.0 + shift, leaf->GetPlacementData()[3], 0.0);
 }
 }

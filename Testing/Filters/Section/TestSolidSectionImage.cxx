@@ -4,6 +4,7 @@
 #include "smSectionTesting.h"
 
 #include <vtkActor.h>
+#include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
@@ -34,7 +35,9 @@ int TestSolidSectionImage(int argc, char* argv[])
     scene.Filter->Update();
     CheckEqual(std::string(name) + ", status", "ok", scene.Filter->GetStatus());
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(scene.Filter->GetOutputPort(7));
+    scene.Filter->Update(7);
+    auto* clipped = vtkPartitionedDataSetCollection::SafeDownCast(scene.Filter->GetOutputDataObject(7));
+    mapper->SetInputDataObject(clipped->GetPartitionAsDataObject(0, 0));
     mapper->SetScalarModeToUseCellFieldData();
     mapper->SelectColorArray("Color");
     mapper->SetColorModeToDirectScalars();

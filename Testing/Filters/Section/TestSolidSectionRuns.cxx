@@ -96,6 +96,13 @@ double GetCapArea(vtkPolyData* mesh)
   return area;
 }
 
+/// Returns the picture of the first solid.
+vtkPolyData* GetClipped(vtkSolidSection* filter)
+{
+  auto* clipped = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(7));
+  return vtkPolyData::SafeDownCast(clipped->GetPartitionAsDataObject(0, 0));
+}
+
 /// Number of edges of the mesh that one cell has, with points at one place merged.
 vtkIdType CountOpenEdges(vtkPolyData* mesh)
 {
@@ -154,7 +161,7 @@ void CheckOutputs(const Manifest& manifest)
     sum += faces->GetValueByName(row, names::VolumeBelow).ToDouble();
   }
   Check("sum of the faces", 1500.0, sum, filter->GetVolumeBelowBound());
-  auto* mesh = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(7));
+  auto* mesh = GetClipped(filter);
   Check("area of the cap", 600.0, GetCapArea(mesh), 1e-9);
   CheckEqual("the picture is closed", 0, static_cast<long long>(CountOpenEdges(mesh)));
   double bounds[6];
@@ -171,7 +178,13 @@ void CheckOutputs(const Manifest& manifest)
   scene.Set({ 15, 0, 0 }, { 1e200L, 0, 1e-200L });
   filter->Update();
   Check("area across a normal of 1e200", 200.0, filter->GetSectionArea(), filter->GetSectionAreaBound());
-  Check("its cap", 200.0, GetCapArea(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(7))), 1e-9);
+  Check("its cap", 200.0, GetCapArea(GetClipped(filter)), 1e-9);
+  scene.Set({ 0, 0, 35.5L }, { 0, 0, -1 });
+  filter->Update(2);
+  const std::string text =
+    GetFieldText(vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetRowData(), names::Text);
+  CheckTrue("a plane that misses the part",
+    text.find("does not meet the solids: their box is 25.5 mm away.") != std::string::npos, text);
   filter->SetDensity(0.0);
   filter->Update();
   CheckTrue(
@@ -188,7 +201,7 @@ void CheckOutputs(const Manifest& manifest)
   hollow.Filter->Update(7);
   const double ring = 3.14159265358979323846 * (100.0 - 2.25 - 36.0);
   Check("ring", ring, hollow.Filter->GetSectionArea(), hollow.Filter->GetSectionAreaBound());
-  auto* half = vtkPolyData::SafeDownCast(hollow.Filter->GetOutputDataObject(7));
+  auto* half = GetClipped(hollow.Filter);
   Check("ring in the picture", ring, GetCapArea(half), 0.1 * ring);
   CheckEqual("the picture of the ring is closed", 0, static_cast<long long>(CountOpenEdges(half)));
 
@@ -237,8 +250,8 @@ void CheckLimits(const Manifest& manifest)
     CheckEqual("no time, status", sm::names::StatusNotComputed, slow.Filter->GetStatus());
     CheckTrue("no time, no area", std::isnan(slow.Filter->GetSectionArea()));
     CheckTrue("no time, said", Says(slow.Filter, "the maximum seconds were over"), GetMessages(slow.Filter));
-    CheckTrue("no time, but the picture, which needs no integral",
-      vtkPolyData::SafeDownCast(slow.Filter->GetOutputDataObject(7))->GetNumberOfPolys() > 0);
+    CheckTrue(
+      "no time, but the picture, which needs no integral", GetClipped(slow.Filter)->GetNumberOfPolys() > 0);
     slow.Filter->SetMaximumSeconds(0.0);
     slow.Filter->Update();
     Check("the next run", exact, slow.Filter->GetSectionArea(), slow.Filter->GetSectionAreaBound());

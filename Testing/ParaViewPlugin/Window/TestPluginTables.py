@@ -54,8 +54,8 @@ reader = simple.OpenDataFile(part)
 mass = MassProperties(Input=reader, Density=7850.0)  # noqa: F821
 client, columns = show(mass, 1, "Row Data")
 check_equal("solids: first columns", [
-    "vtkOriginalIndices", "Name", "Id", "Status", "Volume", "VolumeBound", "Mass", "MassBound", "Density", "Material", "SurfaceArea",
-    "SurfaceAreaBound", "CenterOfMass_0", "CenterOfMass_1", "CenterOfMass_2", "CenterOfMassBound"], columns[:16])
+    "vtkOriginalIndices", "Name", "Path", "Id", "Status", "Volume", "VolumeBound", "Mass", "MassBound", "Density", "Material", "SurfaceArea",
+    "SurfaceAreaBound", "CenterOfMass_0", "CenterOfMass_1", "CenterOfMass_2", "CenterOfMassBound"], columns[:17])
 check_equal("solids: no magnitudes", [], [name for name in columns if name.endswith("_Magnitude")])
 table = servermanager.Fetch(mass, idx=1)
 flat = sorted(name for i in range(table.GetNumberOfColumns()) for name in (
@@ -83,13 +83,25 @@ path = os.path.join(output, "PluginTables.csv")
 simple.ExportView(path, view=sheet)
 with open(path, encoding="utf-8") as file:
     rows = list(csv.reader(file))
-check_equal("export: first columns", ["Row ID", "Name", "Id", "Status", "Volume", "VolumeBound", "Mass"], rows[0][:7])
+check_equal("export: first columns", ["Row ID", "Name", "Path", "Id", "Status", "Volume", "VolumeBound", "Mass"], rows[0][:8])
 check_equal("export: no magnitudes", 0, sum(name.endswith("_Magnitude") for name in rows[0]))
 check_equal("export: values", ["ok"] + [table.GetValueByName(0, name).ToDouble() for name in ("Volume", "VolumeBound", "Mass")],
-            rows[1][3:4] + [float(value) for value in rows[1][4:7]])
+            rows[1][4:5] + [float(value) for value in rows[1][5:8]])
 
-check_equal("faces", ["vtkOriginalIndices", "Solid", "FaceIndex", "FaceId", "Volume", "VolumeBound", "SurfaceArea", "SurfaceAreaBound", "MaxGap",
-                      "BoundsEstimated"], show(mass, 3, "Row Data")[1])
+# What Save Data writes: all digits, units in the headings.
+saved = os.path.join(output, "PluginTables_saved.csv")
+for port, expected in ((1, ["Name", "Path", "Id", "Status", "Volume (mm^3)", "VolumeBound (mm^3)"]),
+                       (3, ["Solid", "Name", "Id", "FaceIndex", "FaceId", "Volume (mm^3)", "VolumeBound (mm^3)", "SurfaceArea (mm^2)"])):
+    simple.SaveData(saved, proxy=servermanager.OutputPort(mass, port))
+    with open(saved, encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    check_equal(f"saved table of port {port}: headings", expected, rows[0][:len(expected)])
+    table = servermanager.Fetch(mass, idx=port)
+    check_equal(f"saved table of port {port}: the same bits", table.GetValueByName(0, "Volume").ToDouble(), float(rows[1][expected.index("Volume (mm^3)")]))
+    check_equal(f"saved table of port {port}: rows", table.GetNumberOfRows(), len(rows) - 1)
+
+check_equal("faces", ["vtkOriginalIndices", "Solid", "FaceIndex", "FaceId", "Name", "Id", "Volume", "VolumeBound", "SurfaceArea", "SurfaceAreaBound",
+                      "LengthUnit", "MaxGap", "BoundsEstimated"], show(mass, 3, "Row Data")[1])
 # ParaView fits the widths of columns when their number has changed: not before it has the columns.
 numbers = []
 observer = client.AddObserver("UpdateEvent", lambda *_: numbers.append(client.GetNumberOfColumns()))
@@ -105,7 +117,7 @@ check_equal("parts", ["vtkOriginalIndices", "Name", "Status", "Kind", "Count", "
 labels = {client.GetColumnName(i): client.GetColumnLabel(i) for i in range(client.GetNumberOfColumns())}
 check_equal("parts: headers", ("Volume (mm^3)", "MassInAll (kg)"), (labels["Volume"], labels["MassInAll"]))
 client, columns = show(mass, 4, "Row Data")
-check_equal("edges", ["vtkOriginalIndices", "Solid", "EdgeIndex", "EdgeId", "Name", "Uses", "Open", "MaxGap", "GapArea", "GapSquared"], columns)
+check_equal("edges", ["vtkOriginalIndices", "Solid", "EdgeIndex", "EdgeId", "Name", "Id", "LengthUnit", "Uses", "Open", "MaxGap", "GapArea", "GapSquared"], columns)
 # Rows that are sorted by a column stay so.
 sheet.ColumnToSort, sheet.InvertOrder = "EdgeId", 1
 simple.Render(sheet)
@@ -120,17 +132,17 @@ if manager.SMProxyManager.HasDefinition("filters", "SolidStability"):
                               "StabilityMarginBound"], show(standing, 1, "Row Data")[1][:9])
 if manager.SMProxyManager.HasDefinition("filters", "Buoyancy"):
     afloat = Buoyancy(Input=reader, Point=[0.0, 0.0, 5.0])  # noqa: F821
-    check_equal("buoyancy", ["vtkOriginalIndices", "Name", "Id", "Status", "DisplacedVolume", "DisplacedVolumeBound", "CenterOfBuoyancy_0",
+    check_equal("buoyancy", ["vtkOriginalIndices", "Name", "Path", "Id", "Status", "DisplacedVolume", "DisplacedVolumeBound", "CenterOfBuoyancy_0",
                              "CenterOfBuoyancy_1", "CenterOfBuoyancy_2", "CenterOfBuoyancyBound", "DisplacedFirstMoments_0"],
-                show(afloat, 1, "Row Data")[1][:11])
+                show(afloat, 1, "Row Data")[1][:12])
 if manager.SMProxyManager.HasDefinition("filters", "SolidSection"):
     cut = Section(Input=reader, Point=[0.0, 0.0, 5.0])  # noqa: F821
-    check_equal("section", ["vtkOriginalIndices", "Name", "Id", "Status", "SectionArea", "SectionAreaBound", "SectionCentroid_0",
+    check_equal("section", ["vtkOriginalIndices", "Name", "Path", "Id", "Status", "SectionArea", "SectionAreaBound", "SectionCentroid_0",
                             "SectionCentroid_1", "SectionCentroid_2", "SectionCentroidBound", "SectionPrincipalMoments_0"],
-                show(cut, 1, "Row Data")[1][:11])
+                show(cut, 1, "Row Data")[1][:12])
 integral = SurfaceIntegral(Input=reader, BendingEnergy=1, MomentDegree=0, Integrands="a = dA")  # noqa: F821
-check_equal("integrals", ["vtkOriginalIndices", "Name", "Id", "Status", "BendingEnergy", "BendingEnergyBound", "a", "aBound",
-                          "moment_0_0_0", "moment_0_0_0Bound", "LengthUnit"], show(integral, 1, "Row Data")[1][:11])
+check_equal("integrals", ["vtkOriginalIndices", "Name", "Path", "Id", "Status", "BendingEnergy", "BendingEnergyBound", "a", "aBound",
+                          "moment_0_0_0", "moment_0_0_0Bound", "LengthUnit"], show(integral, 1, "Row Data")[1][:12])
 
 # A table of another origin.
 sphere = simple.Sphere()

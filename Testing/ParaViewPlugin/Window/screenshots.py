@@ -24,11 +24,11 @@ bodies = servermanager.OutputPort(mass, 5)
 shown = simple.GetRepresentation(bodies, view)
 if scene == "volume":
     shown.Opacity = 1.0
-    simple.ColorBy(shown, ("CELLS", "Volume"))
+    simple.ColorBy(shown, ("CELLS", "VolumeOfWholeSolid"))
     shown.RescaleTransferFunctionToDataRange(False, True)
     shown.SetScalarBarVisibility(view, True)
-    simple.GetColorTransferFunction("Volume").MapControlPointsToLogSpace()
-    simple.GetColorTransferFunction("Volume").UseLogScale = 1
+    simple.GetColorTransferFunction("VolumeOfWholeSolid").MapControlPointsToLogSpace()
+    simple.GetColorTransferFunction("VolumeOfWholeSolid").UseLogScale = 1
     simple.SetActiveSource(mass)
 elif scene in ("table", "parts"):
     layout = simple.GetLayout(view)

@@ -83,7 +83,7 @@ void CheckAssembly(const std::string& path, const char* unit, double millimetres
   CheckEqual("free faces", 1, reader->GetNumberOfFreeFaces());
   CheckEqual("leaves", 3, reader->GetOutput()->GetNumberOfPartitionedDataSets());
   vtkNURBSDataSet* leaves[3];
-  const char* names[3] = { "Plate", "Plate", "Ball" };
+  const char* names[3] = { "Plate (1)", "Plate (2)", "Ball" };
   for (unsigned int i = 0; i < 3; ++i)
   {
     leaves[i] = GetLeaf(reader, i);
