@@ -175,7 +175,7 @@ def materials():
 
     # A table of materials that cannot be used is wrong usage, reported before any file is read.
     for text, said in (("a\n", "line 1: write NAME"), ("a,unobtainium\n", "line 1: unobtainium is none"), ("a,b,-1", "-1 is not a density"),
-                       (",steel", "the name is empty"), ("[{]", "no JSON"), ('[{"name":"a"}]', "entry 1"), ('{"a":1}', "no list")):
+                       (",steel", "the name is empty"), ("[{]", "not JSON"), ('[{"name":"a"}]', "entry 1"), ('{"a":1}', "no list")):
         with open(table, "w", encoding="utf-8") as file:
             file.write(text)
         result = run("--materials", table, path)
