@@ -5,7 +5,7 @@
 #include "smPaperSolid.h"
 
 #include <smFormat.h>
-#include <smSubPatches.h>
+#include <Detail/smSubPatches.h>
 #include <smTrimPolygons.h>
 #include <vtkTrimmedNURBSModel.h>
 
