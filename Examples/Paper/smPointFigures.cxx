@@ -4,8 +4,8 @@
 #include "smPaperRun.h"
 #include "smPaperSolid.h"
 
-#include <smFormat.h>
 #include <Detail/smSubPatches.h>
+#include <smFormat.h>
 #include <smTrimPolygons.h>
 #include <vtkTrimmedNURBSModel.h>
 

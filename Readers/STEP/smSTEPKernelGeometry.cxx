@@ -127,11 +127,13 @@ void STEPKernelGeometry::MakeKernel(Index entity, Surface& surface)
   }
   if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface.Kernel))
   {
+    // OpenCASCADE may change the surface that it is given.
+    const auto own = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
     const auto periodic =
       Handle(Geom_BSplineSurface)::DownCast(ShapeAlgo::AlgoContainer()->ConvertToPeriodic(spline));
     if (!periodic.IsNull())
     {
-      surface.Own = CompareSurfaces(spline, periodic);
+      surface.Own = CompareSurfaces(own, periodic);
       surface.Kernel = periodic;
     }
   }

@@ -207,7 +207,7 @@ domain = some.SMProxy.GetProperty("Selectors").FindDomain("vtkSMDataAssemblyDoma
 some.Assembly = "Hierarchy"
 domain.Update(None)
 hierarchy = domain.GetDataAssembly()
-some.Selectors = [hierarchy.GetNodePath(hierarchy.GetChildNodes(0, False)[0])]  # and others of that name
+some.Selectors = [hierarchy.GetNodePath(node) for node in hierarchy.GetChildNodes(0, False)[:2]]
 some.UpdatePipeline()
 ticked = servermanager.Fetch(some, idx=1)
 solids, chosen = everything.GetNumberOfRows() - 1, ticked.GetNumberOfRows() - 1

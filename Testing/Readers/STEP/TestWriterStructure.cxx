@@ -147,8 +147,8 @@ void CheckStructure(const std::string& folder)
   CheckTrue("a message says so",
     messages.find("1 part is saved mirrored as a part of its own") != std::string::npos, messages);
   CheckEqual("tree",
-    "(Top / 1[](Sub[](Block (mirrored)[metal] 0()Block (mirrored)[metal] 1())Block[metal] 2()Block[metal] "
-    "3()))",
+    "(Top / 1[](Sub[](Block (mirrored) (1)[metal] 0()Block (mirrored) (2)[metal] 1())Block (1)[metal] 2()"
+    "Block (2)[metal] 3()))",
     DescribeTree(after->GetDataAssembly(), 0));
   CheckEqual("body's name", "bored block", models[0]->GetName());
   CheckEqual("face's name", "bore's face", models[0]->GetFaces()[2]->Name);
