@@ -331,7 +331,7 @@ protected:
 
   /** Gives the collection on a port the same blocks on all ranks that run together; collective, called by
    * RequestData() for each such port. */
-  void ShareBlocks(vtkInformation* request, vtkInformationVector* outputVector, int port);
+  virtual void ShareBlocks(vtkInformation* request, vtkInformationVector* outputVector, int port);
 
   /** Option of subclasses that can keep results of faces. */
   bool CacheFaceResults = true;

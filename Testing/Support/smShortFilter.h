@@ -105,6 +105,11 @@ protected:
     failingMemory.End();
     this->Filter::WriteOutputs(bodies, outputs);
   }
+  void ShareBlocks(vtkInformation* request, vtkInformationVector* output, int port) override
+  {
+    failingMemory.End();
+    this->Filter::ShareBlocks(request, output, port);
+  }
 };
 
 inline void SetUp(vtkMassPropertiesBase*) {}

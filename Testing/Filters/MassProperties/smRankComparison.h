@@ -95,6 +95,17 @@ inline void CompareOutputs(
     auto* a = vtkTable::SafeDownCast(alone->GetOutputDataObject(port));
     auto* b = vtkTable::SafeDownCast(shared->GetOutputDataObject(port));
     CheckEqual(what + ": rows of port " + std::to_string(port), a->GetNumberOfRows(), b->GetNumberOfRows());
+    if (port == 2)
+    {
+      // Notes may name ranks.
+      const auto getText = [](vtkTable* table)
+      {
+        const std::string text = table->GetValueByName(0, "Text").ToString();
+        return text.substr(0, text.find("\nNote:"));
+      };
+      CheckEqual(what + ": summary", getText(a), getText(b));
+      continue;
+    }
     CompareFields(what + ", port " + std::to_string(port), a->GetRowData(), b->GetRowData(), 1);
   }
 }
