@@ -6,7 +6,7 @@
 The program SweepFile does what `solidmoments --json` does at the default tolerance of 1e-9 and at 1e-12, and what STAGES names. What
 must hold of volume, area, centre and inertia alike (SweepJudge.py):
 - |value - reference| <= bound + uncertainty of the reference, and its squared gap where that is large;
-- bound <= 1e-9 on every file at the default tolerance, <= 1e-12 at 1e-12 on at least 68 of 87, areas 63 (rounding of decimals, and what trim
+- bound <= 1e-9 on every file at the default tolerance, <= 1e-12 at 1e-12 on at least 68 of 87, areas 62 (rounding of decimals, and what trim
   curves miss of edges, are more on the others);
 - closure residual <= 1e-12 on 82 of 87;
 - the status fits the bounds, the open edges and the exit status; every solid has its own reference volume; nothing crashes;
@@ -36,7 +36,7 @@ EXPECTED_FILES = 98
 EXPECTED_SOLIDS = 87
 # The smallest number, out of the 87 files with solids, whose bound of each quantity is at most 1e-12 at that
 # tolerance. Areas carry what the reader's trim curves miss of the file's edges, up to 1e-10 of their size.
-TIGHT_FILES = {"volume": 68, "area": 63, "center": 68, "inertia": 68}
+TIGHT_FILES = {"volume": 68, "area": 62, "center": 68, "inertia": 68}
 CLOSED_FILES = 82
 # CAD systems wrote these two volumes with twelve digits, and their gaps move them by far more.
 CLOSER_THAN_OCCT = {"nist_ctc_01": 50, "nist_ftc_06": 50}
