@@ -126,6 +126,7 @@ private:
       const TopoDS_Shape shape = this->Shapes.MakeBody(body);
       if (shape.IsNull())
       {
+        RequireDirect(!this->Ledger.Rows.empty(), "one of its bodies is not read");
         const LedgerRow& row = this->Ledger.Rows.front();
         throw STEPNotDirect{ "its entity #" + std::to_string(row.Id) + " (" + row.Type +
           ") is not read: " + row.Reason };

@@ -106,10 +106,18 @@ private:
   /// parameters, where a unit of u may be longer than one of v.
   void Approach(const std::array<double, 2>& uv, const Vector3& foot, double& least) const
   {
-    const double nearest = FindCurveParameter<2>(this->Curve, uv);
+    double nearest = FindCurveParameter<2>(this->Curve, uv);
     if (!std::isfinite(nearest))
     {
       return;
+    }
+    // The foot on a conic is stated between -pi and pi, the range of the curve may begin anywhere.
+    const double period = this->Curve.GetPeriod();
+    if (period > 0.0)
+    {
+      nearest -= std::floor((nearest - this->Range.Low) / period) * period;
+      const double before = this->Range.Low + period - nearest;
+      nearest = before < nearest - this->Range.High ? this->Range.Low : nearest;
     }
     const double start = std::clamp(nearest, this->Range.Low, this->Range.High);
     const double width = this->Range.High - this->Range.Low;
