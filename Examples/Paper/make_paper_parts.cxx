@@ -84,22 +84,24 @@ int MakeParts(const std::filesystem::path& folder, const std::vector<std::string
 {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  std::size_t found = 0;
   bool allMade = true;
+  for (const std::string& name : wanted)
+  {
+    const auto hasName = [&name](const Recipe& recipe) { return name == recipe.Name; };
+    if (std::none_of(std::begin(Recipes), std::end(Recipes), hasName))
+    {
+      Complain("no part has the name " + name);
+      allMade = false;
+    }
+  }
   Json parts = Json::array();
   smpaper::QuietOpenCascade();
   for (const Recipe& recipe : Recipes)
   {
     if (wanted.empty() || std::find(wanted.begin(), wanted.end(), recipe.Name) != wanted.end())
     {
-      ++found;
       allMade = TryPart(recipe, folder, parts) && allMade;
     }
-  }
-  if (found < wanted.size())
-  {
-    Complain("some name is not a part's");
-    allMade = false;
   }
   const std::string list = (folder / "parts.json").string();
   const std::string problem = sm::SaveFile(list, Json{ { "parts", parts } }.dump(1) + "\n");

@@ -111,7 +111,7 @@ def check_errors(options):
     with open(file_in_the_way, "w", encoding="utf-8"):
         pass
     check_refusal("make_paper_parts without folder", 1, "FOLDER is required", run(options.make))
-    check_refusal("make_paper_parts of no part", 1, "no part's", run(options.make, os.path.join(options.output, "none"), "hammer"))
+    check_refusal("make_paper_parts of no part", 1, "no part has the name hammer", run(options.make, os.path.join(options.output, "none"), "hammer"))
     check_refusal("make_paper_parts into a file", 1, "cannot be written",
                   run(options.make, os.path.join(file_in_the_way, "deeper"), "quarter_cylinder"))
     check_refusal("occt_mass_properties without file", 1, "FILE is required", run(options.occt))
