@@ -206,18 +206,34 @@ void FootCurve::ContinueAtPole(
   }
 }
 
-bool FootCurve::IsNearPole(const Sample& sample, double distance) const
+bool FootCurve::IsNear(const FootPointFinder::Pole& pole, const Sample& sample, double distance)
 {
-  return std::any_of(this->Finder->GetPoles().begin(), this->Finder->GetPoles().end(),
-    [&](const FootPointFinder::Pole& pole)
-    { return std::abs(sample.UV[pole.Direction] - pole.Value) * sample.Speed[pole.Direction] <= distance; });
+  return std::abs(sample.UV[pole.Direction] - pole.Value) * sample.Speed[pole.Direction] <= distance;
+}
+
+/// Returns true if the curve has a sample close to a pole. If `onlyUneven`, poles that it reaches along a
+/// line of the surface do not count: the coordinate towards them is smooth.
+bool FootCurve::PassesPole(bool onlyUneven) const
+{
+  for (const FootPointFinder::Pole& pole : this->Finder->GetPoles())
+  {
+    const double slope = this->Slope[1 - pole.Direction];
+    if ((!onlyUneven || slope != slope) &&
+      std::any_of(this->Samples.begin(), this->Samples.end(),
+        [&](const Sample& s) { return IsNear(pole, s, PoleReach * this->Size); }))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool FootCurve::IsBesidePole(const Sample& sample) const
 {
   return std::none_of(this->Finder->GetPoles().begin(), this->Finder->GetPoles().end(),
            [&](const FootPointFinder::Pole& pole) { return sample.UV[pole.Direction] == pole.Value; }) &&
-    this->IsNearPole(sample, PoleTolerance * this->Size);
+    std::any_of(this->Finder->GetPoles().begin(), this->Finder->GetPoles().end(),
+      [&](const FootPointFinder::Pole& pole) { return IsNear(pole, sample, PoleTolerance * this->Size); });
 }
 
 /// The end of a curve close to a pole may lie on the other side of it, so it is not used.
@@ -225,8 +241,7 @@ void FootCurve::Straighten()
 {
   const auto first = this->Samples.begin() + (this->IsBesidePole(this->Samples.front()) ? 1 : 0);
   const auto last = this->Samples.end() - (this->IsBesidePole(this->Samples.back()) ? 1 : 0);
-  const bool passesPole = std::any_of(this->Samples.begin(), this->Samples.end(),
-    [this](const Sample& s) { return this->IsNearPole(s, PoleReach * this->Size); });
+  const bool passesPole = this->PassesPole(false);
   const double close = std::min(this->Slack, StraightTolerance * this->Size + this->Rounding);
   const double tolerance = 2.0 * (passesPole || this->Finder->IsInaccurate() ? this->Slack : close);
   for (int d = 0; d < 2; ++d)
@@ -256,8 +271,8 @@ void FootCurve::Straighten()
         break;
       }
     }
-    this->Disturbed = this->Disturbed || (passesPole && this->Slope[d] != this->Slope[d]);
   }
+  this->Disturbed = this->Disturbed || this->PassesPole(true);
 }
 
 double FootCurve::GetLineValue(int d, double t) const

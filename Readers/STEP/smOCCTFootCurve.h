@@ -73,7 +73,8 @@ private:
   void Refine();
   bool IsFar(const Sample& a, const Sample& b) const;
   bool IsEven() const;
-  bool IsNearPole(const Sample& sample, double distance) const;
+  static bool IsNear(const FootPointFinder::Pole& pole, const Sample& sample, double distance);
+  bool PassesPole(bool onlyUneven) const;
   bool IsBesidePole(const Sample& sample) const;
   void Straighten();
   double GetLineValue(int d, double t) const;

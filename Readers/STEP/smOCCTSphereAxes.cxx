@@ -2,6 +2,7 @@
 
 #include <BRep_Tool.hxx>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,13 +12,21 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
-/// Returns twice the signed area of a loop in the parameters, of its curves at some points.
+/// Part of the square of a loop's length in the parameters below which its area is rounding.
+constexpr double NoArea = 1e-9;
+
+/// Distance of the ends of a seam from opposite points of its sphere, relative to the radius.
+constexpr double SeamTolerance = 1e-6;
+
+/// Returns twice the signed area of a loop in the parameters, of its curves at some points; 0 if that may be
+/// rounding, as for a seam whose both sides have the same place.
 double GetLoopArea(const DraftLoop& loop)
 {
   constexpr int segments = 16;
   const Point2 origin = loop[0].GetStartPoint();
   Point2 last = origin;
   double area = 0.0;
+  double length = 0.0;
   for (const DraftCoedge& coedge : loop)
   {
     for (int i = 0; i <= segments; ++i)
@@ -25,10 +34,37 @@ double GetLoopArea(const DraftLoop& loop)
       const double x = static_cast<double>(coedge.Reversed ? segments - i : i) / segments;
       const Point2 p = coedge.Trim.Evaluate((1.0 - x) * coedge.Trim.First + x * coedge.Trim.Last);
       area += (last[0] - origin[0]) * (p[1] - origin[1]) - (last[1] - origin[1]) * (p[0] - origin[0]);
+      length += std::hypot(p[0] - last[0], p[1] - last[1]);
       last = p;
     }
   }
-  return area;
+  return std::abs(area) > NoArea * length * length ? area : 0.0;
+}
+
+/// Returns true if a loop has a seam from one point of a sphere to the opposite one, and sets the axis
+/// through them.
+bool FindSeamAxis(
+  const DraftFace& face, const Handle(Geom_SphericalSurface) & sphere, const DraftLoop& loop, gp_Dir& axis)
+{
+  const gp_Pnt center = sphere->Location();
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const DraftCoedge& coedge = loop[i];
+    const bool isSeam = std::any_of(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1, loop.end(),
+      [&coedge](const DraftCoedge& other) { return other.EdgeIndex == coedge.EdgeIndex; });
+    if (isSeam && !coedge.Start.IsNull() && !coedge.End.IsNull())
+    {
+      const gp_Trsf placement = face.Location.Inverted();
+      const gp_Vec start(center, BRep_Tool::Pnt(coedge.Start).Transformed(placement));
+      const gp_Vec end(center, BRep_Tool::Pnt(coedge.End).Transformed(placement));
+      if ((start + end).Magnitude() <= SeamTolerance * sphere->Radius() && start.Magnitude() > 0.0)
+      {
+        axis = gp_Dir(start);
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 /// Returns the direction of a loop's vector area; it is the axis of a loop that is a circle.
@@ -88,7 +124,7 @@ bool HasOnlyHoles(const DraftFace& face)
     const double area = GetLoopArea(loop);
     largest = std::abs(area) > std::abs(largest) ? area : largest;
   }
-  return largest < 0.0;
+  return !face.Loops.empty() && largest <= 0.0;
 }
 
 std::vector<gp_Dir> ListSphereAxes(const DraftFace& face, const Handle(Geom_SphericalSurface) & sphere)
@@ -98,7 +134,11 @@ std::vector<gp_Dir> ListSphereAxes(const DraftFace& face, const Handle(Geom_Sphe
   for (const DraftLoop& loop : face.Loops)
   {
     gp_Dir axis;
-    if (axes.size() < 4 && FindLoopAxis(face, frame.Location(), loop, axis))
+    if (FindSeamAxis(face, sphere, loop, axis))
+    {
+      axes.insert(axes.begin(), axis);
+    }
+    else if (axes.size() < 4 && FindLoopAxis(face, frame.Location(), loop, axis))
     {
       axes.push_back(axis);
     }

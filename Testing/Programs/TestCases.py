@@ -30,7 +30,6 @@ OPEN = {
     "09_external_assembly.step",
     "c01_parabola.step",
     "g06d_apple_seam.step",
-    "w11c_sphere_meridian_split_tilted.step",
     # Issue 27
     "10_validation_of_assembly.step",
 }

@@ -227,8 +227,33 @@ def check_sections(runner):
         lambda b: first + "".join(b[:60]) + "ENDSEC;\nDATA('two',('AUTOMOTIVE_DESIGN'));\n" + "".join(b[61:]) + "ENDSEC;\n"))
 
 
+def make_seamed_ball(is_spline, axis, x, turn):
+    """A ball of radius 2 whose only edge is half a circle from pole to pole of the z axis; the axis of its surface is another one."""
+    body = Body(turn, (1.0, 2.0, 3.0))
+    vertices = [body.vertex((0.0, 0.0, -2.0)), body.vertex((0.0, 0.0, 2.0))]
+    if is_spline:
+        w = math.cos(math.pi / 8)
+        angles = [math.pi * (k / 8 - 0.5) for k in range(9)]
+        points = [(math.cos(a) * r, 0.0, math.sin(a) * r) for k, a in enumerate(angles) for r in ([2.0 / w] if k % 2 else [2.0])]
+        weights = ",".join(format_real(w if k % 2 else 1.0) for k in range(9))
+        curve = body.add(f"(BOUNDED_CURVE()B_SPLINE_CURVE(2,({','.join(body.point(p) for p in points)}),.UNSPECIFIED.,.F.,.F.)"
+                         "B_SPLINE_CURVE_WITH_KNOTS((3,2,2,2,3),(0.,1.,2.,3.,4.),.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()"
+                         f"RATIONAL_B_SPLINE_CURVE(({weights}))REPRESENTATION_ITEM(''))")
+    else:
+        curve = body.add(f"CIRCLE('',{body.axes((0, 0, 0), (0, -1, 0))},2.)")
+    seam = body.add(f"EDGE_CURVE('',{vertices[0]},{vertices[1]},{curve},.T.)")
+    surface = body.add(f"SPHERICAL_SURFACE('',{body.axes((0, 0, 0), axis, x)},2.)")
+    body.product("ball", body.shape([body.solid([body.face([body.loop([(seam, True), (seam, False)])], surface)])]))
+    return body.get_text()
+
+
 def check_whole_faces(runner):
-    """Spheres and tori without bounds."""
+    """Spheres and tori without bounds, and spheres with nothing but a seam."""
+    for is_spline in (False, True):
+        for axis, x in (((0.0, 0.0, 1.0), (1.0, 0.0, 0.0)), ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)), ((0.0, 0.6, 0.8), (1.0, 0.0, 0.0)),
+                        ((0.48, 0.64, 0.6), (0.8, -0.6, 0.0)), ((0.0, 0.0, -1.0), (0.0, 1.0, 0.0))):
+            runner.check_value(f"ball with a seam, a {'spline' if is_spline else 'circle'}, about {axis}",
+                               make_seamed_ball(is_spline, axis, x, 0.3), 4 / 3 * math.pi * 8)
     for name, turn, surface, volume in (
             ("ball", 0.7, "SPHERICAL_SURFACE('',{},2.)", 4 / 3 * math.pi * 8), ("torus", 1.1, "TOROIDAL_SURFACE('',{},5.,2.)", 2 * math.pi ** 2 * 5 * 4)):
         body = Body(turn, (3.0, -4.0, 5.0))
