@@ -1,5 +1,6 @@
 #include "smOCCTFaceDomain.h"
 
+#include "smOCCTAxialProfile.h"
 #include "smOCCTSurface.h"
 
 #include <vtkMath.h>
@@ -7,14 +8,18 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_Conic.hxx>
+#include <Geom_Hyperbola.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2d.hxx>
+#include <gp_Lin.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -31,10 +36,6 @@ constexpr double WholePeriod = 1e-6;
 /// A trim curve may lead beyond the domain by this fraction of the period.
 constexpr double BeyondDomain = 1e-6;
 
-/// A profile meets the axis if it is closer than this, relative to its extent: the tolerance of
-/// FootPointFinder's poles.
-constexpr double AxisTolerance = 1e-9;
-
 /// Largest distance of a trim curve from its edge, relative to the length of that: OpenCASCADE may have
 /// mistaken the unit of the trim curve.
 constexpr double RoughTrim = 0.02;
@@ -46,23 +47,24 @@ constexpr double Rounded = 1e-14;
 /// extent of the profile.
 constexpr double SamePart = 1e-7;
 
-/// A domain that begins at 0 does not state which part of the surface is meant (KeepRevolvedConics()).
+/// A domain that begins at 0, or has no ends, does not state which part of the surface is meant
+/// (KeepRevolvedConics()).
 constexpr double StatedStart = 1e-12;
 
 /// Edges within this distance of a part, relative to the extent of the profile, may lie on it.
 constexpr double OnPart = 1e-3;
 
-/// EdgeFractions of an edge at which it is compared with the parts of a surface.
+/// Fractions of an edge at which it is compared with the parts of a surface.
 constexpr double EdgeFractions[] = { 0.13, 0.37, 0.61, 0.86 };
 
-Handle(Geom_Curve) GetUntrimmed(Handle(Geom_Curve) curve)
-{
-  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
-  {
-    curve = trimmed->BasisCurve();
-  }
-  return curve;
-}
+/// An edge ends at the axis of a torus if it is closer than this, relative to the minor radius.
+constexpr double AtAxis = 1e-6;
+
+/// Fractions of an edge that show its extent.
+constexpr double WideFractions[] = { 0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0 };
+
+/// The part of a profile without ends is so many times longer than its edges need.
+constexpr double ProfileMargin = 1.25;
 
 /// Returns the surface that is swept along another curve.
 Handle(Geom_Surface) SweepAlong(const Handle(Geom_SweptSurface) & surface, const Handle(Geom_Curve) & curve)
@@ -73,156 +75,6 @@ Handle(Geom_Surface) SweepAlong(const Handle(Geom_SweptSurface) & surface, const
   }
   return new Geom_SurfaceOfLinearExtrusion(curve, surface->Direction());
 }
-
-/// A profile in the half-plane of its distance from an axis and its height along it.
-class AxialProfile
-{
-public:
-  struct Point
-  {
-    double Radius;
-    double Height;
-  };
-
-  explicit AxialProfile(const Handle(Geom_SurfaceOfRevolution) & surface)
-    : Curve(surface->BasisCurve())
-    , Axis(surface->Axis())
-    , First(this->Curve->FirstParameter())
-    , Last(this->Curve->LastParameter())
-  {
-    if (this->IsFinite())
-    {
-      const Handle(Geom_Curve) basis = GetUntrimmed(this->Curve);
-      const auto spline = Handle(Geom_BSplineCurve)::DownCast(basis);
-      const int count = spline.IsNull() ? 128 : std::clamp(16 * (spline->NbKnots() - 1), 128, 1024);
-      double low[2] = { 1e300, 1e300 };
-      double high[2] = { -1e300, -1e300 };
-      for (int i = 0; i <= count; ++i)
-      {
-        this->Parameters.push_back(this->First + (this->Last - this->First) * i / count);
-        const Point p = this->Evaluate(this->Parameters.back());
-        this->Points.push_back(p);
-        low[0] = std::min(low[0], p.Height);
-        high[0] = std::max(high[0], p.Height);
-        high[1] = std::max(high[1], p.Radius);
-      }
-      this->Extent = std::hypot(high[0] - low[0], high[1]);
-    }
-  }
-
-  bool IsFinite() const { return !Precision::IsInfinite(this->First) && !Precision::IsInfinite(this->Last); }
-  double GetFirst() const { return this->First; }
-  double GetLast() const { return this->Last; }
-  double GetExtent() const { return this->Extent; }
-
-  Point Locate(const gp_Pnt& point) const
-  {
-    const gp_Vec away(this->Axis.Location(), point);
-    const double height = away.Dot(gp_Vec(this->Axis.Direction()));
-    return { away.Crossed(gp_Vec(this->Axis.Direction())).Magnitude(), height };
-  }
-
-  Point Evaluate(double t) const { return this->Locate(this->Curve->Value(t)); }
-
-  /// Returns the parameters at which the profile meets the axis, ascending. Both ends of a periodic profile
-  /// are one parameter, the first.
-  std::vector<double> FindPoles() const
-  {
-    std::vector<double> poles;
-    const double range = this->Last - this->First;
-    const bool isPeriodic = this->Curve->IsPeriodic();
-    const int count = static_cast<int>(this->Points.size()) - 1;
-    for (int i = isPeriodic ? 0 : 1; i < count; ++i)
-    {
-      const double here = this->Points[i].Radius;
-      const double before = this->Points[i > 0 ? i - 1 : count - 1].Radius;
-      const double after = this->Points[i + 1].Radius;
-      if (!(here <= before && here <= after))
-      {
-        continue;
-      }
-      const double step = range / count;
-      const double t = Minimize([this](double x) { return this->Evaluate(x).Radius; },
-        this->Parameters[i] - step, this->Parameters[i] + step);
-      if (this->Evaluate(t).Radius <= AxisTolerance * this->Extent)
-      {
-        const double slack = 1e-9 * range;
-        const double inside = t < this->First - slack ? t + range : t > this->Last - slack ? t - range : t;
-        poles.push_back(isPeriodic ? std::max(inside, this->First) : t);
-      }
-    }
-    std::sort(poles.begin(), poles.end());
-    poles.erase(
-      std::unique(poles.begin(), poles.end(), [range](double a, double b) { return b - a <= 1e-6 * range; }),
-      poles.end());
-    return poles;
-  }
-
-  /// Returns the distance of a point from the part of the profile between two parameters.
-  double GetDistance(const Point& point, double first, double last) const
-  {
-    constexpr int count = 64;
-    const auto measure = [&](double t)
-    {
-      const Point p = this->Evaluate(t);
-      return std::hypot(p.Radius - point.Radius, p.Height - point.Height);
-    };
-    double least = std::numeric_limits<double>::infinity();
-    double nearest = first;
-    for (int i = 0; i <= count; ++i)
-    {
-      const double t = first + (last - first) * i / count;
-      const double distance = measure(t);
-      if (distance < least)
-      {
-        least = distance;
-        nearest = t;
-      }
-    }
-    const double step = (last - first) / count;
-    return std::min(
-      least, measure(Minimize(measure, std::max(first, nearest - step), std::min(last, nearest + step))));
-  }
-
-private:
-  /// Returns the minimum of a function with one minimum in the interval, which is divided by the golden
-  /// ratio.
-  template <class Function>
-  static double Minimize(const Function& f, double low, double high)
-  {
-    constexpr double ratio = 0.6180339887498949;
-    double inner[2] = { high - ratio * (high - low), low + ratio * (high - low) };
-    double values[2] = { f(inner[0]), f(inner[1]) };
-    for (int i = 0; i < 80 && inner[0] < inner[1]; ++i)
-    {
-      if (values[0] < values[1])
-      {
-        high = inner[1];
-        inner[1] = inner[0];
-        values[1] = values[0];
-        inner[0] = high - ratio * (high - low);
-        values[0] = f(inner[0]);
-      }
-      else
-      {
-        low = inner[0];
-        inner[0] = inner[1];
-        values[0] = values[1];
-        inner[1] = low + ratio * (high - low);
-        values[1] = f(inner[1]);
-      }
-    }
-    return values[0] < values[1] ? inner[0] : inner[1];
-  }
-
-  Handle(Geom_Curve) Curve;
-  gp_Ax1 Axis;
-  double First;
-  double Last;
-  double Extent = 0.0;
-  std::vector<double> Parameters;
-  std::vector<Point> Points;
-};
 
 /// A part of a profile between poles or ends.
 struct ProfilePart
@@ -278,8 +130,9 @@ bool AreSame(const AxialProfile& profile, const ProfilePart& a, const ProfilePar
   return true;
 }
 
-/// Returns points of the edges of a face, in the frame of its surface.
-std::vector<gp_Pnt> SampleEdges(const DraftFace& face)
+/// Returns points of the edges of a face, at these fractions of each, in the frame of its surface.
+template <class Fractions>
+std::vector<gp_Pnt> SampleEdges(const DraftFace& face, const Fractions& fractions)
 {
   std::vector<gp_Pnt> points;
   for (TopExp_Explorer it(face.Face, TopAbs_EDGE); it.More(); it.Next())
@@ -291,7 +144,7 @@ std::vector<gp_Pnt> SampleEdges(const DraftFace& face)
     if (!curve.IsNull() && last > first)
     {
       const gp_Trsf placement = face.Location.Inverted() * location.Transformation();
-      for (const double x : EdgeFractions)
+      for (const double x : fractions)
       {
         points.push_back(curve->Value((1.0 - x) * first + x * last).Transformed(placement));
       }
@@ -340,7 +193,7 @@ struct FoundParts
 FoundParts FindParts(const DraftFace& face, const AxialProfile& profile,
   const std::vector<ProfilePart>& parts, double period, double middle)
 {
-  const std::vector<gp_Pnt> points = SampleEdges(face);
+  const std::vector<gp_Pnt> points = SampleEdges(face, EdgeFractions);
   std::vector<double> distances;
   for (const ProfilePart& part : parts)
   {
@@ -473,17 +326,81 @@ void TakePart(DraftFace& face, double start, double middle)
   }
 }
 
-/// Replaces a surface that is swept along a curve that was trimmed to a whole period by the one along the
-/// curve itself, then a surface of revolution by its part.
+/// Returns the part of a parabola or hyperbola that has all points within a distance of its centre.
+Handle(Geom_Curve) TakeWithin(const Handle(Geom_Conic) & conic, double distance)
+{
+  const auto hyperbola = Handle(Geom_Hyperbola)::DownCast(conic);
+  const double end = hyperbola.IsNull() ? distance : std::asinh(distance / hyperbola->MinorRadius());
+  return new Geom_TrimmedCurve(conic, -end, end);
+}
+
+/// Replaces a surface that is swept along a parabola or hyperbola without ends by the one along a part that
+/// is more than long enough for the edges of the face. Returns true if there is one.
+bool BoundProfile(DraftFace& face, const Handle(Geom_SweptSurface) & swept)
+{
+  const auto conic = Handle(Geom_Conic)::DownCast(swept->BasisCurve());
+  if (conic.IsNull() || !Precision::IsInfinite(conic->LastParameter()))
+  {
+    return false;
+  }
+  const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(swept);
+  const gp_XYZ center = conic->Location().XYZ();
+  const gp_XYZ normal = conic->Axis().Direction().XYZ();
+  const gp_XYZ along = swept->Direction().XYZ();
+  double distance = 0.0;
+  for (const gp_Pnt& point : SampleEdges(face, WideFractions))
+  {
+    // A point of an extrusion is that far along it from the plane of its profile; a revolution keeps the
+    // distance from every point of the axis.
+    const gp_XYZ away = point.XYZ() - (revolution.IsNull() ? center : revolution->Location().XYZ());
+    const gp_XYZ foot = revolution.IsNull() ? away - (away.Dot(normal) / along.Dot(normal)) * along : away;
+    distance = std::max(distance, foot.Modulus());
+  }
+  distance += revolution.IsNull() ? 0.0 : (revolution->Location().XYZ() - center).Modulus();
+  if (distance > 0.0 && std::isfinite(distance))
+  {
+    face.Surface = SweepAlong(swept, TakeWithin(conic, ProfileMargin * distance));
+  }
+  return true;
+}
+
+/// Replaces a torus that crosses itself by the revolution of its circle if an edge of the face ends at its
+/// axis: both its parts have poles there, which a torus has not.
+void RevolveCrossingTorus(DraftFace& face)
+{
+  const auto torus = Handle(Geom_ToroidalSurface)::DownCast(face.Surface);
+  if (torus.IsNull() || !(torus->MinorRadius() > torus->MajorRadius()))
+  {
+    return;
+  }
+  const gp_Lin axis(torus->Axis());
+  bool reachesAxis = false;
+  for (TopExp_Explorer it(face.Face, TopAbs_VERTEX); it.More(); it.Next())
+  {
+    const gp_Pnt point = BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).Transformed(face.Location.Inverted());
+    reachesAxis = reachesAxis || axis.Distance(point) <= AtAxis * torus->MinorRadius();
+  }
+  if (reachesAxis)
+  {
+    face.Surface = RevolveTorus(torus);
+  }
+}
+
+/// Replaces a surface that is swept along a curve without ends, or along a curve that was trimmed to a whole
+/// period, by the one along the part that is needed or the curve itself, then a surface of revolution by its
+/// part.
 void ReplaceSurface(DraftFace& face)
 {
   double start = 0.0;
   double middle = 0.0;
-  const auto swept = Handle(Geom_SweptSurface)::DownCast(face.Surface);
+  RevolveCrossingTorus(face);
+  auto swept = Handle(Geom_SweptSurface)::DownCast(face.Surface);
   if (!swept.IsNull())
   {
-    start = swept->BasisCurve()->FirstParameter();
-    middle = 0.5 * (start + swept->BasisCurve()->LastParameter());
+    const bool isUnbounded = BoundProfile(face, swept);
+    swept = Handle(Geom_SweptSurface)::DownCast(face.Surface);
+    start = isUnbounded ? 0.0 : swept->BasisCurve()->FirstParameter();
+    middle = 0.5 * (swept->BasisCurve()->FirstParameter() + swept->BasisCurve()->LastParameter());
     const Handle(Geom_TrimmedCurve) trimmed = GetTrimOfPeriodic(swept);
     if (!trimmed.IsNull() &&
       trimmed->LastParameter() - start >= (1.0 - WholePeriod) * GetUntrimmed(swept->BasisCurve())->Period())
@@ -525,8 +442,8 @@ void SetPeriods(DraftFace& face)
     const AxialProfile profile(revolution);
     face.Low[1] = low[1];
     face.High[1] = high[1];
-    face.EndsAtPole[0] = profile.Evaluate(low[1]).Radius <= AxisTolerance * profile.GetExtent();
-    face.EndsAtPole[1] = profile.Evaluate(high[1]).Radius <= AxisTolerance * profile.GetExtent();
+    face.EndsAtPole[0] = profile.MeetsAxis(low[1]);
+    face.EndsAtPole[1] = profile.MeetsAxis(high[1]);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "smSTEPShapes.h"
 
 #include "smFormat.h"
+#include "smOCCTAxialProfile.h"
 #include "smSTEPGeometryReading.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
@@ -15,6 +16,7 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -312,8 +314,10 @@ private:
       return {};
     }
     const bool isForward = (this->Entities.Get(entity, SenseOfFace).Text != "F") != surface.IsFlipped;
+    const Handle(Geom_Surface) kernel =
+      this->HasEdges(census) ? surface.Kernel : TakeSelectedPart(*surface.Value, surface.Kernel);
     TopoDS_Face face;
-    this->Builder.MakeFace(face, surface.Kernel, Precision::Confusion());
+    this->Builder.MakeFace(face, kernel, Precision::Confusion());
     bool isBounded = false;
     for (std::uint32_t b = 0; b < census.NumberOfBounds; ++b)
     {
@@ -325,7 +329,7 @@ private:
       if (this->Entities.FindRecord(loop, VertexOfLoop.Record, record))
       {
         this->CheckApex(loop, census.Id, surfaceEntity, *surface.Value);
-        this->AddVertexLoop(loop, census.NumberOfBounds == 1, surface.Kernel, face);
+        this->AddVertexLoop(loop, census.NumberOfBounds == 1, kernel, face);
       }
       else if (!this->ReadLoop(loop, uses) || !this->AddEdgeLoop(uses, isSame, surfaceEntity, face))
       {
@@ -338,7 +342,7 @@ private:
     }
     if (census.NumberOfBounds == 0)
     {
-      this->AddNaturalBounds(surface.Kernel, face);
+      this->AddNaturalBounds(kernel, face);
     }
     this->CheckTorus(census.Id, surfaceEntity, *surface.Value, isBounded);
     this->Describe(face, census.Id, this->Entities.Get(entity, NameOfItem).Text);
@@ -347,6 +351,39 @@ private:
     info.Bounded = isBounded;
     face.Orientation(isForward ? TopAbs_FORWARD : TopAbs_REVERSED);
     return face;
+  }
+
+  /// Returns false for a face that is bounded by nothing but vertices.
+  bool HasEdges(const CensusFace& census) const
+  {
+    for (std::uint32_t b = 0; b < census.NumberOfBounds; ++b)
+    {
+      const Index bound = this->Entities.File.Find(this->Shapes.Census.Bounds[census.FirstBound + b]);
+      std::string_view record;
+      if (!this->Entities.FindRecord(
+            this->Entities.Follow(this->Entities.Get(bound, LoopOfBound)), VertexOfLoop.Record, record))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Returns the part of a torus that a DEGENERATE_TOROIDAL_SURFACE selects as a surface of revolution, and
+  /// any other surface as it is.
+  static Handle(Geom_Surface) TakeSelectedPart(const STEPSurface& value, const Handle(Geom_Surface) & kernel)
+  {
+    const auto torus = Handle(Geom_ToroidalSurface)::DownCast(kernel);
+    const auto* elementary = value.Value->GetIf<ElementarySurface>();
+    if (torus.IsNull() || !elementary || elementary->Selected == ElementarySurface::Part::Whole ||
+      !(torus->MinorRadius() > torus->MajorRadius()))
+    {
+      return kernel;
+    }
+    const auto whole = RevolveTorus(torus);
+    const ParameterRange& part = value.Value->GetDomain(1);
+    return new Geom_SurfaceOfRevolution(
+      new Geom_TrimmedCurve(whole->BasisCurve(), part.Low, part.High, true, false), whole->Axis());
   }
 
   static bool HasNaturalBounds(const Handle(Geom_Surface) & surface)
@@ -435,7 +472,7 @@ private:
   {
     const auto* torus = surface.Value->GetIf<ElementarySurface>();
     if (torus && torus->Kind == ElementarySurface::Type::Torus && !isBounded &&
-      torus->Radii[1] > std::abs(torus->Radii[0]))
+      torus->Selected == ElementarySurface::Part::Whole && torus->Radii[1] > std::abs(torus->Radii[0]))
     {
       this->Shapes.Defects.push_back("Face #" + std::to_string(face) +
         " of the file is a whole torus that crosses itself (#" +

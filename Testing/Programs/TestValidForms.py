@@ -247,6 +247,30 @@ def make_seamed_ball(is_spline, axis, x, turn):
     return body.get_text()
 
 
+def integrate_circle(major, minor, sign, low, high):
+    """pi times the integral of (major + sign sqrt(minor^2 - z^2))^2 dz."""
+    def antiderivative(z):
+        root = math.sqrt(minor * minor - z * z)
+        return (major ** 2 + minor ** 2) * z - z ** 3 / 3 + sign * major * (z * root + minor ** 2 * math.asin(z / minor))
+    return math.pi * (antiderivative(high) - antiderivative(low))
+
+
+def make_crossing_torus(selects_outer, has_seam):
+    """The apple or the lemon of a torus that crosses itself, with its seam or one vertex."""
+    body = Body(0.4, (1.0, 2.0, 3.0))
+    top = math.sqrt(5.0)
+    surface = body.add(f"DEGENERATE_TOROIDAL_SURFACE('',{body.axes((0, 0, 0))},2.,3.,.{'T' if selects_outer else 'F'}.)")
+    vertices = [body.vertex((0.0, 0.0, z)) for z in (-top, top)]
+    if has_seam:
+        circle = body.add(f"CIRCLE('',{body.axes((2.0 if selects_outer else -2.0, 0, 0), (0, -1, 0))},3.)")
+        edge = body.add(f"EDGE_CURVE('',{vertices[0]},{vertices[1]},{circle},.T.)")
+        loop = body.loop([(edge, True), (edge, False)])
+    else:
+        loop = body.add(f"VERTEX_LOOP('',{vertices[0]})")
+    body.product("part", body.shape([body.solid([body.face([loop], surface)])]))
+    return body.get_text()
+
+
 def check_whole_faces(runner):
     """Spheres and tori without bounds, and spheres with nothing but a seam."""
     for is_spline in (False, True):
@@ -261,6 +285,12 @@ def check_whole_faces(runner):
         body.product("part", body.shape([body.identity, body.solid([face])]))
         # OpenCASCADE makes the seams of a torus in a repair.
         runner.check_value(f"{name} without bounds", body.get_text(), volume, allowed="it has no loops" if name == "torus" else None)
+    top = math.sqrt(5.0)
+    lemon = integrate_circle(2.0, 3.0, -1.0, -top, top)
+    apple = integrate_circle(2.0, 3.0, 1.0, -3.0, 3.0) - 2.0 * integrate_circle(2.0, 3.0, -1.0, top, 3.0)
+    for has_seam in (True, False):
+        runner.check_value(f"apple, seam {has_seam}", make_crossing_torus(True, has_seam), apple)
+        runner.check_value(f"lemon, seam {has_seam}", make_crossing_torus(False, has_seam), lemon, allowed="is inside out")
     body = Body(0.3)
     spheres = [body.add(f"ADVANCED_FACE('',(),{body.add(f'SPHERICAL_SURFACE({EMPTY},{body.axes((0, 0, 0))},{r}.)')},.{sense}.)")
                for r, sense in ((3, "T"), (2, "F"))]
@@ -500,7 +530,74 @@ def check_profiles(runner):
         runner.check_value(f"dome {xs} {zs} {end}", body.get_text(), integrate_dome(xs, zs, low, end), allowed="the bound of the area is estimated")
 
 
-MODES = {"profiles": check_profiles, "mapped": check_mapped, "sections": check_sections, "whole": check_whole_faces, "circles": check_closed_circles,
+def make_conic_prism(conic, width, depth, height, slant):
+    """A prism on the part of a parabola or hyperbola up to `depth` from its vertex, where it is 2 `width` wide; extruded aslant."""
+    body = Body(0.5, (1.0, 2.0, 3.0))
+    corners = [(depth, width, 0.0), (depth, -width, 0.0)]
+    tops = [(x + slant, y, height) for x, y, _ in corners]
+    vertices = [body.vertex(p) for p in corners + tops]
+    centers = [(0.0, 0.0, 0.0), (slant, 0.0, height)]
+    curves = [body.add(conic.format(body.axes(c))) for c in centers]
+    arcs = [body.add(f"EDGE_CURVE('',{vertices[2 * k + 1]},{vertices[2 * k]},{curves[k]},.T.)") for k in (0, 1)]
+    lines = [body.line_edge(vertices[2 * k], vertices[2 * k + 1], *points) for k, points in enumerate((corners, tops))]
+    sides = [body.line_edge(vertices[k], vertices[k + 2], corners[k], tops[k]) for k in (0, 1)]
+    profile = body.add(conic.format(body.axes(centers[0])))
+    vector = body.add(f"VECTOR('',{body.direction((slant, 0.0, height))},1.)")
+    # The derivative along the arc times the direction of extrusion points into the body.
+    lateral = body.add(f"SURFACE_OF_LINEAR_EXTRUSION('',{profile},{vector})")
+    flat = body.add(f"PLANE('',{body.axes((depth, 0, 0), (height, 0.0, -slant), (0, 1, 0))})")
+    faces = [body.face([body.loop([(arcs[0], False), (sides[1], True), (arcs[1], True), (sides[0], False)])], lateral, False),
+             body.face([body.loop([(lines[0], False), (sides[0], True), (lines[1], True), (sides[1], False)])], flat)]
+    for k, normal in ((0, -1.0), (1, 1.0)):
+        plane = body.add(f"PLANE('',{body.axes(centers[k], (0, 0, normal))})")
+        faces.append(body.face([body.loop([(lines[1], False), (arcs[1], False)] if k else [(arcs[0], True), (lines[0], True)])], plane))
+    body.product("prism", body.shape([body.solid(faces)]))
+    return body.get_text()
+
+
+def make_conic_dish(conic, center, radius, low, high, sense=True):
+    """A conic revolved about the z axis, between two heights; from its vertex on if `low` is None."""
+    body = Body(0.5, (1.0, 2.0, 3.0))
+    axis = body.add(f"AXIS1_PLACEMENT('',{body.point((0, 0, 0))},{body.direction((0, 0, 1))})")
+    profile = body.add(conic.format(center(body)))
+    surface = body.add(f"SURFACE_OF_REVOLUTION('',{profile},{axis})")
+    faces = []
+    loops = []
+    for z, normal in ((low, -1.0), (high, 1.0)):
+        if z is not None:
+            vertex = body.vertex((radius, 0.0, z))
+            circle = body.add(f"CIRCLE('',{body.axes((0, 0, z))},{format_real(radius)})")
+            edge = body.add(f"EDGE_CURVE('',{vertex},{vertex},{circle},.T.)")
+            faces.append(body.face([body.loop([(edge, normal > 0.0)])], body.add(f"PLANE('',{body.axes((0, 0, z), (0, 0, normal))})")))
+            loops.append(body.loop([(edge, normal < 0.0)]))
+    faces.append(body.face(loops, surface, sense))
+    body.product("dish", body.shape([body.solid(faces)]))
+    return body.get_text()
+
+
+def check_conics(runner):
+    """Surfaces that are swept along parabolas and hyperbolas, which have no ends."""
+    parabola = "PARABOLA('',{},0.75)"
+    hyperbola = "HYPERBOLA('',{},2.,1.5)"
+    c = 3.0
+    segment = 2.0 * 1.5 * (c * math.sqrt(c * c - 1.0) - math.acosh(c))
+    for slant in (0.0, 1.0):
+        runner.check_value(f"prism on a parabola, slant {slant}", make_conic_prism(parabola, 3.0, 3.0, 4.0, slant), 4 / 3 * 9 * 4)
+        runner.check_value(f"prism on a hyperbola, slant {slant}",
+                           make_conic_prism(hyperbola, 1.5 * math.sqrt(c * c - 1.0), 2.0 * c, 4.0, slant), segment * 4.0)
+    upright = lambda body: body.axes((0, 0, 0), (0, -1, 0), (0, 0, 1))  # noqa: E731
+    for sense in (True, False):  # either side of the conic has the same points and the opposite normal
+        runner.check_value(f"dish on a parabola, {sense}", make_conic_dish(parabola, upright, 3.0, None, 3.0, sense), 2.0 * math.pi * 0.75 * 9.0)
+        runner.check_value(f"dish on a hyperbola, {sense}",
+                           make_conic_dish(hyperbola, upright, 1.5 * math.sqrt(3.0), None, 4.0, sense),
+                           math.pi * 1.5 ** 2 * 4.0 * (3.0 * 2.0 + 2.0) / (3.0 * 4.0))
+    runner.check_value("waist on a hyperbola", make_conic_dish(hyperbola, lambda body: body.axes((0, 0, 0), (0, -1, 0)),
+                                                               2.0 * math.sqrt(2.0), -1.5, 1.5), math.pi * 4.0 * (3.0 + 2.0 / 3.0 * 1.5))
+    runner.check_value("waist on a parabola", make_conic_dish(parabola, lambda body: body.axes((1, 0, 0), (0, -1, 0)), 4.0, -3.0, 3.0),
+                       2.0 * math.pi * (3.0 + 2.0 / 3.0 * 9.0 + 9.0 * 3.0 / 5.0))
+
+
+MODES = {"conics": check_conics, "profiles": check_profiles, "mapped": check_mapped, "sections": check_sections, "whole": check_whole_faces, "circles": check_closed_circles,
          "oriented": check_oriented_faces, "representations": check_representations, "voids": check_voids, "lenses": check_lenses,
          "ellipses": check_ellipses}
 

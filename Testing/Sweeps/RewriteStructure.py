@@ -36,7 +36,7 @@ def records_renumbered(random, document):
 def records_spaced(random, document):
     """Blanks, ends of lines and comments between tokens."""
     for number in document.order:
-        tokens = TOKEN.findall(document.body(number))
+        tokens = TOKEN.findall(re.sub(r"/\*.*?\*/", "", document.body(number)))  # a comment from a rewrite before
         spaces = [random.choice(["", " ", "\n  "]) if random.random() < 0.3 else "" for _ in tokens]
         if random.random() < 0.05:
             spaces[0] += "/* a comment; #1=POINT('') */"
