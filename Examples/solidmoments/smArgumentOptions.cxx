@@ -107,13 +107,6 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->type_name("UNIT")
     ->check(sm::CheckInputUnit);
   app
-    .add_option("--reader", job.Reader,
-      "What makes bodies of a STEP file's entities: direct (default): this program,\n"
-      "and OpenCASCADE's reader for files with damage or with something that it does\n"
-      "not read yet; or kernel: OpenCASCADE's reader for all files")
-    ->type_name("READER")
-    ->check(CLI::IsMember({ "direct", "kernel" }));
-  app
     .add_option("--repair", job.Repair,
       "Which solids and shells OpenCASCADE repairs: needed (default): those that are\n"
       "not sound as the file has them, as a message reports; the others are read\n"

@@ -22,7 +22,6 @@ void SetUpReader(vtkCADReader* reader, const std::string& path, const JobOptions
   reader->SetOutputUnit(options.Unit);
   if (auto* step = vtkSTEPReader::SafeDownCast(reader))
   {
-    step->SetReader(options.Reader == "direct" ? vtkSTEPReader::DIRECT : vtkSTEPReader::KERNEL);
     step->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
   }
   if (auto* brep = vtkBREPReader::SafeDownCast(reader))

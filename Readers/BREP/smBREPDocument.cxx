@@ -3,25 +3,20 @@
 #include "smMemoryBuffer.h"
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
-#include "smOCCTProducts.h"
+#include "smOCCTShapeAdder.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <BinTools.hxx>
-#include <TDF_Label.hxx>
-#include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
-#include <XCAFDoc_ShapeTool.hxx>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <istream>
-#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -185,28 +180,29 @@ private:
   std::unordered_map<const void*, Count> Counts;
 };
 
-/// Makes an XCAF document with the products of a shape.
+/// Adds the products of a shape to a document.
 class ProductMaker
 {
 public:
-  ProductMaker(const Handle(TDocStd_Document) & xde, ShapeCounter& counter)
-    : Shapes(XCAFDoc_DocumentTool::ShapeTool(xde->Main()))
+  ProductMaker(Document& document, ShapeCounter& counter)
+    : Result(document)
+    , Adder(document)
     , Counter(counter)
   {
   }
 
   void Add(const TopoDS_Shape& shape)
   {
-    if (shape.Location().IsIdentity())
+    this->Adder.Announce(shape);
+    ProductNode product = this->Visit(shape.Located(TopLoc_Location()), shape.Location().Transformation());
+    if (!shape.Location().IsIdentity())
     {
-      this->GetProduct(shape);
+      // The file places one product.
+      ProductNode root;
+      root.Children.push_back(std::move(product));
+      product = std::move(root);
     }
-    else
-    {
-      const TDF_Label root = this->Shapes->NewShape();
-      this->Shapes->AddComponent(root, this->GetProduct(shape.Located(TopLoc_Location())), shape.Location());
-    }
-    this->Shapes->UpdateAssemblies();
+    this->Result.Root.Children.push_back(std::move(product));
   }
 
 private:
@@ -230,35 +226,27 @@ private:
   }
 
   /// `shape` has no location.
-  TDF_Label GetProduct(const TopoDS_Shape& shape)
+  ProductNode Visit(const TopoDS_Shape& shape, const gp_Trsf& placement)
   {
-    const auto key =
-      std::make_pair(static_cast<const void*>(shape.TShape().get()), static_cast<int>(shape.Orientation()));
-    const auto known = this->Products.find(key);
-    if (known != this->Products.end())
+    ProductNode node;
+    if (!this->IsAssembly(shape))
     {
-      return known->second;
+      this->Adder.Add(shape, PartBody(), placement, Vector3{ -1.0, -1.0, -1.0 }, node);
+      return node;
     }
-    const TDF_Label product = this->Shapes->NewShape();
-    this->Products.emplace(key, product);
-    if (!IsAssembly(shape))
-    {
-      this->Shapes->SetShape(product, shape);
-      return product;
-    }
-    // The members' orientations include that of the assembly, whose label has none.
+    // The members' orientations include that of the assembly.
     for (TopoDS_Iterator it(shape, Standard_True, Standard_False); it.More(); it.Next())
     {
       const TopoDS_Shape& member = it.Value();
-      this->Shapes->AddComponent(
-        product, this->GetProduct(member.Located(TopLoc_Location())), member.Location());
+      node.Children.push_back(
+        this->Visit(member.Located(TopLoc_Location()), placement * member.Location().Transformation()));
     }
-    return product;
+    return node;
   }
 
-  Handle(XCAFDoc_ShapeTool) Shapes;
+  Document& Result;
+  ShapeAdder Adder;
   ShapeCounter& Counter;
-  std::map<std::pair<const void*, int>, TDF_Label> Products;
 };
 
 /// Reports closed shells outside of the solids of a file, which are left out although they may be meant as
@@ -317,10 +305,7 @@ void Read(std::string_view bytes, const ProgressCallback& progress, Document& do
     document.Problem += "; save its parts one by one";
     return;
   }
-  const Handle(TDocStd_Document) xde = new TDocStd_Document("BinXCAF");
-  SetMillimetres(xde);
-  ProductMaker(xde, counter).Add(shape);
-  AddProducts(xde, document);
+  ProductMaker(document, counter).Add(shape);
   if (counter.Get(shape).HasSolid)
   {
     FindLostShells(shape, document);

@@ -112,7 +112,8 @@ bool Part21Parser::ParseSection()
     return false;
   }
   const char* at = this->Cursor.At;
-  const std::string_view word = this->Cursor.SkipKeyword();
+  std::string word(this->Cursor.SkipKeyword());
+  std::transform(word.begin(), word.end(), word.begin(), ToCapital);
   if (word == "DATA")
   {
     // A section may have a name and its schema: DATA('NAME',('SCHEMA'));

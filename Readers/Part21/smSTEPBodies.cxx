@@ -17,6 +17,7 @@ constexpr STEPAttribute BoundsOfFace = { "FACE", 0, 1, "bounds" };
 constexpr STEPAttribute OrientedClosedShell = { "ORIENTED_CLOSED_SHELL", 0, 2, "shell" };
 constexpr STEPAttribute OrientedOpenShell = { "ORIENTED_OPEN_SHELL", 0, 2, "shell" };
 constexpr STEPAttribute OrientedFace = { "ORIENTED_FACE", 0, 2, "face" };
+constexpr STEPAttribute SenseOfOrientedFace = { "ORIENTED_FACE", 1, 3, "orientation" };
 
 constexpr std::uint64_t BodyRoles = STEPRole::Solid | STEPRole::OtherSolid | STEPRole::SurfaceModel |
   STEPRole::WireModel | STEPRole::GeometricSet | STEPRole::Tessellated | STEPRole::Shell | STEPRole::Face;
@@ -218,28 +219,35 @@ std::uint32_t STEPCensusTaker::AddShell(Index entity)
   shell.Kind = this->Entities.FindRecord(entity, "CLOSED_SHELL", parameters) ? CensusShellKind::Closed
     : this->Entities.FindRecord(entity, "OPEN_SHELL", parameters)            ? CensusShellKind::Open
                                                                              : CensusShellKind::FaceSet;
-  std::vector<std::uint32_t> faces;
+  std::vector<std::pair<std::uint32_t, bool>> faces;
   Part21Values values(this->Entities.Get(entity, FacesOfShell).Text);
   for (Part21Value value; values.Next(value);)
   {
     const Index used = this->Entities.Follow(value);
     const Index face = this->Unwrap(used, OrientedFace, FacesOfShell.Name);
-    this->Census.HasOrientedFaces = this->Census.HasOrientedFaces || face != used;
+    bool isReversed = false;
+    for (Index i = used; i != face && face != None;
+         i = this->Entities.Follow(this->Entities.Get(i, OrientedFace)))
+    {
+      isReversed = isReversed != (this->Entities.Get(i, SenseOfOrientedFace).Text == "F");
+    }
     if (this->Entities.Has(face, STEPRole::Face))
     {
-      faces.push_back(this->AddFace(face));
+      faces.emplace_back(this->AddFace(face), isReversed);
     }
   }
   shell.FirstFace = static_cast<std::uint32_t>(this->Census.FaceUses.size());
   std::sort(faces.begin(), faces.end());
   for (std::size_t k = 0; k < faces.size(); ++k)
   {
-    if (k > 0 && faces[k] == faces[k - 1])
+    const auto [face, isReversed] = faces[k];
+    if (k > 0 && face == faces[k - 1].first)
     {
-      this->Add(CensusDefect::RepeatedFace, entity, this->Census.Faces[faces[k]].Id, FacesOfShell.Name);
+      this->Add(CensusDefect::RepeatedFace, entity, this->Census.Faces[face].Id, FacesOfShell.Name);
       continue;
     }
-    this->Census.FaceUses.push_back(faces[k]);
+    this->Census.FaceUses.push_back(face);
+    this->Census.IsReversedUse.push_back(isReversed);
     ++shell.NumberOfFaces;
   }
   if (faces.empty())

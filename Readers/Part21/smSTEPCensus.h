@@ -331,11 +331,10 @@ struct SMREADERSPART21_EXPORT STEPCensus
   std::vector<CensusBody> Bodies;
   std::vector<CensusShellUse> ShellUses;
   std::vector<CensusShell> Shells;
-  /// Indices into Faces.
+  /// Indices into Faces, and whether the shell uses the face against its sense, by ORIENTED_FACE.
   std::vector<std::uint32_t> FaceUses;
+  std::vector<bool> IsReversedUse;
   std::vector<CensusFace> Faces;
-  /// True if a shell has an ORIENTED_FACE.
-  bool HasOrientedFaces = false;
   std::vector<std::uint64_t> Bounds;
   std::vector<CensusShape> Shapes;
   /// In the order of the file.

@@ -1,6 +1,6 @@
 // The entities that the bodies of a census depend on, and their damage.
 #include "smSTEPCensusTaker.h"
-#include "smSTEPKnownForms.h"
+#include "smSTEPFrames.h"
 #include "smSTEPTopologyAttributes.h"
 
 #include <algorithm>
@@ -9,6 +9,36 @@ namespace sm
 {
 namespace
 {
+constexpr STEPAttribute BoundsOfWholeFace = { "FACE", 0, 1, "bounds" };
+constexpr STEPAttribute SurfaceOfWholeFace = { "FACE_SURFACE", 0, 2, "surface" };
+constexpr STEPAttribute SenseOfWholeFace = { "FACE_SURFACE", 1, 3, "same sense" };
+constexpr STEPAttribute PlaceOfWholeSurface = { "ELEMENTARY_SURFACE", 0, 1, "position" };
+constexpr STEPAttribute RadiusOfWholeSphere = { "SPHERICAL_SURFACE", 0, 2, "radius" };
+constexpr STEPAttribute RadiiOfWholeTorus[] = { { "TOROIDAL_SURFACE", 0, 2, "major radius" },
+  { "TOROIDAL_SURFACE", 1, 3, "minor radius" } };
+
+/// Returns true for a face with an empty list of bounds that is a whole sphere, or a whole torus that does
+/// not cross itself.
+bool IsWholeSurface(const STEPAttributes& entities, Part21File::Index face)
+{
+  const Part21Value bounds = entities.Get(face, BoundsOfWholeFace);
+  const Part21Value sense = entities.Get(face, SenseOfWholeFace);
+  Part21Value first;
+  if (!bounds.IsList() || Part21Values(bounds.Text).Next(first) || sense.Kind != Part21Kind::Enumeration ||
+    (sense.Text != "T" && sense.Text != "F"))
+  {
+    return false;
+  }
+  const Part21File::Index surface = entities.Follow(entities.Get(face, SurfaceOfWholeFace));
+  double radii[2] = { 0.0, 0.0 };
+  const bool hasRadii = entities.Get(surface, RadiusOfWholeSphere).GetNumber(radii[1]) ||
+    (entities.Get(surface, RadiiOfWholeTorus[0]).GetNumber(radii[0]) &&
+      entities.Get(surface, RadiiOfWholeTorus[1]).GetNumber(radii[1]) && radii[0] >= radii[1]);
+  STEPFrame frame;
+  return hasRadii && radii[1] > 0.0 &&
+    ReadSTEPFrame(entities, entities.Follow(entities.Get(surface, PlaceOfWholeSurface)), frame);
+}
+
 /// Bits of Visited.
 constexpr unsigned char InSpace = 1;
 constexpr unsigned char InPlane = 2;

@@ -4,7 +4,6 @@
 #include "smFormat.h"
 #include "smOCCTClosing.h"
 #include "smOCCTCompleteLoops.h"
-#include "smOCCTContradictions.h"
 #include "smOCCTEdge.h"
 #include "smOCCTFaceDomain.h"
 #include "smOCCTFaceInspection.h"
@@ -15,6 +14,7 @@
 #include "smParallelFor.h"
 #include "smTrimResidual.h"
 
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -27,6 +27,35 @@ namespace sm
 {
 namespace
 {
+/// Loops may lead beyond a trimmed surface by this fraction of its width.
+constexpr double Slack = 1e-6;
+
+/// Returns a sentence if loops that cover `box` in the parameters lead beyond the rectangular trimmed surface
+/// that the face is on, of which the basis surface is taken; else an empty text.
+std::string DescribeOverstep(const DraftFace& face, const NativeBox& box)
+{
+  const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(face.Stored);
+  if (trimmed.IsNull() || face.Loops.empty())
+  {
+    return {};
+  }
+  double low[2];
+  double high[2];
+  trimmed->Bounds(low[0], high[0], low[1], high[1]);
+  for (int d = 0; d < 2; ++d)
+  {
+    const double slack = Slack * (high[d] - low[d]);
+    const double period = face.Period[d];
+    const double shift = period > 0.0 ? std::ceil((low[d] - slack - box.Low[d]) / period) * period : 0.0;
+    if (box.Low[d] + shift < low[d] - slack || box.High[d] + shift > high[d] + slack)
+    {
+      return std::string("Its loops lead beyond its RECTANGULAR_TRIMMED_SURFACE in ") + (d == 0 ? "u" : "v") +
+        "; the surface is taken without its borders.";
+    }
+  }
+  return {};
+}
+
 const ShapeInfo& Find(const ShapeTable& table, const TopoDS_Shape& shape)
 {
   static const ShapeInfo none;

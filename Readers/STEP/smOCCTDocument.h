@@ -110,21 +110,11 @@ enum class RepairMode
   OnNeed
 };
 
-/// What makes shapes of the entities of a STEP file.
-enum class ReaderMode
-{
-  /// OpenCASCADE's reader.
-  Kernel,
-  /// Ours (smSTEPDirect.h), and OpenCASCADE's for files that it does not read.
-  Direct
-};
-
 /**
  * Reads the bytes of a STEP file. `progress` gets a fraction in [0,1] and returns false to stop. Holds a
  * KernelSession, so that one thread of the process reads at a time. Throws only std::bad_alloc.
  */
-Document ReadSTEP(
-  std::string content, RepairMode repair, ReaderMode reader, const ProgressCallback& progress);
+Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress);
 }
 
 #endif

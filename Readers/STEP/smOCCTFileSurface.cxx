@@ -1,14 +1,9 @@
 #include "smOCCTFileSurface.h"
 
 #include "smOCCTBuildGeometry.h"
-#include "smOCCTCompatibility.h"
-#include "smOCCTFailure.h"
 #include "smVector.h"
 
-#include <BRep_Tool.hxx>
-#include <StepGeom_BSplineSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
-#include <TopLoc_Location.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -127,22 +122,6 @@ FileSurface CompareSurfaces(const Handle(Geom_BSplineSurface) & own, const Handl
   {
     own->Scale(gp_Pnt(), scale);
     result.Surface = own;
-  }
-  return result;
-}
-
-FileSurface FindFileSurface(const Handle(StepShape_FaceSurface) & entity, const TopoDS_Face& face)
-{
-  TopLoc_Location location;
-  const auto read =
-    Handle(Geom_BSplineSurface)::DownCast(GetBasisSurface(BRep_Tool::Surface(face, location)));
-  const auto own = Handle(StepGeom_BSplineSurface)::DownCast(entity->FaceGeometry());
-  FileSurface result;
-  if (!read.IsNull() && !own.IsNull() && (read->IsUPeriodic() || read->IsVPeriodic()))
-  {
-    // What cannot be compared is reported where the face itself is converted.
-    CatchFailure(
-      [&] { result = CompareSurfaces(Handle(Geom_BSplineSurface)::DownCast(MakeEntitySurface(own)), read); });
   }
   return result;
 }

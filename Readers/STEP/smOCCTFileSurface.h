@@ -8,8 +8,6 @@
 #include "smOCCTSurface.h"
 
 #include <Geom_BSplineSurface.hxx>
-#include <StepShape_FaceSurface.hxx>
-#include <TopoDS_Face.hxx>
 
 namespace sm
 {
@@ -30,9 +28,6 @@ struct FileSurface
 /// Compares a surface with the periodic one that OpenCASCADE made of it.
 FileSurface CompareSurfaces(
   const Handle(Geom_BSplineSurface) & own, const Handle(Geom_BSplineSurface) & read);
-
-/// Compares the surface of a face with that of its entity.
-FileSurface FindFileSurface(const Handle(StepShape_FaceSurface) & entity, const TopoDS_Face& face);
 
 /// Returns the file's surface, moved by whole periods of OpenCASCADE's surface to the parameters of `box`;
 /// null if the box extends beyond its domain, because a face that crosses the seam needs the periodic

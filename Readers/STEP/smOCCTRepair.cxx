@@ -85,15 +85,15 @@ std::string FindContradiction(
   return problem;
 }
 
-/// Returns true if the body needs no repair, or no more after some of its faces were repaired; the result is
-/// added to `log`.
+}
+
 bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, const FaceRepair& repair)
 {
   if (shape.IsNull() || (shape.ShapeType() != TopAbs_SOLID && shape.ShapeType() != TopAbs_SHELL))
   {
     return false;
   }
-  // Labels are made for listed reasons only, because each needs a search through all transferred entities.
+  // Labels are made for listed reasons only.
   const bool isTold = log.Reasons.size() < MostReasons;
   const ShapeLabel none = [](const TopoDS_Shape&) { return std::string(); };
   const TopoDS_Shape original = shape;
@@ -145,24 +145,12 @@ bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, c
   log.TurnedEdges += damage.TurnedEdges;
   return true;
 }
-}
 
-RepairOnNeed::RepairOnNeed(RepairLog& log, ShapeLabel label)
-  : Filter([&log, label = std::move(label)](TopoDS_Shape& shape, const FaceRepair& repair)
-      { return IsSoundBody(shape, log, label, repair); })
+void LogBeforeRepair(const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label)
 {
-}
-
-RepairAlways::RepairAlways(RepairLog& log, ShapeLabel label)
-  : Filter(
-      [&log, label = std::move(label)](const TopoDS_Shape& shape, const FaceRepair&)
-      {
-        KeepSides(shape, log);
-        // A face with the wrong sense lies outside its loops.
-        AddOutsideFaces(shape, log, label);
-        return false;
-      })
-{
+  KeepSides(shape, log);
+  // A face with the wrong sense lies outside its loops.
+  AddOutsideFaces(shape, log, label);
 }
 
 std::vector<std::string> Describe(const RepairLog& log)

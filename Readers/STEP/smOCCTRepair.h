@@ -1,6 +1,6 @@
 /**
  * @file smOCCTRepair.h
- * @brief Restricts OpenCASCADE's repairs in the transfer of a STEP file to shapes with defects
+ * @brief Restricts OpenCASCADE's repairs of a STEP file's shapes to those with defects
  */
 #ifndef smOCCTRepair_h
 #define smOCCTRepair_h
@@ -58,30 +58,16 @@ struct RepairLog
 std::vector<std::string> Describe(const RepairLog& log);
 
 /**
- * During the lifetime of this object OpenCASCADE's transfer does not repair solids and shells that are sound:
- * edges of a solid are used once in either direction, each shell is connected, and all faces pass
- * InspectFace() (smOCCTFaceInspection.h). A solid that is inside out is reversed. If only a few faces do not
- * pass, these alone are repaired. All others are repaired as usual. The conditions of TransferFilter apply.
+ * Returns true if a solid or shell needs no repair, or no more after some of its faces were repaired: edges
+ * of a solid are used once in either direction, each shell is connected, and all faces pass InspectFace()
+ * (smOCCTFaceInspection.h). A solid that is inside out is reversed. If only a few faces do not pass, these
+ * alone are repaired. The result is added to the log.
  */
-class RepairOnNeed
-{
-public:
-  RepairOnNeed(RepairLog& log, ShapeLabel label);
+bool IsSoundBody(TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label, const FaceRepair& repair);
 
-private:
-  TransferFilter Filter;
-};
-
-/// During the lifetime of this object all shapes are repaired. The sides of faces, and faces outside their
-/// loops, are added to the log.
-class RepairAlways
-{
-public:
-  RepairAlways(RepairLog& log, ShapeLabel label);
-
-private:
-  TransferFilter Filter;
-};
+/// Adds the sides of faces, and faces outside their loops, to the log, before a shape is repaired whatever it
+/// is.
+void LogBeforeRepair(const TopoDS_Shape& shape, RepairLog& log, const ShapeLabel& label);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #define smOCCTShapeAdder_h
 
 #include "smOCCTDocument.h"
+#include "smReadersSTEPModule.h"
 
 #include <TopoDS_Compound.hxx>
 
@@ -20,7 +21,7 @@ namespace sm
  * another instance of the same body. The table of the document must have the data of the shapes. Faces
  * outside of solids become bodies only if no announced shape has a solid; else they are counted.
  */
-class ShapeAdder
+class SMREADERSSTEP_EXPORT ShapeAdder
 {
 public:
   explicit ShapeAdder(Document& document)

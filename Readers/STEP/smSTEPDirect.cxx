@@ -2,7 +2,6 @@
 
 #include "smLengthUnits.h"
 #include "smOCCTCompatibility.h"
-#include "smOCCTFailure.h"
 #include "smSTEPAppearance.h"
 #include "smSTEPAttributes.h"
 #include "smSTEPProductTree.h"
@@ -15,9 +14,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iterator>
 #include <map>
-#include <memory>
 #include <unordered_map>
 
 namespace sm
@@ -29,23 +26,22 @@ constexpr double LargestTolerance = 1.0;
 
 using Index = Part21File::Index;
 
-/// Returns the name of a length unit as messages have it: "millimetre" for "MILLI METRE".
+/// Returns the name of a length unit as messages have it: "millimetre" for "MILLI METRE", "INCH" for "INCH of
+/// MILLI METRE".
 std::string GetUnitWord(const CensusUnit& unit)
 {
+  const std::size_t base = unit.Name.find(" of ");
+  if (base != std::string::npos || unit.Name.find("METRE") == std::string::npos)
+  {
+    return unit.Name.substr(0, base);
+  }
   std::string word;
   for (const char c : unit.Name)
   {
-    const bool isSI = unit.Name.find("METRE") != std::string::npos;
-    word += isSI ? (c == ' ' ? std::string() : std::string(1, static_cast<char>(std::tolower(c))))
-                 : std::string(1, c);
+    word += c == ' ' ? std::string() : std::string(1, static_cast<char>(std::tolower(c)));
   }
   return word;
 }
-
-/// Defects that change no shape and no place: they are reported, and nothing else follows from them.
-constexpr CensusDefect HarmlessDefects[] = { CensusDefect::MissingUnit, CensusDefect::UnusedEntity,
-  CensusDefect::SurfaceProduct, CensusDefect::AlternativeShape, CensusDefect::RepeatedProduct,
-  CensusDefect::PlacedTwice, CensusDefect::VertexOffSurface };
 
 class DirectReader
 {
@@ -59,64 +55,46 @@ public:
   {
   }
 
-  void Read(RepairMode repair, const ProgressCallback& progress, bool& isAborted)
+  /// Returns false if `progress` stopped it.
+  bool Read(RepairMode repair, const ProgressCallback& progress)
   {
-    this->CheckStructure();
+    this->Kind = this->Census.CountBodies(CensusBodyKind::Solid) > 0 ? CensusBodyKind::Solid
+                                                                     : CensusBodyKind::SurfaceModel;
     this->ReadUnit();
-    this->MakeShapes(progress, isAborted);
-    if (!isAborted)
+    if (!this->MakeShapes(progress) || !this->Repair(repair, progress))
     {
-      this->Repair(repair, progress, isAborted);
+      return false;
     }
-    if (!isAborted)
-    {
-      this->Shapes.Report(this->Result.Messages, this->Result.Defects);
-      this->AddColors();
-      AddSTEPProducts(
-        this->Entities, this->Census, this->Kind, this->Bodies, this->OccurrenceColors, this->Result);
-    }
+    this->Shapes.Report(this->Result.Messages, this->Result.Defects);
+    this->AddColors();
+    AddSTEPProducts(
+      this->Entities, this->Census, this->Kind, this->Bodies, this->OccurrenceColors, this->Result);
+    return true;
   }
 
 private:
-  /// Throws the reason if the file has structure that is not read here.
-  void CheckStructure()
-  {
-    RequireDirect(!this->Census.HasOrientedFaces, "it has faces that shells use against their sense");
-    for (std::size_t k = 0; k < this->Census.Counts.size(); ++k)
-    {
-      const auto defect = static_cast<CensusDefect>(k);
-      const bool isHarmless = std::find(std::begin(HarmlessDefects), std::end(HarmlessDefects), defect) !=
-        std::end(HarmlessDefects);
-      RequireDirect(
-        isHarmless || this->Census.Counts[k] == 0, "its entities are damaged or contradict each other");
-    }
-    for (const CensusOccurrence& occurrence : this->Census.Occurrences)
-    {
-      RequireDirect(!occurrence.HasSolids || occurrence.IsMapped ||
-          (occurrence.Transformation != 0 && occurrence.ChildShape != 0),
-        "it has occurrences without a placement");
-    }
-    RequireDirect(this->Census.CountBodies(CensusBodyKind::Tessellated) == 0, "it has triangles");
-    this->Kind = this->Census.CountBodies(CensusBodyKind::Solid) > 0 ? CensusBodyKind::Solid
-                                                                     : CensusBodyKind::SurfaceModel;
-    RequireDirect(this->Census.CountBodies(this->Kind) > 0, "it has no solid, shell or face");
-  }
-
+  /// Reads the unit of the first body, or else of anything in the file.
   void ReadUnit()
   {
-    const auto used = std::find_if(this->Census.Contexts.begin(), this->Census.Contexts.end(),
-      [](const CensusContext& context)
-      { return context.Used && context.Length.Status == CensusUnit::State::Stated; });
-    RequireDirect(used != this->Census.Contexts.end(), "it states no unit of lengths");
-    this->Result.FileUnit = GetUnitWord(used->Length);
-    const double known = GetUnitInMillimetres(this->Result.FileUnit);
-    this->Result.FileUnitInMillimetres = known > 0.0 ? known : used->Length.Factor;
+    for (const bool isUsed : { true, false })
+    {
+      for (const CensusContext& context : this->Census.Contexts)
+      {
+        if (context.Length.Status == CensusUnit::State::Stated && (context.Used || !isUsed))
+        {
+          this->Result.FileUnit = GetUnitWord(context.Length);
+          const double known = GetUnitInMillimetres(this->Result.FileUnit);
+          this->Result.FileUnitInMillimetres = known > 0.0 ? known : context.Length.Factor;
+          return;
+        }
+      }
+    }
   }
 
-  void MakeShapes(const ProgressCallback& progress, bool& isAborted)
+  bool MakeShapes(const ProgressCallback& progress)
   {
     std::uint64_t faces = 0;
-    for (std::size_t k = 0; k < this->Census.Bodies.size() && !isAborted; ++k)
+    for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
     {
       const CensusBody& body = this->Census.Bodies[k];
       if (body.Kind != this->Kind || body.Instances == 0)
@@ -124,27 +102,32 @@ private:
         continue;
       }
       const TopoDS_Shape shape = this->Shapes.MakeBody(body);
-      if (shape.IsNull())
+      if (!shape.IsNull())
       {
-        RequireDirect(!this->Ledger.Rows.empty(), "one of its bodies is not read");
-        const LedgerRow& row = this->Ledger.Rows.front();
-        throw STEPNotDirect{ "its entity #" + std::to_string(row.Id) + " (" + row.Type +
-          ") is not read: " + row.Reason };
+        this->Bodies.emplace(static_cast<std::uint32_t>(k), shape);
       }
-      this->Bodies.emplace(static_cast<std::uint32_t>(k), shape);
       faces += body.Faces;
-      isAborted = !progress(
-        0.5 * static_cast<double>(faces) / static_cast<double>(this->Census.CountFaces(this->Kind)));
+      if (!progress(0.5 * static_cast<double>(faces) /
+            static_cast<double>(std::max<std::uint64_t>(1, this->Census.CountFaces(this->Kind)))))
+      {
+        return false;
+      }
     }
+    return true;
   }
 
-  void Repair(RepairMode repair, const ProgressCallback& progress, bool& isAborted)
+  bool Repair(RepairMode repair, const ProgressCallback& progress)
   {
-    const auto label = [this](const TopoDS_Shape& shape) { return this->Shapes.GetLabel(shape); };
-    const std::unique_ptr<RepairOnNeed> selective =
-      repair == RepairMode::OnNeed ? std::make_unique<RepairOnNeed>(this->Log, label) : nullptr;
-    const std::unique_ptr<RepairAlways> full =
-      repair == RepairMode::Always ? std::make_unique<RepairAlways>(this->Log, label) : nullptr;
+    const ShapeLabel label = [this](const TopoDS_Shape& shape) { return this->Shapes.GetLabel(shape); };
+    const RepairFilter isSound = [&](TopoDS_Shape& shape, const FaceRepair& repairFaces)
+    {
+      if (repair == RepairMode::OnNeed)
+      {
+        return IsSoundBody(shape, this->Log, label, repairFaces);
+      }
+      LogBeforeRepair(shape, this->Log, label);
+      return false;
+    };
     std::size_t done = 0;
     for (auto& [index, shape] : this->Bodies)
     {
@@ -156,36 +139,32 @@ private:
         builder.MakeCompound(parts);
         for (TopoDS_Iterator it(shape); it.More(); it.Next())
         {
-          builder.Add(parts, this->RepairShape(it.Value(), precision));
+          builder.Add(parts, this->RepairShape(it.Value(), precision, isSound));
         }
         shape = parts;
       }
       else
       {
-        shape = this->RepairShape(shape, precision);
+        shape = this->RepairShape(shape, precision, isSound);
       }
-      isAborted =
-        !progress(0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(this->Bodies.size()));
-      if (isAborted)
+      if (!progress(0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(this->Bodies.size())))
       {
-        return;
+        return false;
       }
     }
     for (const auto& [shape, face] : this->Log.SoundFaces)
     {
       this->Result.Table[shape].AsInFile = face;
     }
+    return true;
   }
 
-  TopoDS_Shape RepairShape(const TopoDS_Shape& original, double precision)
+  TopoDS_Shape RepairShape(const TopoDS_Shape& original, double precision, const RepairFilter& isSound)
   {
     ShapeChanges changes;
     const TopoDS_Shape shape =
-      RepairTransferred(original, precision, std::max(precision, LargestTolerance), changes);
-    if (changes)
-    {
-      changes([this](const TopoDS_Shape& from, const TopoDS_Shape& to) { this->PassInfo(from, to); });
-    }
+      RepairOnDemand(original, precision, std::max(precision, LargestTolerance), isSound, changes);
+    changes([this](const TopoDS_Shape& from, const TopoDS_Shape& to) { this->PassInfo(from, to); });
     this->PassInfo(original, shape);
     return shape;
   }
@@ -239,32 +218,9 @@ private:
 };
 }
 
-std::string ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair,
-  const ProgressCallback& progress, Document& document, RepairLog& log, bool& isAborted)
+bool ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair,
+  const ProgressCallback& progress, Document& document, RepairLog& log)
 {
-  Document direct = document;
-  std::string reason;
-  const std::string failure = CatchFailure(
-    [&]
-    {
-      try
-      {
-        DirectReader(file, census, direct, log).Read(repair, progress, isAborted);
-      }
-      catch (const STEPNotDirect& other)
-      {
-        reason = other.Reason;
-      }
-    });
-  reason = failure.empty() ? reason : failure;
-  if (reason.empty())
-  {
-    document = std::move(direct);
-  }
-  else
-  {
-    log = RepairLog();
-  }
-  return reason;
+  return DirectReader(file, census, document, log).Read(repair, progress);
 }
 }

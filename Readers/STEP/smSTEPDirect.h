@@ -16,13 +16,12 @@ namespace sm
 {
 /**
  * Fills in units, bodies, instances and products of a document, and the table of its shapes, from the
- * entities of a file. Returns the reason why that is not possible, and then leaves the document as it was: an
- * entity that is not converted, or a structure that is not read yet. Sound bodies are not repaired
- * (RepairOnNeed); the others are, by OpenCASCADE. Hold a KernelSession, with the objects that filter its
- * repairs. `isAborted` is set if `progress` returned false.
+ * entities of a file. Faces and instances that are not converted are left out and reported. Sound bodies are
+ * not repaired unless `repair` is Always; the others are, by OpenCASCADE. Hold a KernelSession. Returns false
+ * if `progress` returned false.
  */
-std::string ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair,
-  const ProgressCallback& progress, Document& document, RepairLog& log, bool& isAborted);
+bool ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair,
+  const ProgressCallback& progress, Document& document, RepairLog& log);
 }
 
 #endif

@@ -7,7 +7,7 @@ namespace sm
 namespace
 {
 /// Longest chain of entities of geometry that refer to one another.
-constexpr int LongestGeometryChain = 32;
+constexpr int LongestGeometryChain = 1000;
 
 std::string DescribeType(const Part21File& file, Part21File::Index entity)
 {

@@ -3,6 +3,8 @@
 #include "Geometry/smCurveFoot.h"
 #include "smSTEPTopologyAttributes.h"
 
+#include <vtkMath.h>
+
 #include <cmath>
 
 namespace sm
@@ -181,10 +183,23 @@ STEPCurve<Dimension> STEPCurveMaker<Dimension>::MakeConic(Index entity)
       conic.Y[c] = -conic.Y[c];
     }
   }
+  // The first axis is the longer one: it is a quarter of a turn behind that of the file.
+  const bool isExchanged = conic.Kind == Conic::Type::Ellipse && conic.Radii[1] > conic.Radii[0];
+  if (isExchanged)
+  {
+    std::swap(conic.Radii[0], conic.Radii[1]);
+    std::swap(conic.X, conic.Y);
+    for (int c = 0; c < Dimension; ++c)
+    {
+      conic.Y[c] = -conic.Y[c];
+    }
+  }
   scale = conic.Kind == Conic::Type::Ellipse ? this->Geometry.Units.Angle
     : conic.Kind == Conic::Type::Parabola    ? 2.0 * conic.Radii[0]
                                              : 1.0;
-  return this->Finish(conic, scale);
+  STEPCurve<Dimension> result = this->Finish(conic, scale);
+  result.Parameter.Offset = isExchanged ? -0.5 * vtkMath::Pi() : 0.0;
+  return result;
 }
 
 template <int Dimension>

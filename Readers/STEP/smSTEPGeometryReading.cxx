@@ -45,14 +45,16 @@ std::vector<Part21Value> GetValues(std::string_view text)
   return result;
 }
 
-/// The x axis of a placement: the reference direction, made normal to the axis.
+/// The x axis of a placement: the reference direction, made normal to the axis; the default where they are
+/// parallel, which FindSTEPDoubts() reports if it matters.
 Vector3 MakeFirstAxis(const Vector3& z, const Vector3& reference)
 {
-  const Vector3 x = Cross(z, Cross(reference, z));
+  Vector3 x = Cross(z, Cross(reference, z));
   const double length = Norm(x);
   if (!(length > SmallestSine))
   {
-    throw STEPGeometryFailure{ "the axis of its placement is parallel to the reference direction" };
+    ProjectFirstAxis(z, nullptr, x);
+    return x;
   }
   return { x[0] / length, x[1] / length, x[2] / length };
 }
@@ -258,7 +260,13 @@ AffineTransform<Dimension> ReadGeometryOperator(
     const auto get = [&](int k) { return isGiven[k] ? &read[k] : nullptr; };
     if (!MakeBaseAxes({ get(0), get(1), get(2) }, axes))
     {
-      throw STEPGeometryFailure{ "two axes of its transformation are parallel" };
+      // Two are parallel, which FindSTEPDoubts() reports: the last axis counts first.
+      axes[2] = isGiven[2] ? read[2] : Vector3{ 0.0, 0.0, 1.0 };
+      if (!isGiven[0] || !ProjectFirstAxis(axes[2], &read[0], axes[0]))
+      {
+        ProjectFirstAxis(axes[2], nullptr, axes[0]);
+      }
+      axes[1] = Cross(axes[2], axes[0]);
     }
   }
   else

@@ -133,6 +133,8 @@ STEPSurface STEPSurfaceMaker::MakeElementary(Index entity)
     value.Radii[0] = length * RequireNumber(get("CONICAL_SURFACE", 0), "radius");
     value.Angle = angle * RequireNumber(get("CONICAL_SURFACE", 1), "angle");
     scales[1] = length / std::cos(value.Angle);
+    // A cone without an angle is a cylinder.
+    value.Kind = value.Angle == 0.0 && value.Radii[0] > 0.0 ? Type::Cylinder : Type::Cone;
   }
   else if (has("SPHERICAL_SURFACE"))
   {

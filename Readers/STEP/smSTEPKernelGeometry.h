@@ -33,7 +33,8 @@ public:
     /// The surface as faces have it; null if it has a row.
     Handle(Geom_Surface) Kernel;
     FileSurface Own;
-    /// True for a torus whose major radius is negative: Kernel has the positive one, and the opposite normal.
+    /// True if Kernel has the opposite normal: for a torus with a negative major radius, of which it has the
+    /// positive one, and where one parameter of the file runs backwards.
     bool IsFlipped = false;
     /// For parameter curves that do not agree with their edges.
     std::shared_ptr<const FootPointFinder> Finder;
@@ -43,6 +44,9 @@ public:
   Handle(Geom_Curve) MakeCurve(Index entity, const STEPEdge& edge, double range[2]);
   /// Returns a finder of closest points on a surface; null for one that is not supported.
   std::shared_ptr<const FootPointFinder> GetFinder(Index surface);
+  /// Returns the part of a torus that a DEGENERATE_TOROIDAL_SURFACE selects as a surface of revolution, and
+  /// any other surface as it is.
+  static Handle(Geom_Surface) TakeSelectedPart(const STEPSurface& value, const Handle(Geom_Surface) & kernel);
   void AddRow(Index entity, const std::string& reason, const char* consequence);
 
   STEPGeometry Values;

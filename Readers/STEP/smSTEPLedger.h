@@ -6,6 +6,8 @@
 #ifndef smSTEPLedger_h
 #define smSTEPLedger_h
 
+#include "smPart21File.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -33,6 +35,10 @@ struct STEPLedger
   std::map<std::string, std::size_t> Converted;
   std::vector<LedgerRow> Rows;
 };
+
+/// Describes why an entity is not made: the first damaged one that it depends on or, of those with a row, the
+/// one that is farthest below it.
+std::string DescribeCause(const Part21File& file, const STEPLedger& ledger, Part21File::Index entity);
 }
 
 #endif

@@ -2,8 +2,8 @@
 
 #include "Geometry/smCurveFoot.h"
 #include "Geometry/smGeometryTransform.h"
+#include "smFirstOfSeveral.h"
 #include "smFormat.h"
-#include "smOCCTContradictions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -68,7 +68,7 @@ gp_Trsf Place(const gp_Ax3& from, const gp_Ax3& to)
 
 gp_Trsf MakeMotion(const AffineTransform<3>& t)
 {
-  RequireDirect(t.GetScale() > 0.0, "it has an operator that is not a similarity");
+  RequireGeometry(t.GetScale() > 0.0 ? "" : "its operator is not a similarity");
   gp_Trsf motion;
   motion.SetValues(t.Linear[0][0], t.Linear[0][1], t.Linear[0][2], t.Translation[0], t.Linear[1][0],
     t.Linear[1][1], t.Linear[1][2], t.Translation[1], t.Linear[2][0], t.Linear[2][1], t.Linear[2][2],
@@ -184,6 +184,7 @@ private:
   ProductNode Visit(const CensusProduct& product, std::string_view occurrenceName, const gp_Trsf& placement,
     Inherited inherited)
   {
+    this->Open.insert(product.Id);
     ProductNode node;
     node.Name = GetOwnName(product.Name);
     node.Name = node.Name.empty() ? GetOwnName(occurrenceName) : node.Name;
@@ -203,15 +204,17 @@ private:
     for (const CensusOccurrence* occurrence : this->Occurrences[product.Id])
     {
       const auto child = this->Products.find(occurrence->Child);
-      if (child != this->Products.end() && occurrence->Transformation != 0 && occurrence->ChildShape != 0)
+      gp_Trsf own;
+      if (child != this->Products.end() && !occurrence->IsMapped &&
+        this->Open.count(occurrence->Child) == 0 && this->GetPlacement(*occurrence, own))
       {
         const auto color = this->Colors.find(occurrence->Id);
         Inherited passed = inherited;
         passed.Color = color == this->Colors.end() ? inherited.Color : color->second;
-        node.Children.push_back(
-          this->Visit(*child->second, occurrence->Name, placement * this->GetPlacement(*occurrence), passed));
+        node.Children.push_back(this->Visit(*child->second, occurrence->Name, placement * own, passed));
       }
     }
+    this->Open.erase(product.Id);
     PartBody part;
     part.Name = GetOwnName(product.Name);
     part.FileVolume = inherited.Volume;
@@ -282,9 +285,13 @@ private:
 
   /// Calls visit(body, motion) for the bodies of a shape, and of those that are mapped into it.
   void VisitItems(std::size_t shape, const std::function<void(std::uint32_t, const gp_Trsf&)>& visit,
-    const gp_Trsf& motion = gp_Trsf(), std::size_t depth = 0)
+    const gp_Trsf& motion = gp_Trsf())
   {
-    RequireDirect(depth < MostLevels, "its mapped items are nested too deeply");
+    // A shape that contains itself is reported by the census.
+    if (!this->OpenShapes.insert(shape).second)
+    {
+      return;
+    }
     std::set<std::uint32_t> seen;
     for (const std::uint64_t representation : this->Census.Shapes[shape].Representations)
     {
@@ -304,36 +311,72 @@ private:
             : this->ShapesOfRepresentations.find(this->Entities.File.GetId(mapped));
           if (place != this->ShapesOfRepresentations.end())
           {
-            const gp_Trsf own =
-              this->GetMapping(map, item, representation, this->Entities.File.GetId(mapped));
-            this->VisitItems(place->second, visit, motion * own, depth + 1);
+            gp_Trsf own;
+            if (this->GetMapping(map, item, representation, this->Entities.File.GetId(mapped), own))
+            {
+              this->VisitItems(place->second, visit, motion * own);
+            }
           }
         }
       }
     }
+    this->OpenShapes.erase(shape);
   }
 
-  /// Returns the motion of a mapped item: from its origin to its target (ISO 10303-43).
-  gp_Trsf GetMapping(Index map, Index item, std::uint64_t parent, std::uint64_t child)
+  /// Gets the motion of a mapped item: from its origin to its target (ISO 10303-43). Returns false, with a
+  /// defect, if it has none.
+  bool GetMapping(Index map, Index item, std::uint64_t parent, std::uint64_t child, gp_Trsf& motion)
   {
     const Part21Value target = this->Entities.Get(item, MappingTarget);
-    const Part21Value origin = this->Entities.Get(map, MappingOrigin);
+    return this->Try("Mapped item", this->Entities.File.GetId(item),
+      [&]
+      {
+        const gp_Ax3 from = this->ReadFrame(this->Entities.Get(map, MappingOrigin), this->GetUnit(child));
+        if (this->Entities.Has(this->Entities.Follow(target), STEPRole::Transformation))
+        {
+          motion = MakeMotion(
+            ReadGeometryOperator<3>(this->Entities, this->Entities.Follow(target), this->GetUnit(parent)));
+          if (!IsSameFrame(from, gp_Ax3()))
+          {
+            motion = motion * GetMotion(from).Inverted();
+            this->ReportOperator(target.Id);
+          }
+        }
+        else
+        {
+          motion = Place(from, this->ReadFrame(target, this->GetUnit(parent)));
+        }
+      });
+  }
+
+  void ReportOperator(std::uint64_t id)
+  {
+    if (this->Unplaced.insert(id).second)
+    {
+      this->Result.Defects.push_back("Entity #" + std::to_string(id) +
+        " of the file: the operator is the target of a mapped item whose origin is not that of its "
+        "representation: it is taken to move this origin. Export the file again.");
+    }
+  }
+
+  /// Calls work(); returns false, with a defect, if that throws a STEPGeometryFailure.
+  template <class Work>
+  bool Try(const char* kind, std::uint64_t id, const Work& work)
+  {
     try
     {
-      const gp_Ax3 from = this->ReadFrame(origin, this->GetUnit(child));
-      if (this->Entities.Has(this->Entities.Follow(target), STEPRole::Transformation))
-      {
-        RequireDirect(IsSameFrame(from, gp_Ax3()),
-          "an operator is the target of a mapped item whose origin is not that of its representation");
-        const AffineTransform<3> transform =
-          ReadGeometryOperator<3>(this->Entities, this->Entities.Follow(target), this->GetUnit(parent));
-        return MakeMotion(transform);
-      }
-      return Place(from, this->ReadFrame(target, this->GetUnit(parent)));
+      work();
+      return true;
     }
     catch (const STEPGeometryFailure& failure)
     {
-      throw STEPNotDirect{ "a mapped item is not read: " + failure.Reason };
+      if (this->Unplaced.insert(id).second)
+      {
+        this->Result.Defects.push_back(std::string(kind) + " #" + std::to_string(id) +
+          " of the file is left out: its placement is not read, " + failure.Reason +
+          ". Export the file again.");
+      }
+      return false;
     }
   }
 
@@ -377,9 +420,14 @@ private:
     return false;
   }
 
-  /// Returns the motion that brings the frame of the part onto that of the assembly.
-  gp_Trsf GetPlacement(const CensusOccurrence& occurrence)
+  /// Gets the motion that brings the frame of the part onto that of the assembly; none if the file states no
+  /// placement, which the census reports. Returns false, with a defect, if it is not read.
+  bool GetPlacement(const CensusOccurrence& occurrence, gp_Trsf& motion)
   {
+    if (occurrence.Transformation == 0 || occurrence.ChildShape == 0)
+    {
+      return true;
+    }
     const Index transformation = this->Entities.File.Find(occurrence.Transformation);
     Part21Value frames[2] = { this->Entities.Get(transformation, FirstOfTransformation),
       this->Entities.Get(transformation, SecondOfTransformation) };
@@ -392,15 +440,12 @@ private:
     {
       std::swap(frames[0], frames[1]);
     }
-    try
-    {
-      return Place(this->ReadFrame(frames[0], this->GetUnit(occurrence.ChildShape)),
-        this->ReadFrame(frames[1], this->GetUnit(occurrence.ParentShape)));
-    }
-    catch (const STEPGeometryFailure& failure)
-    {
-      throw STEPNotDirect{ "a placement is not read: " + failure.Reason };
-    }
+    return this->Try("Occurrence", occurrence.Id,
+      [&]
+      {
+        motion = Place(this->ReadFrame(frames[0], this->GetUnit(occurrence.ChildShape)),
+          this->ReadFrame(frames[1], this->GetUnit(occurrence.ParentShape)));
+      });
   }
 
   const STEPAttributes& Entities;
@@ -422,6 +467,11 @@ private:
   std::unordered_map<std::uint64_t, std::string> Materials;
   std::unordered_map<std::uint64_t, std::string> Layers;
   std::unordered_map<Index, double> Units;
+  /// Products and shapes that contain what is visited.
+  std::unordered_set<std::uint64_t> Open;
+  std::unordered_set<std::size_t> OpenShapes;
+  /// Mapped items, occurrences and operators that were reported.
+  std::unordered_set<std::uint64_t> Unplaced;
 };
 }
 

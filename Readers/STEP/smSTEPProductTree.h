@@ -16,27 +16,13 @@
 
 namespace sm
 {
-/// Thrown where a file has something that ReadSTEPDirectly() does not read.
-struct STEPNotDirect
-{
-  std::string Reason;
-};
-
-inline void RequireDirect(bool isGiven, const char* reason)
-{
-  if (!isGiven)
-  {
-    throw STEPNotDirect{ reason };
-  }
-}
-
 /**
  * Adds the products to the root of a document, with materials and stated volumes, and the instances of their
  * bodies: those of occurrences (NEXT_ASSEMBLY_USAGE_OCCURRENCE) and of mapped items, in the order of the
  * file. A placement moves a representation so that its first frame lands on the second one (ISO 10303-43).
- * Operators may scale uniformly and reflect. `bodies` are shapes by the index of their body in the census;
- * `colors` are those of occurrences. Faces of surface models are counted where there are solids. Throws
- * STEPNotDirect.
+ * Operators may scale uniformly and reflect. An instance whose placement is not read is left out, and a
+ * defect. `bodies` are shapes by the index of their body in the census; `colors` are those of occurrences.
+ * Faces of surface models are counted where there are solids.
  */
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
   const std::map<std::uint32_t, TopoDS_Shape>& bodies,

@@ -335,20 +335,6 @@ private:
     return this->FaceUses[face] > 1;
   }
 
-  /// Returns true if the file has the face: a copy of one that is used in both orientations has another
-  /// number.
-  bool IsDeclaredFace(std::uint64_t id)
-  {
-    if (this->FaceIds.empty())
-    {
-      for (const CensusFace& face : this->Census.Faces)
-      {
-        this->FaceIds.insert(face.Id);
-      }
-    }
-    return this->FaceIds.count(id) > 0;
-  }
-
   void CheckFaces(const CensusBody& body, const std::vector<std::size_t>& parts)
   {
     std::set<std::uint64_t> present;
@@ -360,9 +346,7 @@ private:
         const auto info = this->Result.Table.find(it.Current().TShape().get());
         const int id = info == this->Result.Table.end() ? 0 : info->second.FileId;
         present.insert(static_cast<std::uint64_t>(id));
-        const bool isNamed =
-          id != 0 && (!this->Census.HasOrientedFaces || this->IsDeclaredFace(static_cast<std::uint64_t>(id)));
-        if (!isNamed && IsPlainFace(TopoDS::Face(it.Current())))
+        if (id == 0 && IsPlainFace(TopoDS::Face(it.Current())))
         {
           unnamed.insert(it.Current().TShape().get());
         }
@@ -440,7 +424,6 @@ private:
   std::map<std::uint64_t, std::vector<std::size_t>> Read;
   std::vector<CensusCount> Instances;
   bool HasMappedItems;
-  std::unordered_set<std::uint64_t> FaceIds;
   /// Number of shells of bodies that have each face of the census.
   std::vector<int> FaceUses;
 };

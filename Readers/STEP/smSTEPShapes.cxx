@@ -1,7 +1,6 @@
 #include "smSTEPShapes.h"
 
 #include "smFormat.h"
-#include "smOCCTAxialProfile.h"
 #include "smSTEPGeometryReading.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
@@ -27,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace sm
 {
@@ -96,14 +96,16 @@ public:
       this->Builder.MakeCompound(compound);
       whole = compound;
     }
+    bool hasFaces = false;
     for (std::uint32_t s = this->Body.FirstShell; s < this->Body.FirstShell + this->Body.NumberOfShells; ++s)
     {
       const CensusShellUse& use = census.ShellUses[s];
       TopoDS_Shape shell = this->MakeShell(census.Shells[use.Shell]);
       if (shell.IsNull())
       {
-        return {};
+        continue;
       }
+      hasFaces = true;
       const Index entity = this->Entities.File.Find(use.Id);
       if (use.Void && this->Entities.Get(entity, SenseOfShell).Text == "F")
       {
@@ -114,6 +116,10 @@ public:
         this->Describe(shell, this->Body.Id, this->Body.Name);
       }
       this->Builder.Add(whole, shell);
+    }
+    if (!hasFaces)
+    {
+      return {};
     }
     if (isSolid)
     {
@@ -137,35 +143,75 @@ private:
     info.Name = GetShapeName(name);
   }
 
+  /// Returns the shell of the faces that are made; null if there is none.
   TopoDS_Shape MakeShell(const CensusShell& shell)
   {
     const STEPCensus& census = this->Shapes.Census;
-    const auto visit = [&](const auto& work)
+    const int lost = this->NumberOfLostFaces;
+    std::vector<std::uint32_t> uses;
+    for (std::uint32_t f = shell.FirstFace; f < shell.FirstFace + shell.NumberOfFaces; ++f)
     {
-      for (std::uint32_t f = shell.FirstFace; f < shell.FirstFace + shell.NumberOfFaces; ++f)
+      const CensusFace& face = census.Faces[census.FaceUses[f]];
+      if (this->IsReadable(face) && this->JoinVertices(face))
       {
-        if (!work(census.Faces[census.FaceUses[f]]))
-        {
-          return false;
-        }
+        uses.push_back(f);
       }
-      return true;
-    };
+      else
+      {
+        this->Lose(face);
+      }
+    }
     TopoDS_Shell result;
     this->Builder.MakeShell(result);
-    const bool isWhole = visit([this](const CensusFace& face) { return this->JoinVertices(face); }) &&
-      visit(
-        [&](const CensusFace& face)
+    bool hasFaces = false;
+    for (const std::uint32_t f : uses)
+    {
+      TopoDS_Shape made = this->MakeFace(census.Faces[census.FaceUses[f]]);
+      if (!made.IsNull())
+      {
+        if (census.IsReversedUse[f])
         {
-          const TopoDS_Shape made = this->MakeFace(face);
-          if (!made.IsNull())
-          {
-            this->Builder.Add(result, made);
-          }
-          return !made.IsNull();
-        });
+          made.Reverse();
+        }
+        this->Builder.Add(result, made);
+        hasFaces = true;
+      }
+      else
+      {
+        this->Lose(census.Faces[census.FaceUses[f]]);
+      }
+    }
     result.Closed(this->Body.Kind == CensusBodyKind::Solid);
-    return isWhole ? TopoDS_Shape(result) : TopoDS_Shape();
+    if (this->NumberOfLostFaces > lost)
+    {
+      this->Shapes.Table[result.TShape().get()].LostFaces = this->NumberOfLostFaces - lost;
+    }
+    return hasFaces ? TopoDS_Shape(result) : TopoDS_Shape();
+  }
+
+  /// Counts a face that is left out, and keeps the reason.
+  void Lose(const CensusFace& face)
+  {
+    ++this->NumberOfLostFaces;
+    this->Shapes.LostFaces.Add(
+      [&]
+      {
+        return "Face #" + std::to_string(face.Id) + " of the file is left out: " +
+          DescribeCause(this->Entities.File, this->Shapes.Ledger, this->Entities.File.Find(face.Id)) +
+          "; export the file again.";
+      });
+  }
+
+  /// Returns false, with a row, for a face that depends on an entity that no reader may follow.
+  bool IsReadable(const CensusFace& face)
+  {
+    const CensusProblem* peril = this->Shapes.Perils.Find(this->Entities.File.Find(face.Id));
+    if (peril)
+    {
+      this->Shared.AddRow(
+        this->Entities.File.Find(peril->Id), GetName(peril->Defect), "faces that depend on it are missing");
+    }
+    return !peril;
   }
 
   /// Reads the oriented edges of a loop; returns false for a loop of another kind.
@@ -314,8 +360,9 @@ private:
       return {};
     }
     const bool isForward = (this->Entities.Get(entity, SenseOfFace).Text != "F") != surface.IsFlipped;
-    const Handle(Geom_Surface) kernel =
-      this->HasEdges(census) ? surface.Kernel : TakeSelectedPart(*surface.Value, surface.Kernel);
+    const Handle(Geom_Surface) kernel = this->HasEdges(census)
+      ? surface.Kernel
+      : STEPKernelGeometry::TakeSelectedPart(*surface.Value, surface.Kernel);
     TopoDS_Face face;
     this->Builder.MakeFace(face, kernel, Precision::Confusion());
     bool isBounded = false;
@@ -367,23 +414,6 @@ private:
       }
     }
     return false;
-  }
-
-  /// Returns the part of a torus that a DEGENERATE_TOROIDAL_SURFACE selects as a surface of revolution, and
-  /// any other surface as it is.
-  static Handle(Geom_Surface) TakeSelectedPart(const STEPSurface& value, const Handle(Geom_Surface) & kernel)
-  {
-    const auto torus = Handle(Geom_ToroidalSurface)::DownCast(kernel);
-    const auto* elementary = value.Value->GetIf<ElementarySurface>();
-    if (torus.IsNull() || !elementary || elementary->Selected == ElementarySurface::Part::Whole ||
-      !(torus->MinorRadius() > torus->MajorRadius()))
-    {
-      return kernel;
-    }
-    const auto whole = RevolveTorus(torus);
-    const ParameterRange& part = value.Value->GetDomain(1);
-    return new Geom_SurfaceOfRevolution(
-      new Geom_TrimmedCurve(whole->BasisCurve(), part.Low, part.High, true, false), whole->Axis());
   }
 
   static bool HasNaturalBounds(const Handle(Geom_Surface) & surface)
@@ -544,6 +574,7 @@ private:
   STEPKernelGeometry& Shared;
   const double Precision;
   STEPTrims Trims;
+  int NumberOfLostFaces = 0;
   BRep_Builder Builder;
   std::unordered_map<Index, Index> Joined;
   std::unordered_map<Index, TopoDS_Vertex> Vertices;
@@ -556,6 +587,7 @@ STEPShapes::STEPShapes(
   , Census(census)
   , Ledger(ledger)
   , Table(table)
+  , Perils(entities.File, census)
 {
 }
 
@@ -601,6 +633,7 @@ void STEPShapes::Extend(const Vector3& point)
 void STEPShapes::Report(std::vector<std::string>& messages, std::vector<std::string>& defects) const
 {
   defects.insert(defects.end(), this->Defects.begin(), this->Defects.end());
+  this->LostFaces.Report(messages);
   this->ShortArcs.Report(messages);
   ReportParameterCurves(this->ParameterCurves, Norm(Subtract(this->High, this->Low)), messages, defects);
 }

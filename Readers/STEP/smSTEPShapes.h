@@ -5,13 +5,14 @@
 #ifndef smSTEPShapes_h
 #define smSTEPShapes_h
 
+#include "smFirstOfSeveral.h"
 #include "smOCCTBody.h"
-#include "smOCCTContradictions.h"
 #include "smSTEPAttributes.h"
 #include "smSTEPCensus.h"
 #include "smSTEPKernelGeometry.h"
 #include "smSTEPLedger.h"
 #include "smSTEPParameterCurves.h"
+#include "smSTEPPerils.h"
 
 #include <TopoDS_Shape.hxx>
 
@@ -24,7 +25,7 @@ namespace sm
 {
 /**
  * Makes the bodies of a file. Every face, edge, vertex, curve and surface is converted, or has a row in the
- * ledger; a body with a row is not made.
+ * ledger; faces that depend on a row are left out.
  *
  * Faces have the loops of the file: edges on their curves between their vertices, with the parameter curves
  * that the file has on this surface if both ends agree with the edge's within the file's accuracy, and that
@@ -38,7 +39,7 @@ public:
   STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger, ShapeTable& table);
   ~STEPShapes();
 
-  /// Returns a solid, or a compound of the shells of a surface model; null if it has a row in the ledger.
+  /// Returns a solid, or a compound of the shells of a surface model; null if no face of it is made.
   TopoDS_Shape MakeBody(const CensusBody& body);
   /// Reports contradictions within the file that the shapes made so far do not show.
   void Report(std::vector<std::string>& messages, std::vector<std::string>& defects) const;
@@ -58,12 +59,14 @@ private:
   const STEPCensus& Census;
   STEPLedger& Ledger;
   ShapeTable& Table;
+  STEPPerils Perils;
   std::unordered_map<int, std::unique_ptr<STEPKernelGeometry>> Geometries;
   Vector3 Low{ 1e300, 1e300, 1e300 };
   Vector3 High{ -1e300, -1e300, -1e300 };
   /// Parameter curves that are farther from their edges than the file is accurate.
   std::vector<STEPParameterCurve> ParameterCurves;
   FirstOfSeveral ShortArcs;
+  FirstOfSeveral LostFaces;
   std::vector<std::string> Defects;
 };
 }

@@ -102,7 +102,8 @@ bool STEPTrims::Read(Index pcurve, Index entity, Index surfaceEntity, const Topo
   const Index spaceEntity = this->Entities.Follow(this->Entities.Get(entity, CurveOfEdge));
   const STEPCurve<2>* file = items.empty() ? nullptr : this->Shared.Values.GetPlaneCurve(items[0]);
   const STEPCurve<3>* space = this->Shared.Values.GetCurve(spaceEntity);
-  if (!file || !space)
+  // A curve of several parts is joined with other parameters.
+  if (!file || !space || space->Value->GetIf<CompositeCurve<3>>())
   {
     return false;
   }

@@ -33,9 +33,8 @@ int vtkSTEPReader::CanReadContent(const std::string& content)
 
 sm::Document vtkSTEPReader::ReadDocument(std::string content, const sm::ProgressCallback& progress)
 {
-  return sm::ReadSTEP(std::move(content),
-    this->Repair == ON_NEED ? sm::RepairMode::OnNeed : sm::RepairMode::Always,
-    this->Reader == DIRECT ? sm::ReaderMode::Direct : sm::ReaderMode::Kernel, progress);
+  return sm::ReadSTEP(
+    std::move(content), this->Repair == ON_NEED ? sm::RepairMode::OnNeed : sm::RepairMode::Always, progress);
 }
 
 std::string vtkSTEPReader::FindMistakeOfHead(const std::string& head) const
@@ -45,19 +44,16 @@ std::string vtkSTEPReader::FindMistakeOfHead(const std::string& head) const
 
 std::string vtkSTEPReader::GetSettingOfFormat() const
 {
-  return std::string(this->Repair == ON_NEED ? "needed" : "always") +
-    (this->Reader == DIRECT ? " direct" : " kernel");
+  return this->Repair == ON_NEED ? "needed" : "always";
 }
 
 void vtkSTEPReader::SetSettingOfFormat(const std::string& word)
 {
-  this->SetRepair(word.compare(0, 6, "needed") == 0 ? ON_NEED : ALWAYS);
-  this->SetReader(word.find(" direct") != std::string::npos ? DIRECT : KERNEL);
+  this->SetRepair(word == "needed" ? ON_NEED : ALWAYS);
 }
 
 void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Repair: " << (this->Repair == ON_NEED ? "on need\n" : "always\n");
-  os << indent << "Reader: " << (this->Reader == DIRECT ? "direct\n" : "kernel\n");
 }

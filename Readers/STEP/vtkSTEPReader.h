@@ -63,22 +63,6 @@ public:
   vtkGetMacro(Repair, int);
   ///@}
 
-  ///@{
-  /**
-   * What makes bodies of the file's entities. DIRECT (default): this reader, which takes the entities as
-   * ISO 10303-42 defines them; a file with damage, or with something that it does not read yet, is given to
-   * OpenCASCADE's reader. KERNEL: OpenCASCADE's reader. Both give the same results
-   * within their bounds where the file is sound.
-   */
-  enum ReaderType
-  {
-    KERNEL = 0,
-    DIRECT = 1
-  };
-  vtkSetClampMacro(Reader, int, KERNEL, DIRECT);
-  vtkGetMacro(Reader, int);
-  ///@}
-
 protected:
   vtkSTEPReader();
   ~vtkSTEPReader() override;
@@ -94,7 +78,6 @@ private:
   void operator=(const vtkSTEPReader&) = delete;
 
   int Repair = ON_NEED;
-  int Reader = DIRECT;
 };
 
 #endif

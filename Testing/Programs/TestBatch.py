@@ -19,7 +19,7 @@ shutil.rmtree(folder, ignore_errors=True)
 os.makedirs(os.path.join(folder, "empty"))
 manifest = Manifest(options.solids)
 good = ["sphere-plain.step", "slanted_hole-moved.step", "torus-plain.step", "two_solids.step"]
-for name in good + ["truncated.step"]:
+for name in good + ["not_step.step"]:
     shutil.copy(os.path.join(options.solids, name), folder)
 # By far the largest, so that its faces are shared.
 shutil.copy(options.sample, os.path.join(folder, "part.STP"))
@@ -42,13 +42,13 @@ done, alone = run("alone", [options.pvbatch], folder)
 check_equal("exit status with an unreadable file", 2, done.returncode)
 rows = list(csv.DictReader(alone.splitlines()))
 totals = {row["file"]: row for row in rows if row["row"] == "total"}
-check_equal("files, in order", sorted(good + ["truncated.step", "part.STP"]), list(totals))
+check_equal("files, in order", sorted(good + ["not_step.step", "part.STP"]), list(totals))
 check_equal("rows of solids", 2, sum(row["row"] == "solid" and row["file"] == "two_solids.step" for row in rows))
 sphere = manifest.solid("sphere")
 check("volume of the sphere", sphere["volume"], float(totals["sphere-plain.step"]["volume"]), 1e-9 * sphere["volume"])
-check_equal("status of the bad file", "unreadable", totals["truncated.step"]["status"])
-check_true("and why", "truncated.step" in totals["truncated.step"]["message"], totals["truncated.step"]["message"])
-check_equal("no volume of the bad file", "", totals["truncated.step"]["volume"])
+check_equal("status of the bad file", "unreadable", totals["not_step.step"]["status"])
+check_true("and why", "not_step.step" in totals["not_step.step"]["message"], totals["not_step.step"]["message"])
+check_equal("no volume of the bad file", "", totals["not_step.step"]["volume"])
 
 for name, launcher in (("ranks", [options.mpirun, "-np", "2", options.pvbatch]),
                        ("symmetric", [options.mpirun, "-np", "3", options.pvbatch, "--sym"])):
@@ -57,7 +57,7 @@ for name, launcher in (("ranks", [options.mpirun, "-np", "2", options.pvbatch]),
     check_true(f"{name}: the same bytes", text == alone and text != "", (done.stdout + done.stderr)[-2000:] if text != alone else "")
     check_true(f"{name}: faces are shared", "1 shared with all, " in done.stdout and "processor time" in done.stdout, done.stdout[-300:])
 
-os.remove(os.path.join(folder, "truncated.step"))
+os.remove(os.path.join(folder, "not_step.step"))
 done, text = run("good", [options.mpirun, "-np", "2", options.pvbatch], folder, "--tolerance", "1e-6")
 check_equal("exit status of good files", 0, done.returncode)
 check_equal("rows of good files", len(rows) - 1, len(list(csv.DictReader(text.splitlines()))))

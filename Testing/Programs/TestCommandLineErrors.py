@@ -246,7 +246,7 @@ def outputs():
 
 def errors():
     good = manifest.solid("box")["path"]
-    for name in ("empty", "truncated", "not_step"):
+    for name in ("empty", "not_step"):
         result, files = run_json(manifest.special(name)["path"])
         check_equal(f"exit status of {name}", 2, result.returncode)
         check_unreadable(files[0])
@@ -266,6 +266,11 @@ def errors():
         check_equal(f"exit status of {name}", 3, result.returncode)
         check_equal("status", "open", files[0]["status"])
         check("area", 2000.0, files[0]["total"]["area"], 2e-6)
+    result, files = run_json(manifest.special("truncated")["path"])
+    check_equal("exit status of a truncated file", 3, result.returncode)
+    check_equal("status", "open", files[0]["status"])
+    check_true("no volume", files[0]["total"]["volume"] is None)
+    check_true("a message says what may be missing", "part of it may be missing" in files[0]["messages"][0], str(files[0]["messages"]))
     result, files = run_json(manifest.special("junk_header")["path"])
     check_equal("exit status of junk before the header", 0, result.returncode)
     check_true("a message reports the junk", files[0]["messages"], str(files[0]["messages"]))

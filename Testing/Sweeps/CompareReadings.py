@@ -1,9 +1,6 @@
-"""Reads real files in two ways, and compares the results.
+"""Reads real files as they are, and as OpenCASCADE repairs them all (--repair always), and compares the results.
 
-    CompareReadings.py --program SOLIDMOMENTS --folder MODELS [--ways repair|reader] [--only ID ...] [--changed ID ...]
-
---ways repair (default): as they are, and as OpenCASCADE repairs them all (--repair always). --ways reader: by our reader and by
-OpenCASCADE's (--reader kernel).
+    CompareReadings.py --program SOLIDMOMENTS --folder MODELS [--only ID ...] [--changed ID ...]
 
 What must hold: the same status, solids and faces; volume within both bounds and both squared gaps, area within both bounds and both gap
 areas, centre and inertia within both bounds and the squared gaps at the distance of the body's diagonal, since another trim curve within
@@ -18,7 +15,7 @@ import os
 import subprocess
 import sys
 
-WAYS = {"repair": (["--repair", "always"], ["--repair", "needed"]), "reader": (["--reader", "kernel"], ["--reader", "direct"])}
+WAYS = (["--repair", "always"], ["--repair", "needed"])
 
 
 def run(program, path, way):
@@ -61,14 +58,13 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--program", required=True)
     parser.add_argument("--folder", required=True)
-    parser.add_argument("--ways", choices=list(WAYS), default="repair")
     parser.add_argument("--only", nargs="*")
     parser.add_argument("--changed", nargs="*", default=[])
     options = parser.parse_args()
     names = options.only or sorted(os.path.basename(path)[:-5] for path in glob.glob(os.path.join(options.folder, "*.step")))
     failures, repaired, apart, equal, seconds = [], 0, 0, 0, [0.0, 0.0]
     for name in names:
-        results = [run(options.program, os.path.join(options.folder, name + ".step"), way) for way in WAYS[options.ways]]
+        results = [run(options.program, os.path.join(options.folder, name + ".step"), way) for way in WAYS]
         for i, result in enumerate(results):
             seconds[i] += result["seconds"].get("read") or 0.0
         told = [message for message in results[1]["messages"] if "repaired by OpenCASCADE" in message]
@@ -76,14 +72,14 @@ def main():
         apart += is_apart(*results)
         counts = [(result["status"], len(result.get("solids") or []), result.get("faces")) for result in results]
         if counts[0] != counts[1] and name not in options.changed:
-            failures.append(f"{name}: status, solids and faces {counts[0]} with {' '.join(WAYS[options.ways][0])}, {counts[1]} otherwise")
+            failures.append(f"{name}: status, solids and faces {counts[0]} with {' '.join(WAYS[0])}, {counts[1]} otherwise")
         ratios = compare(*results) if all("total" in result for result in results) else {}
         equal += bool(ratios) and not any(ratios.values())
         failures += [f"{name}: {key} differs by {ratio:.2g} times what is allowed" for key, ratio in ratios.items() if not ratio <= 1.0]
         print(f"{name:28s}", *(f"{ratio:8.2g}" for ratio in ratios.values()),
               f"{results[0]['seconds'].get('read') or 0:7.2f} {results[1]['seconds'].get('read') or 0:7.2f} s", *told, flush=True)
     print(f"{len(names)} files, {repaired} with a body that is repaired; reading takes {seconds[1]:.1f} s, {seconds[0]:.1f} s with "
-          f"{' '.join(WAYS[options.ways][0])}; the numbers of {equal} are equal, and the volumes of {apart} are apart by more than both "
+          f"{' '.join(WAYS[0])}; the numbers of {equal} are equal, and the volumes of {apart} are apart by more than both "
           f"bounds, which leave out gaps")
     for failure in failures:
         print("FAIL", failure)

@@ -4,8 +4,6 @@
  * nesting
  */
 #include "smPart21File.h"
-#include "smPart21Remains.h"
-#include "smSTEPTessellations.h"
 #include "smTextEncoding.h"
 
 #include "smTesting.h"
@@ -252,42 +250,6 @@ void CheckDamage()
   }
 }
 
-/// The text without the damaged records reads the same, and has no damage.
-void CheckRemains()
-{
-  const std::string damaged =
-    "#1=A(#3,\x01'x');\n#2=B(1,;\n#3=C((.5));hello;\n#4 D();\n#5=E('te\n#6=(F(1)G(#2));\n";
-  const sm::Part21File file = Parse(damaged);
-  CheckTrue("remains: malformed", !file.IsMalformed(0) && file.IsMalformed(1) && file.IsMalformed(3));
-  sm::Part21File sound;
-  CheckTrue("remains: read", sound.Parse(sm::GetRemains(file)));
-  CheckEqual("remains: problems", "undefined reference 1", GetProblems(sound));
-  std::string text;
-  for (Index i = 0; i < sound.GetNumberOfInstances(); ++i)
-  {
-    text += std::string(sound.GetText(i)) + " ";
-  }
-  CheckEqual("remains: instances", "#1=A(#3, 'x'); #3=C((.5)); #6=(F(1)G(#2)); ", text);
-  CheckEqual("remains: schema", file.GetSchemas().at(0), sound.GetSchemas().at(0));
-  CheckEqual("remains: none of a sound file", "", sm::GetRemains(Parse("#1=A(#2);\n#1=B();\n")));
-  sm::Part21File cut;
-  cut.Parse(Wrap(damaged).substr(0, Wrap(damaged).find("ENDSEC;\nEND")));
-  CheckEqual("remains: none of a truncated file", "", sm::GetRemains(cut));
-  cut.Parse(Wrap(damaged) + "#7=A();\n");
-  CheckEqual("remains: none where something is behind the end", "", sm::GetRemains(cut));
-}
-
-/// References to nothing get the largest free number; strings, comments and names are left alone.
-void CheckUndefinedNumbers()
-{
-  const std::string sound = "#1=A(#2,'#7',\"0FF\");\n#2=B();\n#2147483647=C();\n";
-  CheckEqual("undefined numbers: none", "", sm::ReplaceUndefinedReferences(Parse(sound)));
-  const auto more = [&sound](const std::string& first, const std::string& second)
-  { return sound + "#3=(D(" + first + ",/*#7*/(#2,X(" + second + ")))E('it''s #7'," + first + "));\n"; };
-  CheckEqual("undefined numbers: replaced", Wrap(more("#2147483646", "#2147483646") + "\n"),
-    sm::ReplaceUndefinedReferences(Parse(more("#7", "#0004294967322"))));
-}
-
 void CheckProblemPlaces()
 {
   std::string data;
@@ -406,23 +368,6 @@ void CheckSparse()
   CheckEqual("sparse: wrong", 0, static_cast<long long>(wrong));
 }
 
-/// Only the parameters go, also where they hold brackets and semicolons in strings; what is damaged or of
-/// another type stays.
-void CheckTessellations()
-{
-  const std::string kept = "#2=TESSELLATED_GEOMETRIC_SET('a;)',(#3));\n#4=DIRECTION('',(1.,0.));\n"
-                           "#5=TRIANGULATED_FACE('',#99,$);\n#6=(A()COORDINATES_LIST('',1,((1.))));\n";
-  sm::Part21File file;
-  file.Parse("  " +
-    Wrap("#1=COORDINATES_LIST('b;)(',2,((0.,1.,2.),(3.,4.,5.)));\n" + kept +
-      "#3 = complex_triangulated_surface_set ('',#1,2,(),(),((1,2)),());\n"));
-  CheckEqual("tessellations",
-    Wrap("#1=COORDINATES_LIST();\n" + kept + "#3 = complex_triangulated_surface_set ();\n"),
-    sm::RemoveTessellations(file));
-  file.Parse(Wrap(kept));
-  CheckEqual("nothing to remove", "", sm::RemoveTessellations(file));
-}
-
 void CheckEncodings()
 {
   const std::string umlaut = "Geh\xc3\xa4use";
@@ -483,13 +428,10 @@ int TestPart21File(int argc, char* argv[])
   CheckGraph();
   CheckSections();
   CheckDamage();
-  CheckRemains();
-  CheckUndefinedNumbers();
   CheckProblemPlaces();
   CheckEveryByte();
   CheckDepth();
   CheckSparse();
-  CheckTessellations();
   CheckEncodings();
   CheckFromDisk(argv[1]);
   return smtest::Finish();

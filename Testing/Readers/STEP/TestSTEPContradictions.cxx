@@ -556,16 +556,18 @@ void CheckFlatArcs()
   }
 }
 
-/// A sphere as so many trimmed surfaces of one another.
+/// A sphere as so many trimmed surfaces of one another. The parameters of a trimmed surface begin at 0
+/// (ISO 10303-42, rectangular_trimmed_surface).
 std::string MakeNested(int levels)
 {
   EntityText step;
   int surface = step.On("SPHERICAL_SURFACE", step.Frame({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }), { 1.0 });
   for (int i = 0; i < levels; ++i)
   {
+    const double pole = i == 0 ? -0.5 * HalfTurn : 0.0;
     surface = step.Add("RECTANGULAR_TRIMMED_SURFACE(''," + EntityText::Id(surface) + ",0.," +
-      EntityText::Number(2.0 * HalfTurn) + "," + EntityText::Number(-0.5 * HalfTurn) + "," +
-      EntityText::Number(0.5 * HalfTurn) + ",.T.,.T.)");
+      EntityText::Number(2.0 * HalfTurn) + "," + EntityText::Number(pole) + "," +
+      EntityText::Number(pole + HalfTurn) + ",.T.,.T.)");
   }
   return step.Finish({ step.Face(surface, {}, step.Vertex({ 0, 0, 1 })) });
 }

@@ -136,8 +136,8 @@ void CheckUndefinedNumbers()
   {
     for (const char* id : { "#6", "#46", "#126" })
     {
-      CheckRefused(
-        std::string("undefined ") + id, Replace(text, "?", id), "first #90083 (undefined reference)");
+      CheckRefused(std::string("undefined ") + id, Replace(text, "?", id),
+        "entity #90083 (ORIENTED_EDGE) is not read, undefined reference");
     }
   }
 }

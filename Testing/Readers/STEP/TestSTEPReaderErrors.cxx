@@ -58,8 +58,7 @@ void CheckUnreadable(const std::string& text)
   CheckFails(
     Make("reader_header.step", text.substr(0, text.find("DATA;")) + "DATA;\nENDSEC;\nEND-ISO-10303-21;\n"),
     "empty", "no solid");
-  CheckFails(
-    Make("reader_cut.step", text.substr(0, text.size() / 3)), "unreadable", "copy or export it again");
+  CheckFails(Make("reader_cut.step", text.substr(0, text.size() / 8)), "unreadable", "export it again");
   CheckFails(Folder, "unreadable", "opened");
 }
 
@@ -116,7 +115,9 @@ void CheckDamage(const std::string& text)
   CheckEqual("one face is left out", 6, GetLeaf(reader, 0)->GetModel()->GetNumberOfFaces());
   CheckEqual("and counted", 1, GetLeaf(reader, 0)->GetModel()->GetNumberOfMissingFaces());
   CheckEqual("in its body only", 0, GetLeaf(reader, 2)->GetModel()->GetNumberOfMissingFaces());
-  CheckTrue("and said", reader->GetMessage(0).find("damaged") != std::string::npos, reader->GetMessage(0));
+  CheckTrue("and said",
+    reader->GetMessage(0).find("undefined reference; export the file again") != std::string::npos,
+    reader->GetMessage(0));
 }
 
 /// An edge between one vertex and itself, whose curve goes elsewhere.
@@ -166,9 +167,8 @@ void CheckScale(const std::string& text)
   int defects = 0;
   const double scaled = measure(defects);
   CheckEqual("a scale is applied without defects", 0, defects);
-  reader->SetReader(vtkSTEPReader::KERNEL);
+  reader->SetFileName(Make("reader_unscaled.step", text).c_str());
   const double unscaled = measure(defects);
-  CheckTrue("a lost scale is a defect", defects > 0);
   Check("the scale", 2.5, scaled / unscaled, 1e-6, "boxes of meshes");
 }
 
