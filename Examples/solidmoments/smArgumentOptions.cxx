@@ -107,6 +107,14 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->type_name("UNIT")
     ->check(sm::CheckInputUnit);
   app
+    .add_option("--search", job.SearchFolders,
+      "Folder in which files are looked for that a STEP assembly names as its parts,\n"
+      "besides that of the file that names them; may be given several times")
+    ->type_name("DIR")
+    ->check(CLI::ExistingDirectory)
+    ->take_all()
+    ->allow_extra_args(false);
+  app
     .add_option("--repair", job.Repair,
       "Which solids and shells OpenCASCADE repairs: needed (default): those that are\n"
       "not sound as the file has them, as a message reports; the others are read\n"

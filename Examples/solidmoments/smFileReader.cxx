@@ -22,6 +22,12 @@ void SetUpReader(vtkCADReader* reader, const std::string& path, const JobOptions
   reader->SetOutputUnit(options.Unit);
   if (auto* step = vtkSTEPReader::SafeDownCast(reader))
   {
+    std::string folders;
+    for (const std::string& folder : options.SearchFolders)
+    {
+      folders += (folders.empty() ? "" : ":") + folder;
+    }
+    step->SetSearchFolders(folders.c_str());
     step->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
   }
   if (auto* brep = vtkBREPReader::SafeDownCast(reader))

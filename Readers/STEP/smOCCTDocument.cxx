@@ -153,13 +153,15 @@ void Conclude(const STEPCensus& census, Document& document)
   if (!document.Bodies.empty())
   {
     document.Status = ReadStatus::Ok;
+    return;
   }
-  else if (!census.Faces.empty())
+  // Without bodies nothing else passes the defects on.
+  std::vector<std::string>& said = document.Messages;
+  said.insert(said.end(), document.Defects.begin(), document.Defects.end());
+  if (!census.Faces.empty())
   {
-    std::vector<std::string>& said = document.Messages;
-    said.insert(said.end(), document.Defects.begin(), document.Defects.end());
-    const std::string reason = said.empty() ? std::string() : " (" + said.front() + ")";
-    document.Problem = "it has faces, but no shape can be made of them" + reason + "; export it again";
+    document.Problem = "it has faces, but no shape can be made of them" +
+      (said.empty() ? std::string() : " (" + said.front() + ")") + "; export it again";
   }
   else
   {

@@ -155,7 +155,9 @@ private:
       {
         this->Result.Defects.push_back("Product " + Name(product.Id, product.Name) +
           " of an assembly has its shape in another file, " + product.File +
-          ", which is not read: the part is missing. Export the assembly as one file.");
+          ", which is not read: the part is missing. Put the file into the folder of this one, name its "
+          "folder "
+          "(--search), or export the assembly as one file.");
       }
     }
     if (elsewhere > MostIds)

@@ -1,7 +1,9 @@
 #include "smSTEPShapes.h"
 
 #include "smFormat.h"
+#include "smOCCTFailure.h"
 #include "smSTEPGeometryReading.h"
+#include "smSTEPPolygons.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
 #include "smSTEPTrims.h"
@@ -15,7 +17,6 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -37,6 +38,7 @@ constexpr STEPAttribute SenseOfOriented = { "ORIENTED_EDGE", 1, 4, "orientation"
 constexpr STEPAttribute SurfaceOfFace = { "FACE_SURFACE", 0, 2, "surface" };
 constexpr STEPAttribute SenseOfFace = { "FACE_SURFACE", 1, 3, "same sense" };
 constexpr STEPAttribute SenseOfShell = { "ORIENTED_CLOSED_SHELL", 1, 3, "orientation" };
+constexpr STEPAttribute PolygonOfLoop = { "POLY_LOOP", 0, 1, "polygon" };
 constexpr STEPAttribute VertexOfLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
 
 /// Accuracy in millimetres of a file that states none: OpenCASCADE's.
@@ -166,7 +168,7 @@ private:
     bool hasFaces = false;
     for (const std::uint32_t f : uses)
     {
-      TopoDS_Shape made = this->MakeFace(census.Faces[census.FaceUses[f]]);
+      TopoDS_Shape made = this->TryFace(census.Faces[census.FaceUses[f]]);
       if (!made.IsNull())
       {
         if (census.IsReversedUse[f])
@@ -350,6 +352,27 @@ private:
     return result;
   }
 
+  /// Returns a face; null, with a row, if it is not made.
+  TopoDS_Shape TryFace(const CensusFace& census)
+  {
+    TopoDS_Shape face;
+    std::string failure;
+    try
+    {
+      failure = CatchFailure([&] { face = this->MakeFace(census); });
+    }
+    catch (const STEPGeometryFailure& other)
+    {
+      failure = other.Reason;
+    }
+    if (!failure.empty())
+    {
+      this->Shared.AddRow(this->Entities.File.Find(census.Id), failure, "its solid lacks it");
+      face.Nullify();
+    }
+    return face;
+  }
+
   TopoDS_Shape MakeFace(const CensusFace& census)
   {
     const Index entity = this->Entities.File.Find(census.Id);
@@ -378,11 +401,14 @@ private:
         this->CheckApex(loop, census.Id, surfaceEntity, *surface.Value);
         this->AddVertexLoop(loop, census.NumberOfBounds == 1, kernel, face);
       }
+      else if (this->Entities.FindRecord(loop, PolygonOfLoop.Record, record))
+      {
+        isBounded = this->Polygons.Add(this->ReadPolygon(loop), isSame, face) || isBounded;
+      }
       else if (!this->ReadLoop(loop, uses) || !this->AddEdgeLoop(uses, isSame, surfaceEntity, face))
       {
         this->Shared.AddRow(entity,
-          "its loops have edges that are left out, or are of a kind that is not read",
-          "its solid is missing");
+          "its loops have edges that are left out, or are of a kind that is not read", "its solid lacks it");
         return {};
       }
       isBounded = isBounded || !uses.empty();
@@ -537,6 +563,17 @@ private:
     }
   }
 
+  std::vector<Vector3> ReadPolygon(Index loop)
+  {
+    std::vector<Vector3> points;
+    for (const Index point : ReadGeometryList(this->Entities, this->Entities.Get(loop, PolygonOfLoop)))
+    {
+      points.push_back(ReadGeometryPoint<3>(this->Entities, point, this->GetUnit()));
+      this->Shapes.Extend(points.back());
+    }
+    return points;
+  }
+
   Vector3 ReadVertex(Index vertex) const
   {
     const Index point = this->Entities.Follow(this->Entities.Get(vertex, PointOfVertex));
@@ -579,6 +616,7 @@ private:
   std::unordered_map<Index, Index> Joined;
   std::unordered_map<Index, TopoDS_Vertex> Vertices;
   std::unordered_map<Index, TopoDS_Edge> Edges;
+  STEPPolygons Polygons;
 };
 
 STEPShapes::STEPShapes(

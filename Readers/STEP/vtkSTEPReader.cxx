@@ -2,17 +2,43 @@
 
 #include "smOCCTDocument.h"
 #include "smOCCTFile.h"
+#include "smSTEPExternalFiles.h"
 
 #include "vtkObjectFactory.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <sstream>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkSTEPReader);
 
+namespace
+{
+/// Between folders, and before the first one in the setting of the format.
+constexpr char FolderSeparator = ':';
+
+std::vector<std::string> ListFolders(const char* folders)
+{
+  std::vector<std::string> list;
+  std::istringstream words(folders ? folders : "");
+  for (std::string word; std::getline(words, word, FolderSeparator);)
+  {
+    if (!word.empty())
+    {
+      list.push_back(word);
+    }
+  }
+  return list;
+}
+}
+
 vtkSTEPReader::vtkSTEPReader() = default;
 
-vtkSTEPReader::~vtkSTEPReader() = default;
+vtkSTEPReader::~vtkSTEPReader()
+{
+  this->SetSearchFolders(nullptr);
+}
 
 int vtkSTEPReader::CanReadFile(const char* fileName)
 {
@@ -33,8 +59,15 @@ int vtkSTEPReader::CanReadContent(const std::string& content)
 
 sm::Document vtkSTEPReader::ReadDocument(std::string content, const sm::ProgressCallback& progress)
 {
-  return sm::ReadSTEP(
-    std::move(content), this->Repair == ON_NEED ? sm::RepairMode::OnNeed : sm::RepairMode::Always, progress);
+  std::vector<std::string> messages;
+  const bool isFile = this->GetFileName() && !this->HasContent();
+  std::string joined = isFile
+    ? sm::JoinSTEPFiles(content, this->GetFileName(), ListFolders(this->SearchFolders), messages)
+    : std::string();
+  sm::Document document = sm::ReadSTEP(joined.empty() ? std::move(content) : std::move(joined),
+    this->Repair == ON_NEED ? sm::RepairMode::OnNeed : sm::RepairMode::Always, progress);
+  document.Messages.insert(document.Messages.begin(), messages.begin(), messages.end());
+  return document;
 }
 
 std::string vtkSTEPReader::FindMistakeOfHead(const std::string& head) const
@@ -44,16 +77,20 @@ std::string vtkSTEPReader::FindMistakeOfHead(const std::string& head) const
 
 std::string vtkSTEPReader::GetSettingOfFormat() const
 {
-  return this->Repair == ON_NEED ? "needed" : "always";
+  return std::string(this->Repair == ON_NEED ? "needed" : "always") + FolderSeparator +
+    (this->SearchFolders ? this->SearchFolders : "");
 }
 
 void vtkSTEPReader::SetSettingOfFormat(const std::string& word)
 {
-  this->SetRepair(word == "needed" ? ON_NEED : ALWAYS);
+  const std::size_t end = word.find(FolderSeparator);
+  this->SetRepair(word.compare(0, end, "needed") == 0 ? ON_NEED : ALWAYS);
+  this->SetSearchFolders(end == std::string::npos ? "" : word.substr(end + 1).c_str());
 }
 
 void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SearchFolders: " << (this->SearchFolders ? this->SearchFolders : "(none)") << "\n";
   os << indent << "Repair: " << (this->Repair == ON_NEED ? "on need\n" : "always\n");
 }

@@ -10,10 +10,8 @@
  * of the output pass them on (smFileState.h). A file of more than 100,000 instances of bodies and
  * sub-assemblies cannot be read.
  *
- * OpenCASCADE 7.6 crashes on some damaged files, and the process with it: on 15 of about 1,500 mutants of
- * sound files (Documentation/notes/2026-11-27-mutants.md), and on no sound file of our sweeps; eight more
- * took longer than 12 seconds, one of them minutes. Damage that the entities show is refused before
- * OpenCASCADE processes it. With IsolatedOn() other crashes do not end this process.
+ * OpenCASCADE repairs bodies that are not sound, and may crash or hang on damaged geometry. Faces whose
+ * entities are damaged are left out before. With IsolatedOn() a crash does not end this process.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h
@@ -63,6 +61,17 @@ public:
   vtkGetMacro(Repair, int);
   ///@}
 
+  ///@{
+  /**
+   * Folders in which files are looked for that the file names as the shapes of parts of its assembly, with
+   * colons between them; those in the folder of the file itself are found without (null, default). No
+   * absolute path in a file, and none with "..", is followed: only its last part counts. Files that are not
+   * found are reported, and the result is suspect. Not used with SetContent().
+   */
+  vtkSetStringMacro(SearchFolders);
+  vtkGetStringMacro(SearchFolders);
+  ///@}
+
 protected:
   vtkSTEPReader();
   ~vtkSTEPReader() override;
@@ -78,6 +87,7 @@ private:
   void operator=(const vtkSTEPReader&) = delete;
 
   int Repair = ON_NEED;
+  char* SearchFolders = nullptr;
 };
 
 #endif

@@ -402,8 +402,32 @@ def check_representations(runner):
     runner.check_value("two shapes of one product", body.get_text(), 48.0)
 
 
+def make_polygons(body, corner, size, shared=True):
+    """The faces of a box with POLY_LOOPs, whose points are shared by the faces or not."""
+    points = [tuple(c + s * ((k >> d) & 1) for d, (c, s) in enumerate(zip(corner, size))) for k in range(8)]
+    names = [body.point(p) for p in points]
+    faces = []
+    for d in range(3):
+        u, v = 1 << (d + 1) % 3, 1 << (d + 2) % 3
+        for side in (0, 1):
+            first = side << d
+            ring = [first, first + u, first + u + v, first + v]
+            ring = ring if side else ring[::-1]
+            normal = tuple(float((2 * side - 1) * (k == d)) for k in range(3))
+            plane = body.add(f"PLANE('',{body.axes(points[first], normal, tuple(float(k == (d + 1) % 3) for k in range(3)))})")
+            corners = ",".join(names[k] if shared else body.point(points[k]) for k in ring)
+            bound = body.add(f"FACE_OUTER_BOUND('',{body.add(f'POLY_LOOP({EMPTY},({corners}))')},.T.)")
+            faces.append(body.add(f"FACE_SURFACE('',({bound}),{plane},.T.)"))
+    return faces
+
+
 def check_voids(runner):
-    """Solids with voids as complex instances."""
+    """Solids with voids as complex instances, and faceted ones."""
+    for shared in (True, False):
+        body = Body(0.4, (1.0, 2.0, 3.0))
+        shell = body.add(f"CLOSED_SHELL('',({','.join(make_polygons(body, (0, 0, 0), (2, 3, 4), shared))}))")
+        body.product("part", body.shape([body.add(f"FACETED_BREP('',{shell})")], "FACETED_BREP_SHAPE_REPRESENTATION"))
+        runner.check_value(f"polygons, points shared {shared}", body.get_text(), 24.0)
     for kinds in (("FACETED_BREP()",), ()):
         body = Body(0.2)
         outer = body.add(f"CLOSED_SHELL('',({','.join(body.box((0, 0, 0), (4, 4, 4)))}))")

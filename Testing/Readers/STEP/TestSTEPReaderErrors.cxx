@@ -25,6 +25,7 @@
 #include <stdexcept>
 #include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -261,13 +262,15 @@ void CheckUnreadParts()
   const std::string part = "#80=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','second','',#52,#72,$);\n";
   CheckDeclared("a part without a shape", product + part, false,
     "1 product in assemblies of the file without a shape: #72.");
-  // The file is there, in the working directory.
-  Make("reader_ball.step", MakeStepText(GetBallText()));
-  CheckEqual("working directory", 0, chdir(Folder.c_str()));
+  // The file is in the working directory, and not in the folder of the assembly.
+  const std::string workplace = Folder + "/workplace";
+  mkdir(workplace.c_str(), 0777);
+  Make("workplace/elsewhere.step", MakeStepText(GetBallText()));
+  CheckEqual("working directory", 0, chdir(workplace.c_str()));
   const std::string document =
-    "#81=DOCUMENT_TYPE('');\n#82=DOCUMENT_FILE('reader_ball.step','','',#81,'',$);\n";
+    "#81=DOCUMENT_TYPE('');\n#82=DOCUMENT_FILE('elsewhere.step','','',#81,'',$);\n";
   const std::string elsewhere =
-    "Product #72 \"other\" of an assembly has its shape in another file, reader_ball.step, which is not read";
+    "Product #72 \"other\" of an assembly has its shape in another file, elsewhere.step, which is not read";
   const std::string reference = "#83=APPLIED_DOCUMENT_REFERENCE(#82,'',(#72));\n";
   CheckDeclared("a part in a file", product + part + document + reference, true, elsewhere);
   CheckDeclared("a part with an axis in a file",
