@@ -5,7 +5,7 @@
 #ifndef smOCCTRepair_h
 #define smOCCTRepair_h
 
-#include "smOCCTCompatibility.h"
+#include "smOCCTFixShape.h"
 #include "smOCCTShapeInspection.h"
 
 #include <Geom_Surface.hxx>

@@ -5,7 +5,7 @@
 #ifndef smOCCTShapeInspection_h
 #define smOCCTShapeInspection_h
 
-#include "smOCCTCompatibility.h"
+#include "smOCCTFixShape.h"
 #include "smOCCTLoop.h"
 #include "smReadersSTEPModule.h"
 

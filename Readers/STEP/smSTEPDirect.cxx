@@ -1,7 +1,6 @@
 #include "smSTEPDirect.h"
 
 #include "smLengthUnits.h"
-#include "smOCCTCompatibility.h"
 #include "smSTEPAppearance.h"
 #include "smSTEPAttributes.h"
 #include "smSTEPProductTree.h"
@@ -161,10 +160,8 @@ private:
 
   TopoDS_Shape RepairShape(const TopoDS_Shape& original, double precision, const RepairFilter& isSound)
   {
-    ShapeChanges changes;
-    const TopoDS_Shape shape =
-      RepairOnDemand(original, precision, std::max(precision, LargestTolerance), isSound, changes);
-    changes([this](const TopoDS_Shape& from, const TopoDS_Shape& to) { this->PassInfo(from, to); });
+    const TopoDS_Shape shape = RepairOnDemand(original, precision, std::max(precision, LargestTolerance),
+      isSound, [this](const TopoDS_Shape& from, const TopoDS_Shape& to) { this->PassInfo(from, to); });
     this->PassInfo(original, shape);
     return shape;
   }

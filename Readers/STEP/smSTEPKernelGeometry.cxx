@@ -13,8 +13,7 @@
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
-#include <ShapeAlgo.hxx>
-#include <ShapeAlgo_AlgoContainer.hxx>
+#include <ShapeCustom_Surface.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -196,7 +195,7 @@ void STEPKernelGeometry::MakeKernel(Index entity, Surface& surface)
     // OpenCASCADE may change the surface that it is given.
     const auto own = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
     const auto periodic =
-      Handle(Geom_BSplineSurface)::DownCast(ShapeAlgo::AlgoContainer()->ConvertToPeriodic(spline));
+      Handle(Geom_BSplineSurface)::DownCast(ShapeCustom_Surface(spline).ConvertToPeriodic(false));
     if (!periodic.IsNull())
     {
       surface.Own = CompareSurfaces(own, periodic);

@@ -50,7 +50,6 @@ public:
    * ON_NEED (default): OpenCASCADE repairs only solids and shells with defects, whose entity numbers are in a
    * message; all others are converted without a repair, with missing trim curves in closed form, which is
    * faster and more accurate. ALWAYS: it repairs all shapes of the file and computes missing trim curves.
-   * With OpenCASCADE 7.9 and later ON_NEED is the same as ALWAYS.
    */
   enum RepairType
   {

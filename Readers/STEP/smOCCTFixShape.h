@@ -1,9 +1,9 @@
 /**
- * @file smOCCTCompatibility.h
- * @brief OpenCASCADE's repair of shapes as in its transfer of STEP files, for all its versions (7.6 to 8.0)
+ * @file smOCCTFixShape.h
+ * @brief OpenCASCADE's repair of shapes, as its own reader of STEP files applies it
  */
-#ifndef smOCCTCompatibility_h
-#define smOCCTCompatibility_h
+#ifndef smOCCTFixShape_h
+#define smOCCTFixShape_h
 
 #include <TopoDS_Shape.hxx>
 
@@ -22,14 +22,14 @@ using FaceRepair = std::function<TopoDS_Shape(
 /// repair in part.
 using RepairFilter = std::function<bool(TopoDS_Shape&, const FaceRepair&)>;
 
-/// Calls visit(from, to) for each shape that a repair replaced.
-using ShapeChanges =
-  std::function<void(const std::function<void(const TopoDS_Shape&, const TopoDS_Shape&)>&)>;
+/// Gets a solid, shell, face or edge, and what a repair replaced it by.
+using ShapeVisitor = std::function<void(const TopoDS_Shape& from, const TopoDS_Shape& to)>;
 
-/// Repairs a shape unless `isSound` returns true for it. `precision` and the largest tolerance that edges and
-/// vertices may get are in millimetres. Hold a KernelSession.
+/// Repairs a shape unless `isSound` returns true for it; a shape of which the repair fails is returned as it
+/// is. `precision` and the largest tolerance that edges and vertices may get are in millimetres. Hold a
+/// KernelSession.
 TopoDS_Shape RepairOnDemand(const TopoDS_Shape& shape, double precision, double maximum,
-  const RepairFilter& isSound, ShapeChanges& changes);
+  const RepairFilter& isSound, const ShapeVisitor& visitChanges);
 }
 
 #endif
