@@ -6,14 +6,13 @@ twice; its face has a seam or none, or is in two halves. CTest runs a part of th
 """
 import argparse
 import itertools
-import json
 import math
 import os
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import check, check_equal, finish  # noqa: E402
+from smprogram import compute  # noqa: E402
 from smstepbody import EMPTY, Body, format_real  # noqa: E402
 
 parser = argparse.ArgumentParser()
@@ -179,12 +178,6 @@ def make_ring(step, profile, start, topology):
     return [step.face(surface, step.loop(around, across, "-" + around, "-" + across), sense=sense)], volume
 
 
-def run(path):
-    done = subprocess.run([options.program, "--quiet", "--backend", "cpu", "--json", "-", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          encoding="utf-8", timeout=100, check=False)
-    return done.returncode, json.loads(done.stdout)["files"][0]
-
-
 folder = os.path.join(options.output, "swept")
 os.makedirs(folder, exist_ok=True)
 TOPOLOGIES = {**dict.fromkeys(("seam", "seam_aside", "bounds", "halves", "hole_seam", "hole_bounds"), make_prism),
@@ -200,7 +193,7 @@ for number, (profile, start, topology, degrees) in enumerate(itertools.product(P
     text.product("part", text.shape([text.identity, text.solid(solid)]))
     with open(file_name, "w", encoding="ascii") as file:
         file.write(text.get_text())
-    status, entry = run(file_name)
+    status, entry = compute(options.program, file_name)
     check_equal(title, (0, "ok", []), (status, entry["status"], entry["messages"]))
     check(title, expected, entry["total"]["volume"], (entry["total"]["bounds"]["volume"] or 0.0) + 1e-13 * expected)
 finish()

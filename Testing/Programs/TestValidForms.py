@@ -4,15 +4,14 @@ Small bodies with known volumes are written in these forms; each is `ok` with it
 flagged where the file is wrong. MODE is one of the names of MODES.
 """
 import argparse
-import json
 import math
 import os
 import random
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import check_equal, check_true, finish  # noqa: E402
+from smprogram import compute  # noqa: E402
 from smstepbody import EMPTY, Body, format_real  # noqa: E402
 
 TOLERANCE = 1e-9
@@ -26,10 +25,9 @@ class Runner:
         path = os.path.join(self.folder, f"valid_{name.replace(' ', '_').replace('/', '_')}.step")
         with open(path, "w", encoding="ascii") as file:
             file.write(text)
-        done = subprocess.run([self.program, "--quiet", "--backend", "cpu", "--json", "-", path], stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL, encoding="utf-8", timeout=300, check=False)
+        result = compute(self.program, path)
         os.remove(path)
-        return done.returncode, json.loads(done.stdout)["files"][0]
+        return result
 
     def check_value(self, name, text, volume, mass=None, allowed=None):
         """`allowed` may be in a message; others are none."""
