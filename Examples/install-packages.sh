@@ -23,8 +23,8 @@ solidmoments_packages() {
   echo libgl1-mesa-dri libegl1 xvfb xauth
   # Header libraries
   echo libglm-dev libcli11-dev nlohmann-json3-dev
-  # For Testing: a locale with a decimal comma
-  echo locales
+  # For Testing: a locale with a decimal comma; the paper's figures
+  echo locales python3-matplotlib
 }
 
 solidmoments_has_tools() {

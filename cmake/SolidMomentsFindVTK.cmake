@@ -1,9 +1,9 @@
 # Finds the VTK to build against: ParaView's own by default, a plain VTK when the plugin is off.
 set(_vtk_components
-  ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore FiltersGeneral FiltersSources IOCore IOExport IOGeometry IOImage IOPLY IOXML ImagingCore InteractionStyle ParallelCore
-  RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering
-  ViewsContext2D vtksys zlib)
+  CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  FiltersCore FiltersGeneral FiltersSources IOCore IOGeometry IOImage IOPLY IOXML ImagingCore InteractionStyle ParallelCore
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering vtksys
+  zlib)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
     # VTK's wrappers are built for the system's Python, which need not be the first one on PATH.
@@ -27,8 +27,7 @@ if (SOLIDMOMENTS_BUILD_PARAVIEW_PLUGIN)
 endif ()
 solidmoments_accept_python_modules(VTK)
 # The loader of OpenGL is GLEW before VTK 9.4, and glad from then on. Only tests need MPI itself (ParallelMPI)
-# and a filter that communicates between ranks (FiltersParallel). If VTK has its own JSON library, the example
-# programs must use it, because another one cannot be loaded in addition to it.
+# and a filter that communicates between ranks (FiltersParallel).
 find_package(VTK 9.1 QUIET COMPONENTS ${_vtk_components} OPTIONAL_COMPONENTS ParallelMPI FiltersParallel nlohmannjson
   glad glew opengl)
 if (NOT VTK_FOUND)
@@ -41,3 +40,13 @@ foreach (module IN ITEMS VTK::glad VTK::glew VTK::opengl)
   endif ()
 endforeach ()
 message(STATUS "VTK ${VTK_VERSION} from ${VTK_DIR}")
+
+# VTK's own JSON library where it has one, because another one cannot be loaded in addition to it.
+set(SOLIDMOMENTS_JSON VTK::nlohmannjson)
+if (NOT TARGET VTK::nlohmannjson)
+  find_package(nlohmann_json QUIET)
+  if (NOT nlohmann_json_FOUND)
+    message(FATAL_ERROR "nlohmann_json was not found (Debian: nlohmann-json3-dev). Install it, or set nlohmann_json_DIR.")
+  endif ()
+  set(SOLIDMOMENTS_JSON nlohmann_json::nlohmann_json)
+endif ()

@@ -221,9 +221,9 @@ class Part21:
         return self.add(f"(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({accuracy}))"
                         f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid}))REPRESENTATION_CONTEXT('',''))")
 
-    def _add_product(self, name, application, shape):
+    def _add_product(self, name, application, shape, identifier=None):
         context = self.add(f"PRODUCT_CONTEXT('',{application},'mechanical')")
-        product = self.add(f"PRODUCT('{name}','{name}','',({context}))")
+        product = self.add(f"PRODUCT('{identifier or name}','{name}','',({context}))")
         formation = self.add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
         design = self.add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')")
         definition = self.add(f"PRODUCT_DEFINITION('design','',{formation},{design})")

@@ -1,5 +1,6 @@
 #include "smText.h"
 
+#include "smFields.h"
 #include "smJson.h"
 
 #include <algorithm>
@@ -86,5 +87,13 @@ std::string PercentEncode(const std::string& text)
     encoded += isPlain ? std::string(1, c) : std::string{ '%', digits[byte >> 4], digits[byte & 15] };
   }
   return encoded;
+}
+
+void VisitFileName(Fields& fields, std::string& name)
+{
+  fields.Note("", "name of the file").Text("file", name);
+  std::optional<std::string> bytes =
+    MakeUtf8(name) == name ? std::nullopt : std::optional(PercentEncode(name));
+  fields.Note("", "the percent-encoded name of a file whose name is not UTF-8").Text("file_bytes", bytes);
 }
 }

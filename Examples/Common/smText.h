@@ -10,6 +10,8 @@
 
 namespace sm
 {
+class Fields;
+
 /// Returns the number of a text, with a decimal point in every locale and an optional sign; NaN if the text
 /// is not a number.
 double ParseNumber(const std::string& text);
@@ -34,6 +36,11 @@ std::string GetStem(const std::string& path);
 std::string MakeUtf8(const std::string& text);
 /// Writes every byte other than letters, digits and -._~/ as %XX; URL decoding restores the bytes.
 std::string PercentEncode(const std::string& text);
+
+/// Sets the keys "file" and "file_bytes". "file" is the name; Dump() replaces its bytes that are not UTF-8.
+/// When there are such bytes, "file_bytes" is the percent-encoded name, which gives them back; otherwise it
+/// is null.
+void VisitFileName(Fields& fields, std::string& name);
 }
 
 #endif

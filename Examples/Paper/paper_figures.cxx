@@ -1,9 +1,8 @@
-// Draws the figures of "Accurate Moment Computation Using the GPU" (SPM 2010) with this program's own
-// results.
-#include "smGraphFigures.h"
+// Computes the figures of "Accurate Moment Computation Using the GPU" (SPM 2010); draw_figures.py draws them.
+#include "smGraphTables.h"
 #include "smModelPictures.h"
 #include "smOptions.h"
-#include "smPointFigures.h"
+#include "smPointTables.h"
 
 #include <vtkComputeContext.h>
 #include <vtkNew.h>
@@ -30,13 +29,14 @@ struct Arguments
 /// Reads the arguments; an exit status when there is nothing more to do.
 std::optional<int> Parse(int argc, char** argv, Arguments& arguments)
 {
-  CLI::App app("Draw the figures of \"Accurate Moment Computation Using the GPU\" (SPM 2010) with this "
-               "program's own results,\n"
-               "each as PNG, SVG and CSV: 3 to 6, 7a and 7b, with --model 1, which has no SVG, and with "
-               "--part 8. Needs no\n"
-               "display.",
+  CLI::App app(
+    "Compute the figures of \"Accurate Moment Computation Using the GPU\" (SPM 2010) with this "
+    "program's own\n"
+    "results, as CSV files for draw_figures.py: 3 to 6, 7a and 7b, with --part 8; with --model draw "
+    "Figure 1.\n"
+    "Needs no display.",
     "paper_figures");
-  app.footer("Exit status: 0 all figures are drawn; 1 wrong usage, or a figure failed.");
+  app.footer("Exit status: 0 all figures are written; 1 wrong usage, or a figure failed.");
   app.add_option("FOLDER", arguments.Folder, "Folder to write to")->required()->type_name("");
   sm::AddFileOption(app, "--part", arguments.Part, "STEP file of the part of Figure 8");
   app.add_option("--model", arguments.Models, "STEP file of a model of Figure 1; may be given several times")
@@ -55,7 +55,7 @@ std::optional<int> Parse(int argc, char** argv, Arguments& arguments)
   return std::nullopt;
 }
 
-bool AddFigure8(const std::string& path, std::vector<smfigure::Figure>& figures)
+bool AddFigure8(const std::string& path, std::vector<smfigure::FigureTable>& tables)
 {
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(path.c_str());
@@ -65,29 +65,25 @@ bool AddFigure8(const std::string& path, std::vector<smfigure::Figure>& figures)
     std::cerr << path << " could not be read\n";
     return false;
   }
-  const std::vector<smfigure::Figure> made = smfigure::MakeFigure8(reader->GetOutputDataObject(0));
-  if (made.empty())
+  tables.push_back(smfigure::MakeFigure8(reader->GetOutputDataObject(0)));
+  if (tables.back().Rows.empty())
   {
     std::cerr << path << " has no volume\n";
-  }
-  figures.insert(figures.end(), made.begin(), made.end());
-  return !made.empty();
-}
-
-bool MakeFigures(const Arguments& arguments, std::vector<smfigure::Figure>& figures)
-{
-  figures = { smfigure::MakeFigure3(), smfigure::MakeFigure4(), smfigure::MakeFigure5() };
-  figures.emplace_back();
-  const std::string error = smfigure::MakeFigure6(figures.back());
-  if (!error.empty())
-  {
-    std::cerr << "Figure 6: " << error << "\n";
     return false;
   }
-  for (const auto& made : { smfigure::MakeFigure7a(), smfigure::MakeFigure7b() })
+  return true;
+}
+
+bool MakeTables(const Arguments& arguments, std::vector<smfigure::FigureTable>& tables)
+{
+  tables = smfigure::MakePointTables();
+  if (tables.empty())
   {
-    figures.insert(figures.end(), made.begin(), made.end());
+    std::cerr << "Figure 6: the filter gave no trim texture\n";
+    return false;
   }
+  tables.push_back(smfigure::MakeFigure7a());
+  tables.push_back(smfigure::MakeFigure7b());
   if (arguments.Models.empty())
   {
     std::cout << "Figure 1 needs models: --model FILE.step for each\n";
@@ -97,37 +93,39 @@ bool MakeFigures(const Arguments& arguments, std::vector<smfigure::Figure>& figu
     std::cout << "Figure 8 needs a part: --part FILE.step\n";
     return true;
   }
-  return AddFigure8(arguments.Part, figures);
+  return AddFigure8(arguments.Part, tables);
 }
 
-bool WriteFigures(const Arguments& arguments, const std::vector<smfigure::Figure>& figures)
+/// Draws Figure 1. Returns an error message, empty when it is written.
+std::string DrawModels(const Arguments& arguments)
 {
-  const std::string& folder = arguments.Folder;
   vtkNew<vtkComputeContext> context; // its window draws off screen and needs no display
-  if (context->Start() != vtkComputeContext::READY)
+  return context->Start() == vtkComputeContext::READY
+    ? smfigure::WriteFigure1(arguments.Models, arguments.Folder, context->GetRenderWindow())
+    : context->GetReason();
+}
+
+bool WriteAll(const Arguments& arguments, const std::vector<smfigure::FigureTable>& tables)
+{
+  for (const smfigure::FigureTable& table : tables)
   {
-    std::cerr << context->GetReason() << "\n";
-    return false;
-  }
-  for (const smfigure::Figure& figure : figures)
-  {
-    const std::string error = smfigure::WriteFigure(figure, folder, context->GetRenderWindow());
+    const std::string error = smfigure::WriteTable(table, arguments.Folder);
     if (!error.empty())
     {
       std::cerr << error << "\n";
       return false;
     }
-    std::cout << folder << "/" << figure.Name << ".png\n";
+    std::cout << arguments.Folder << "/" << table.Name << ".csv\n";
   }
   if (!arguments.Models.empty())
   {
-    const std::string error = smfigure::WriteFigure1(arguments.Models, folder, context->GetRenderWindow());
+    const std::string error = DrawModels(arguments);
     if (!error.empty())
     {
       std::cerr << "Figure 1: " << error << "\n";
       return false;
     }
-    std::cout << folder << "/fig1.png\n";
+    std::cout << arguments.Folder << "/fig1.png\n";
   }
   return true;
 }
@@ -146,6 +144,6 @@ int main(int argc, char** argv)
     std::cerr << arguments.Folder << " could not be made\n";
     return 1;
   }
-  std::vector<smfigure::Figure> figures;
-  return MakeFigures(arguments, figures) && WriteFigures(arguments, figures) ? 0 : 1;
+  std::vector<smfigure::FigureTable> tables;
+  return MakeTables(arguments, tables) && WriteAll(arguments, tables) ? 0 : 1;
 }

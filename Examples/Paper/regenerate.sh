@@ -62,6 +62,7 @@ mkdir -p "$output"
 "$build/bin/paper_figures" "$output/figures" --part "$output/parts/free_form.step" \
   --model "$output/parts/propeller.step" --model "$output/parts/crank.step" --model "$output/parts/engine_block.step" \
   --model "$output/parts/gear_train.step" --model "$output/parts/free_form.step" --model "$output/parts/trefoil_tube.step"
+python3 "$root/Examples/Paper/draw_figures.py" "$output/figures"
 python3 "$root/Examples/Paper/table.py" --program "$build/bin/solidmoments" \
   --occt "$build/bin/occt_mass_properties" --markdown "$output/table.md" --csv "$output/table.csv" \
   "The parts=$output/parts" "$@"

@@ -1,7 +1,7 @@
 #include "smModelPictures.h"
 
 #include "smBodyScene.h"
-#include "smFigure.h"
+#include "smFigureTable.h"
 
 #include <smFormat.h>
 #include <vtkImageData.h>
@@ -145,6 +145,7 @@ std::string WriteFigure1(
   const std::vector<std::string>& files, const std::string& folder, vtkRenderWindow* window)
 {
   FigureTable table;
+  table.Name = "fig1";
   table.Columns = { "model", "faces", "volume", "volume_bound", "center_x", "center_y", "center_z",
     "center_bound", "status" };
   std::vector<vtkSmartPointer<vtkImageData>> pictures;
@@ -160,6 +161,6 @@ std::string WriteFigure1(
     pictures.push_back(Draw(model, window));
   }
   const std::string error = sm::WriteImage(Arrange(pictures), folder + "/fig1.png");
-  return error.empty() ? WriteTable(table, folder + "/fig1.csv") : error;
+  return error.empty() ? WriteTable(table, folder) : error;
 }
 }

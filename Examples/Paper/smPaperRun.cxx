@@ -81,11 +81,4 @@ TexturePoints PaperFilter::MakeTexture(int factor, int textureFactor)
   }
   return points;
 }
-
-std::string PaperFilter::GetBackend()
-{
-  const bool hasAdaptive = !this->Adaptive->GetRenderer().empty();
-  return hasAdaptive ? this->Adaptive->GetBackendName() + " on " + this->Adaptive->GetRenderer()
-                     : this->Schemes->GetBackendName() + " on " + this->Schemes->GetRenderer();
-}
 }

@@ -10,7 +10,6 @@
 #include <vtkNew.h>
 #include <vtkSchemeMassPropertiesGPU.h>
 
-#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -63,8 +62,6 @@ public:
   PaperRun RunScheme(Scheme scheme, int factor);
   /// The trim texture of the first face that has one; empty when there is none.
   TexturePoints MakeTexture(int factor, int textureFactor);
-  /// Backend and renderer, for example "opengl on llvmpipe".
-  std::string GetBackend();
 
 private:
   vtkNew<vtkCallbackCommand> Silence;

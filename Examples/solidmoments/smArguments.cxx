@@ -12,12 +12,8 @@
 #include "smVersion.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
-#include <set>
 
 namespace
 {

@@ -8,9 +8,6 @@
 #include "vtkComputeContext.h"
 #include "vtkMassPropertiesBase.h"
 
-#include <algorithm>
-#include <chrono>
-
 namespace sm
 {
 void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)

@@ -5,7 +5,6 @@
 #include "vtk_zlib.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>

@@ -3,7 +3,6 @@
 #include "smJson.h"
 #include "smText.h"
 
-#include <cmath>
 #include <fstream>
 #include <iterator>
 

@@ -1,10 +1,10 @@
 #include "smResults.h"
 
 #include "smFileJob.h"
-#include "smJsonFields.h"
 #include "smMassPropertyNames.h"
 #include "smPartsFields.h"
 #include "smReportRows.h"
+#include "smText.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkTable.h"

@@ -4,7 +4,6 @@
 #include "smResults.h"
 #include "smText.h"
 
-#include <algorithm>
 #include <array>
 #include <set>
 

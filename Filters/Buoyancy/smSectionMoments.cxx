@@ -3,7 +3,6 @@
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -28,9 +28,8 @@ void FindLargest(std::vector<std::array<double, 1>> b, int depth, double slack, 
     maximum = std::max(maximum, (*largest)[0]);
     return;
   }
-  std::vector<std::array<double, 1>> left = b;
-  RestrictBernstein(left.data(), degree, 1, 0.0, 0.5);
-  RestrictBernstein(b.data(), degree, 1, 0.5, 1.0);
+  std::vector<std::array<double, 1>> left(b.size());
+  HalveBernstein(left.data(), b.data(), degree, 1);
   FindLargest(std::move(left), depth - 1, slack, maximum);
   FindLargest(std::move(b), depth - 1, slack, maximum);
 }

@@ -1,6 +1,5 @@
 #include "vtkBuoyancy.h"
 
-#include "smBodyMeshes.h"
 #include "smBodyScales.h"
 #include "smBuoyancy.h"
 #include "smBuoyancyNames.h"
@@ -127,7 +126,7 @@ struct vtkBuoyancy::Internals
 };
 
 vtkBuoyancy::vtkBuoyancy()
-  : vtkPlaneCutBase(false)
+  : vtkPlaneCutBase(false, sm::names::DisplacedVolume)
   , Implementation(new Internals)
 {
 }
@@ -175,15 +174,6 @@ void vtkBuoyancy::ResetResults()
   this->Implementation->Results.clear();
   this->Implementation->Rows.clear();
   this->Implementation->Total = Row();
-}
-
-sm::IntegralRequest vtkBuoyancy::MakeRequest() const
-{
-  sm::IntegralRequest request;
-  request.Integrands = this->MakeIntegrands();
-  request.Integrands[0].Name = sm::names::DisplacedVolume;
-  request.ReportSmallGaps = false;
-  return request;
 }
 
 bool vtkBuoyancy::IntegrateBodies(const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies)
@@ -284,14 +274,4 @@ void vtkBuoyancy::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, con
   totals.SetString(sm::names::LengthUnit, unit);
   sm::columns::Writer(outputs.Arrays, outputs.Text->GetRowData()).SetString(sm::names::Text, summary);
   sm::columns::AddFaceRows(outputs.Arrays, bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
-}
-
-std::vector<sm::MeshArray> vtkBuoyancy::GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const
-{
-  const auto getVolume = [&bodies](std::size_t body, std::size_t face)
-  {
-    const sm::FaceIntegrals* result = bodies[body].Faces ? &(*bodies[body].Faces)[face] : nullptr;
-    return result && result->Error.empty() ? result->Face[0] + result->Closing[0] : vtkMath::Nan();
-  };
-  return { { sm::names::DisplacedVolume, getVolume } };
 }

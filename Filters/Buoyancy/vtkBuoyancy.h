@@ -53,11 +53,9 @@ protected:
 
 #ifndef __VTK_WRAP__
   void ResetResults() override;
-  sm::IntegralRequest MakeRequest() const override;
   bool IntegrateBodies(const sm::IntegralRequest& request, std::vector<sm::BodyIntegrals>& bodies) override;
   void AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies) override;
   void WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const override;
-  std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const override;
 #endif
 
 private:

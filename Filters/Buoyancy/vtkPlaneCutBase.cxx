@@ -1,9 +1,11 @@
 #include "vtkPlaneCutBase.h"
 
+#include "smBodyMeshes.h"
 #include "smBuoyancy.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 
+#include "vtkMath.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -18,8 +20,9 @@ bool AreFinite(double x, double y, double z)
 }
 }
 
-vtkPlaneCutBase::vtkPlaneCutBase(bool withSection)
+vtkPlaneCutBase::vtkPlaneCutBase(bool withSection, const char* volume)
   : Integrator(new sm::BuoyancyIntegrator(withSection))
+  , Volume(volume)
 {
 }
 
@@ -65,9 +68,23 @@ void vtkPlaneCutBase::SetNormal(double x, double y, double z)
   }
 }
 
-std::vector<sm::Integrand> vtkPlaneCutBase::MakeIntegrands() const
+sm::IntegralRequest vtkPlaneCutBase::MakeRequest() const
 {
-  return this->Integrator->MakeIntegrands();
+  sm::IntegralRequest request;
+  request.Integrands = this->Integrator->MakeIntegrands();
+  request.Integrands[0].Name = this->Volume;
+  request.ReportSmallGaps = false;
+  return request;
+}
+
+std::vector<sm::MeshArray> vtkPlaneCutBase::GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const
+{
+  const auto getVolume = [&bodies](std::size_t body, std::size_t face)
+  {
+    const sm::FaceIntegrals* result = bodies[body].Faces ? &(*bodies[body].Faces)[face] : nullptr;
+    return result && result->Error.empty() ? result->Face[0] + result->Closing[0] : vtkMath::Nan();
+  };
+  return { { this->Volume, getVolume } };
 }
 
 void vtkPlaneCutBase::ReleaseKept()

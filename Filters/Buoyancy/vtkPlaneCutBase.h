@@ -19,7 +19,6 @@
 namespace sm
 {
 struct BodyBuoyancy;
-struct Integrand;
 class BuoyancyIntegrator;
 }
 
@@ -57,14 +56,15 @@ public:
 
 protected:
 #ifndef __VTK_WRAP__
-  explicit vtkPlaneCutBase(bool withSection);
+  /** `volume`: name of the array with the volumes on the side that Normal points away from; a literal. */
+  vtkPlaneCutBase(bool withSection, const char* volume);
   bool CanShareFaces() const override
   {
     return false;
   }
   void ReleaseKept() override;
-  /** Returns the integrands of a run. */
-  std::vector<sm::Integrand> MakeIntegrands() const;
+  sm::IntegralRequest MakeRequest() const override;
+  std::vector<sm::MeshArray> GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const override;
   /** Computes one entry of `results` per body for the side that Normal points away from, or for the opposite
    * side, with progress between the fractions `begin` and `end`. Returns false if nothing was computed; the
    * report then has a reason. */
@@ -82,6 +82,7 @@ private:
 
 #ifndef __VTK_WRAP__
   std::unique_ptr<sm::BuoyancyIntegrator> Integrator;
+  const char* Volume;
 #endif
 };
 

@@ -1,5 +1,6 @@
 #include "smTrimPolygons.h"
 
+#include "smBernstein.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -78,14 +79,7 @@ void Flattener::AddPart(const Point2* b, int degree, int depth)
     Point2 left[MaximumDegree + 1];
     Point2 right[MaximumDegree + 1];
     std::copy_n(b, degree + 1, right);
-    for (int i = 0; i <= degree; ++i)
-    {
-      left[i] = right[0];
-      for (int j = 0; j < degree - i; ++j)
-      {
-        right[j] = { 0.5 * (right[j][0] + right[j + 1][0]), 0.5 * (right[j][1] + right[j + 1][1]) };
-      }
-    }
+    HalveBernstein(left, right, degree, 1);
     this->AddPart(left, degree, depth + 1);
     this->AddPart(right, degree, depth + 1);
     return;

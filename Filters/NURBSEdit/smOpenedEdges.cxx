@@ -47,6 +47,7 @@ double GetDistance(const EdgeCurve& curve, double t, const double point[3])
   return minimum;
 }
 
+/// Returns the largest distance of the coedge on the surface from its edge; NaN if one of them is.
 double MeasureGap(const Face& face, const Coedge& coedge)
 {
   const EdgeCurve& curve = coedge.Use->Curve;
@@ -191,7 +192,7 @@ std::vector<OpenedEdge> CompareFace(const Face& before, const Face& after, int i
   return opened;
 }
 
-/// Returns true if two faces use the same edges with the same signed sums.
+/// Returns true if two faces have the same edges in the same order and directions.
 bool UsesSameEdges(const Face& a, const Face& b)
 {
   bool same = a.Reversed == b.Reversed && a.Loops.size() == b.Loops.size();
@@ -281,8 +282,7 @@ std::vector<OpenedEdge> FindOpenedEdges(vtkTrimmedNURBSModel* before, vtkTrimmed
   {
     FindLostUses(before, after, opened);
   }
-  // Sorted by width, NaN first; edges of equal width by their ids, because the order of the map is not
-  // determined.
+  // Sorted by width, with NaN and lost uses first; edges of equal width by their ids and faces.
   const auto width = [](const OpenedEdge& edge)
   { return std::isnan(edge.Gap) ? std::numeric_limits<double>::infinity() : edge.Gap; };
   std::sort(opened.begin(), opened.end(),

@@ -1,8 +1,8 @@
 #include "vtkProducts.h"
 
-#include "Detail/smJsonText.h"
 #include "smComparison.h"
 #include "smFormat.h"
+#include "smJsonFields.h"
 #include "smMaterials.h"
 #include "smPartsFields.h"
 #include "smProducts.h"
@@ -13,7 +13,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkProducts);
@@ -28,9 +27,9 @@ std::string FormatNumber(double value)
 template <typename Type, typename Use>
 std::string WriteList(std::vector<Type> entries, const Use& use)
 {
-  sm::JsonText text;
-  text.List(nullptr, entries, [&](Type& entry) { use(text, entry); });
-  return text.Get();
+  sm::JsonFields fields;
+  fields.List("entries", entries, [&](Type& entry) { use(fields, entry); });
+  return sm::Dump(fields.Take()["entries"]);
 }
 }
 
@@ -60,11 +59,7 @@ std::string vtkProducts::Compare(vtkMassPropertiesBase* before, vtkMassPropertie
   { return sm::MeasureProduct(filter->GetInputDataObject(0, 0), product, filter->GetMaximumSeconds()); };
   auto difference = sm::CompareProducts(results[0], measure(before, results[0]), results[1],
     measure(after, results[1]), limit, FormatNumber, []() { return true; });
-  sm::JsonText text;
-  text.Begin(nullptr);
-  difference->Visit(text);
-  text.End();
-  return text.Get();
+  return sm::Dump(sm::WriteJsonFields([&difference](sm::Fields& fields) { difference->Visit(fields); }));
 }
 
 std::string vtkProducts::CompareValidation(vtkMassPropertiesBase* filter, vtkTable* stated, double limit)

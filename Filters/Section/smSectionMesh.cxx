@@ -19,7 +19,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <vector>
 

@@ -187,7 +187,7 @@ struct vtkSolidSection::Internals
 };
 
 vtkSolidSection::vtkSolidSection()
-  : vtkPlaneCutBase(true)
+  : vtkPlaneCutBase(true, sm::names::VolumeBelow)
   , Implementation(new Internals)
 {
   this->SetNumberOfOutputPorts(MeshPort + 1);
@@ -297,15 +297,6 @@ void vtkSolidSection::ResetResults()
   self.Total = sm::SectionRow();
   self.Meshes->Initialize();
   self.WithoutCap.clear();
-}
-
-sm::IntegralRequest vtkSolidSection::MakeRequest() const
-{
-  sm::IntegralRequest request;
-  request.Integrands = this->MakeIntegrands();
-  request.Integrands[0].Name = sm::names::VolumeBelow;
-  request.ReportSmallGaps = false;
-  return request;
 }
 
 bool vtkSolidSection::IntegrateBodies(
@@ -500,14 +491,4 @@ void vtkSolidSection::WriteOutputs(const std::vector<sm::BodyIntegrals>& bodies,
   sm::columns::Writer(outputs.Arrays, outputs.Text->GetRowData())
     .SetString(sm::names::Text, this->WriteSummary(bodies));
   sm::columns::AddFaceRows(outputs.Arrays, bodies, this->MakeRequest().Integrands, outputs.Faces, { 0 });
-}
-
-std::vector<sm::MeshArray> vtkSolidSection::GetMeshArrays(const std::vector<sm::BodyIntegrals>& bodies) const
-{
-  const auto getVolume = [&bodies](std::size_t body, std::size_t face)
-  {
-    const sm::FaceIntegrals* result = bodies[body].Faces ? &(*bodies[body].Faces)[face] : nullptr;
-    return result && result->Error.empty() ? result->Face[0] + result->Closing[0] : vtkMath::Nan();
-  };
-  return { { sm::names::VolumeBelow, getVolume } };
 }

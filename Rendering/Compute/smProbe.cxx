@@ -9,11 +9,9 @@
 #include "smShaderSource.h"
 #include "vtkComputeContext.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <iomanip>
 #include <limits>
 #include <random>

@@ -7,16 +7,15 @@
 // read, whose volume is not known to 1e-10, or that OpenCASCADE repairs into another body (more than 1e-3
 // apart).
 #include "smBenchmark.h"
-#include "smFigure.h"
 #include "smJson.h"
 #include "smProcessorTime.h"
 
+#include <smFormat.h>
+#include <smSafeFile.h>
 #include <vtkCellArray.h>
-#include <vtkComputeContext.h>
 #include <vtkMassProperties.h>
 #include <vtkMassPropertiesGPU.h>
 #include <vtkNew.h>
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
@@ -85,8 +84,6 @@ constexpr double ReferenceTolerance = 1e-13;
 /// Relative half width of a reference: a file whose reference is known less well is left out.
 constexpr double MinKnown = 1e-10;
 constexpr double SameBody = 1e-3;
-/// Smaller errors are drawn at this value.
-constexpr double MinError = 1e-16;
 /// The mesher's angle: OpenCASCADE's usual one.
 constexpr double MeshAngle = 0.5;
 
@@ -292,59 +289,19 @@ std::string AddFile(const std::string& path, const std::map<std::string, Measure
   return "";
 }
 
-smfigure::Figure MakeFigure(const std::vector<Column>& columns)
+/// Writes the numbers for draw_figures.py. Returns an error message, empty when they are written.
+std::string WriteTable(const std::vector<Column>& columns, const std::string& path)
 {
-  using namespace smfigure;
-  Figure figure;
-  figure.Name = "accuracy_over_time";
-  figure.LegendColumns = 2;
-  figure.AboveAndBelow = 100.0f;
-  figure.X = { "Seconds of the processor, all files", 1.0, 1.0, {}, true, true, 228, {} };
-  figure.Y = { "Relative error of the volume", MinError, 1.0, MakeDecadeTicks(-16, 0, 2), true, true, 228,
-    {} };
-  const auto add = [&](const std::string& label, Program by, double share, const Color& hue, Marker symbol)
-  {
-    Series series{ label, {}, {}, hue, symbol, share < 1.0 ? 10.0f : 6.0f, 2.0f, share == 1.0 };
-    std::vector<std::pair<double, double>> points;
-    for (std::size_t i = 0; i < Methods.size(); ++i)
-    {
-      if (Methods[i].By == by)
-      {
-        points.emplace_back(columns[i].Seconds, std::max(columns[i].GetQuantile(share), MinError));
-      }
-    }
-    std::sort(points.begin(), points.end());
-    for (const auto& [x, y] : points)
-    {
-      series.X.push_back(x);
-      series.Y.push_back(y);
-    }
-    figure.Content.push_back(series);
-  };
-  add("SolidMoments, median", Program::Ours, 0.5, colors::Blue, Marker::Circle);
-  add("largest", Program::Ours, 1.0, colors::Blue, Marker::Circle);
-  add("BRepGProp, median", Program::Kernel, 0.5, colors::Orange, Marker::Square);
-  add("largest", Program::Kernel, 1.0, colors::Orange, Marker::Square);
-  add("triangles of BRepMesh, median", Program::Mesh, 0.5, colors::Green, Marker::Diamond);
-  add("largest", Program::Mesh, 1.0, colors::Green, Marker::Diamond);
-  double minimum = HUGE_VAL;
-  double maximum = 0.0;
-  figure.Table.Columns = { "method", "seconds", "median_error", "largest_error", "largest_bound" };
+  std::string text = "method,seconds,median_error,largest_error,largest_bound\n";
   for (std::size_t i = 0; i < Methods.size(); ++i)
   {
     const Column& c = columns[i];
-    minimum = std::min(minimum, c.Seconds);
-    maximum = std::max(maximum, c.Seconds);
-    figure.Table.Rows.push_back({ "\"" + GetName(Methods[i]) + "\"", FormatNumber(c.Seconds),
-      FormatNumber(c.GetMedian()), FormatNumber(c.GetQuantile(1.0)),
-      Methods[i].By == Program::Ours ? FormatNumber(c.LargestBound) : "" });
+    text += "\"" + GetName(Methods[i]) + "\"," + sm::FormatDigits(c.Seconds, 17) + "," +
+      sm::FormatDigits(c.GetMedian(), 17) + "," + sm::FormatDigits(c.GetQuantile(1.0), 17) + "," +
+      (Methods[i].By == Program::Ours ? sm::FormatDigits(c.LargestBound, 17) : "") + "\n";
   }
-  const int low = static_cast<int>(std::floor(std::log10(std::max(minimum, 1e-6))));
-  const int high = static_cast<int>(std::ceil(std::log10(maximum)));
-  figure.X.Minimum = std::pow(10.0, low);
-  figure.X.Maximum = std::pow(10.0, std::max(high, low + 1));
-  figure.X.Ticks = MakeDecadeTicks(low, std::max(high, low + 1), 1);
-  return figure;
+  const std::string problem = sm::SaveFile(path, text);
+  return problem.empty() ? "" : path + " could not be written: " + problem;
 }
 
 int Run(const std::vector<std::string>& paths, const std::string& certifiedPath, const std::string& folder)
@@ -381,10 +338,7 @@ int Run(const std::vector<std::string>& paths, const std::string& certifiedPath,
   }
   if (!folder.empty())
   {
-    vtkNew<vtkComputeContext> context; // its window draws off screen and needs no display
-    const std::string problem = context->Start() == vtkComputeContext::READY
-      ? smfigure::WriteFigure(MakeFigure(columns), folder, context->GetRenderWindow())
-      : context->GetReason();
+    const std::string problem = WriteTable(columns, folder + "/accuracy_over_time.csv");
     if (!problem.empty())
     {
       std::fprintf(stderr, "%s\n", problem.c_str());
@@ -429,7 +383,8 @@ void Add(CLI::App& app, int& status)
     "its bound and the interval allow, or nothing could be written");
   command->add_option("FILE", paths, "STEP files")->required();
   command->add_option("--certified", certified, "JSON of a certified set with the intervals of volumes");
-  command->add_option("--output", folder, "folder for the plot: accuracy_over_time.png, .svg and .csv");
+  command->add_option(
+    "--output", folder, "folder for accuracy_over_time.csv, which Examples/Paper/draw_figures.py draws");
   command->callback([&status]() { status = RunGuarded(paths, certified, folder); });
 }
 const smtest::BenchmarkEntry Entry(Add);

@@ -15,14 +15,13 @@ it that the program meets. With names of files only these rows run; with --print
 """
 import argparse
 import csv
-import json
 import os
 import re
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import check_equal, check_true, finish  # noqa: E402
+from smprogram import compute  # noqa: E402
 
 # The rows that the program does not meet.
 OPEN = {
@@ -31,13 +30,6 @@ OPEN = {
 }
 TOLERANCE = 1e-9
 EXITS = {"ok": 0, "unreadable": 2}
-
-
-def run(program, path, *more):
-    """Exit status and the JSON entry of the file."""
-    done = subprocess.run([program, "--quiet", "--backend", "cpu", *more, "--json", "-", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          encoding="utf-8", errors="replace", timeout=200, check=False)
-    return done.returncode, json.loads(done.stdout)["files"][0]
 
 
 def is_value(entry, expected):
@@ -112,7 +104,7 @@ def main():
     for name, rule, argument, issue in rows:
         if options.names and name not in options.names:
             continue
-        code, entry = run(options.program, os.path.join(options.cases, name), *(["--validate"] if rule == "validate" else []))
+        code, entry = compute(options.program, os.path.join(options.cases, name), *(["--validate"] if rule == "validate" else []))
         met[name] = is_met(rule, argument, code, entry)
         volume = entry["total"]["volume"]
         text = (f"issue {issue:3} {'met ' if met[name] else 'OPEN'} {name}: {rule} {argument} -> {code} {entry['status']} "

@@ -5,13 +5,12 @@ import json
 import math
 import os
 import shutil
-import struct
 import sys
-import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 import smprogram  # noqa: E402
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
+from smpicture import read_bytes  # noqa: E402
 
 parser = argparse.ArgumentParser()
 for option in ("--program", "--solids", "--output"):
@@ -120,33 +119,6 @@ def check_usage():
                result.stderr)
 
 
-def read_png(path):
-    """Width, height and the set of grey values of an 8-bit image without filters to undo but the five of PNG."""
-    with open(path, "rb") as file:
-        data = file.read()
-    width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
-    check_equal("8 bits of grey", (8, 0), (depth, kind))
-    packed = b""
-    at = 8
-    while at < len(data):
-        length, name = struct.unpack(">I4s", data[at:at + 8])
-        packed += data[at + 8:at + 8 + length] if name == b"IDAT" else b""
-        at += 12 + length
-    raw = zlib.decompress(packed)
-    rows = []
-    before = bytes(width)
-    for row in range(height):
-        filtering, line = raw[row * (width + 1)], bytearray(raw[row * (width + 1) + 1:(row + 1) * (width + 1)])
-        for i in range(width):
-            left, up, corner = (line[i - 1] if i else 0), before[i], (before[i - 1] if i else 0)
-            guess = left + up - corner
-            nearest = min((left, up, corner), key=lambda value: abs(guess - value))
-            line[i] = (line[i] + (0, left, up, (left + up) // 2, nearest)[filtering]) % 256
-        rows.append(bytes(line))
-        before = rows[-1]
-    return width, height, rows
-
-
 def check_textures():
     folder = os.path.join(options.output, "trim", "textures")
     shutil.rmtree(folder, ignore_errors=True)
@@ -160,13 +132,11 @@ def check_textures():
     check_equal("a picture of the cylinder for each file", 2, len(names))
     check_true("named after file and face", all(name.startswith("slanted_hole-moved-") and name.endswith(".png")
                                                 for name in names), str(names))
-    width, height, rows = read_png(os.path.join(folder, names[0]))
-    check_equal("texels", 4 * 64 * 16, width * height)
-    values = {value for row in rows for value in row}
-    check_equal("black and white", {0, 255}, values)
+    texels = read_bytes(os.path.join(folder, names[0]))
+    check_equal("one grey value a texel", (2, 4 * 64 * 16), (texels.ndim, texels.size))
+    check_equal("black and white", {0, 255}, set(texels.flat))
     # The hole's wall is less than its cylinder, which begins and ends beyond the block.
-    white = sum(row.count(255) for row in rows) / (width * height)
-    check("white", 0.5, white, 0.45)
+    check("white", 0.5, (texels == 255).mean(), 0.45)
 
 
 check_numbers()

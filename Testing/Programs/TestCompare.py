@@ -5,14 +5,13 @@ import json
 import math
 import os
 import shutil
-import struct
 import sys
-import zlib
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 import smprogram  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
+from smpicture import read_bytes  # noqa: E402
 from smproduct import Assembly, Part, write_product  # noqa: E402
 from polyhedra import make_prism  # noqa: E402
 
@@ -268,29 +267,6 @@ def solids():
     check_true("the axis of a cylinder is", 0.0 < body["rotation_angle"] <= 90.0 + 1e-9, str(body))
 
 
-def read_png(path):
-    """Rows of (red, green, blue), of 8 bits each."""
-    with open(path, "rb") as file:
-        data = file.read()
-    width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
-    check_equal("bits and colours", (8, 2), (depth, kind))
-    packed, at = b"", 8
-    while at < len(data):
-        size = struct.unpack(">I", data[at:at + 4])[0]
-        packed += data[at + 8:at + 8 + size] if data[at + 4:at + 8] == b"IDAT" else b""
-        at += size + 12
-    raw, rows, above = zlib.decompress(packed), [], bytes(3 * width)
-    for y in range(height):
-        method, row = raw[y * (3 * width + 1)], bytearray(raw[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)])
-        for i in range(3 * width):
-            left, up, corner = row[i - 3] if i >= 3 else 0, above[i], above[i - 3] if i >= 3 else 0
-            nearest = min((left, up, corner), key=lambda x, p=left + up - corner: abs(p - x))
-            row[i] = (row[i] + (0, left, up, (left + up) // 2, nearest)[method]) % 256
-        rows.append([tuple(row[i:i + 3]) for i in range(0, 3 * width, 3)])
-        above = row
-    return rows
-
-
 def check_chosen_picture():
     """Checks that without a comparison a picture has the products that --only chooses: it is that of a file without the others."""
     rail, post = Part("rail", [((0, 0, 0), (60, 10, 10))]), Part("post", [((0, 0, 20), (10, 10, 40))])
@@ -299,7 +275,7 @@ def check_chosen_picture():
         path = os.path.join(folder, "chosen.png")
         product = write("chosen", Assembly("frame", [(part, (0, 0, 0), None) for part in uses]))
         check_equal("exit status", 0, run("-q", *chosen, "--png", path, product).returncode)
-        pictures.append(read_png(path))
+        pictures.append(read_bytes(path).tobytes())
     check_true("one of two products is drawn as if it were alone", pictures[0] == pictures[1])
     check_true("both are drawn otherwise", pictures[0] != pictures[2])
     os.remove(path)
@@ -318,7 +294,7 @@ def picture():
         if os.path.exists(path):
             os.remove(path)
         compare(old, product, "--png", path, status=status, counts=counts)
-        pixels = [pixel for row in read_png(path) for pixel in row]
+        pixels = read_bytes(path).reshape(-1, 3).tolist()
         for state, fits in strong.items():
             share = sum(fits(*pixel) for pixel in pixels)
             check_true(f"pixels of what is {state}", (share > 200) == (state in counts), str(share))

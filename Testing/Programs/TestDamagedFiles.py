@@ -6,14 +6,13 @@ or that contradicts itself, is not ok.
 """
 import argparse
 import glob
-import json
 import os
 import re
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
+from smprogram import compute  # noqa: E402
 
 parser = argparse.ArgumentParser()
 for option in ("program", "output", "solids", "hostile"):
@@ -24,9 +23,7 @@ FLAGGED = {"suspect", "open"}
 
 def run(path, *more):
     """Exit status and the entry of the file; every file ends within a minute."""
-    done = subprocess.run([options.program, "--quiet", "--backend", "cpu", *more, "--json", "-", path], stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, universal_newlines=True, errors="replace", timeout=60, check=False)
-    return done.returncode, json.loads(done.stdout)["files"][0]
+    return compute(options.program, path, *more, timeout=60)
 
 
 def expect(name, path, statuses, words, volume=None):

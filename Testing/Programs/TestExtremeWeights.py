@@ -14,6 +14,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import check_equal, check_true, finish  # noqa: E402
+from smstepbody import Body, format_real  # noqa: E402
 
 parser = argparse.ArgumentParser()
 for option in ("--program", "--output"):
@@ -28,89 +29,38 @@ BUDGET = 2000000000
 # Faces as vertices, x + 2 y + 4 z, and normals; the top has none.
 FACES = (((0, 2, 3, 1), (0, 0, -1), (1, 0, 0)), ((4, 5, 7, 6), None, None), ((0, 1, 5, 4), (0, -1, 0), (1, 0, 0)),
          ((2, 6, 7, 3), (0, 1, 0), (1, 0, 0)), ((0, 4, 6, 2), (-1, 0, 0), (0, 1, 0)), ((1, 3, 7, 5), (1, 0, 0), (0, 1, 0)))
-CONTEXT = """#1=APPLICATION_CONTEXT('');
-#2=PRODUCT_CONTEXT('',#1,'mechanical');
-#3=PRODUCT('box','box','',(#2));
-#4=PRODUCT_DEFINITION_FORMATION('','',#3);
-#5=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');
-#6=PRODUCT_DEFINITION('design','',#4,#5);
-#7=PRODUCT_DEFINITION_SHAPE('','',#6);
-#8=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));
-#9=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));
-#10=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());
-#11=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-7),#8,'distance_accuracy_value','');
-#12=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#11))GLOBAL_UNIT_ASSIGNED_CONTEXT((#8,#9,#10))
-REPRESENTATION_CONTEXT('',''));"""
 
 
-class Writer:
-    """Entities of a STEP file."""
-
-    def __init__(self):
-        self.lines = [CONTEXT]
-        self.last = 12
-
-    def add(self, text):
-        self.last += 1
-        self.lines.append(f"#{self.last}={text};")
-        return self.last
-
-    def point(self, p):
-        return self.add("CARTESIAN_POINT('',(%s))" % numbers(p))
-
-    def direction(self, p):
-        return self.add("DIRECTION('',(%s))" % numbers(p))
-
-    def placement(self, at, z, x):
-        return self.add(f"AXIS2_PLACEMENT_3D('',#{self.point(at)},#{self.direction(z)},#{self.direction(x)})")
+def list_reals(values):
+    return "(" + ",".join(map(format_real, values)) + ")"
 
 
-def numbers(values):
-    return ",".join(f"{float(x):.17E}" for x in values)
-
-
-def references(ids):
-    return "(" + ",".join(f"#{i}" for i in ids) + ")"
-
-
-def add_surface(to, degree, weights):
-    net = [[to.point((SIZE[0] * i / degree, SIZE[1] * j / degree, SIZE[2])) for j in range(degree + 1)] for i in range(degree + 1)]
+def add_surface(body, degree, weights):
+    net = ["(" + ",".join(body.point((SIZE[0] * i / degree, SIZE[1] * j / degree, SIZE[2])) for j in range(degree + 1)) + ")"
+           for i in range(degree + 1)]
     knots = f"({degree + 1},{degree + 1}),({degree + 1},{degree + 1}),(0.,1.),(0.,1.),.UNSPECIFIED."
-    return to.add(f"(BOUNDED_SURFACE()B_SPLINE_SURFACE({degree},{degree},({','.join(references(row) for row in net)}),.UNSPECIFIED.,.F.,.F.,.F.)"
-                  f"B_SPLINE_SURFACE_WITH_KNOTS({knots})GEOMETRIC_REPRESENTATION_ITEM()"
-                  f"RATIONAL_B_SPLINE_SURFACE(({','.join('(' + numbers(row) + ')' for row in weights)}))REPRESENTATION_ITEM('')SURFACE())")
+    return body.add(f"(BOUNDED_SURFACE()B_SPLINE_SURFACE({degree},{degree},({','.join(net)}),.UNSPECIFIED.,.F.,.F.,.F.)"
+                    f"B_SPLINE_SURFACE_WITH_KNOTS({knots})GEOMETRIC_REPRESENTATION_ITEM()"
+                    f"RATIONAL_B_SPLINE_SURFACE(({','.join(map(list_reals, weights))}))REPRESENTATION_ITEM('')SURFACE())")
 
 
 def write_box(path, degree, weights):
-    to = Writer()
+    body = Body()
     corners = [tuple(SIZE[d] * (i >> d & 1) for d in range(3)) for i in range(8)]
-    vertices = [to.add(f"VERTEX_POINT('',#{to.point(p)})") for p in corners]
+    vertices = [body.vertex(p) for p in corners]
     edges = {}
     faces = []
     for loop, normal, x in FACES:
-        used = []
+        uses = []
         for a, b in zip(loop, loop[1:] + loop[:1]):
-            if (a, b) not in edges and (b, a) not in edges:
-                along = [q - p for p, q in zip(corners[a], corners[b])]
-                vector = to.add(f"VECTOR('',#{to.direction([c / math.hypot(*along) for c in along])},1.)")
-                line = to.add(f"LINE('',#{to.point(corners[a])},#{vector})")
-                edges[a, b] = to.add(f"EDGE_CURVE('',#{vertices[a]},#{vertices[b]},#{line},.T.)")
-            forward = (a, b) in edges
-            used.append(to.add(f"ORIENTED_EDGE('',*,*,#{edges[(a, b) if forward else (b, a)]},.{'T' if forward else 'F'}.)"))
-        ring = to.add(f"EDGE_LOOP('',{references(used)})")
-        bound = to.add(f"FACE_OUTER_BOUND('',#{ring},.T.)")
-        surface = (to.add(f"PLANE('',#{to.placement(corners[loop[0]], normal, x)})") if normal
-                   else add_surface(to, degree, weights))
-        faces.append(to.add(f"ADVANCED_FACE('',(#{bound}),#{surface},.T.)"))
-    shell = to.add(f"CLOSED_SHELL('',{references(faces)})")
-    solid = to.add(f"MANIFOLD_SOLID_BREP('box',#{shell})")
-    frame = to.placement((0, 0, 0), (0, 0, 1), (1, 0, 0))
-    shape = to.add(f"ADVANCED_BREP_SHAPE_REPRESENTATION('',(#{frame},#{solid}),#12)")
-    to.add(f"SHAPE_DEFINITION_REPRESENTATION(#7,#{shape})")
-    head = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n" \
-           "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n"
+            if (b, a) not in edges:
+                edges[a, b] = body.line_edge(vertices[a], vertices[b], corners[a], corners[b])
+            uses.append((edges.get((a, b)) or edges[b, a], (a, b) in edges))
+        surface = (body.add(f"PLANE('',{body.axes(corners[loop[0]], normal, x)})") if normal else add_surface(body, degree, weights))
+        faces.append(body.face([body.loop(uses)], surface))
+    body.product("box", body.shape([body.identity, body.solid(faces)]))
     with open(path, "w", encoding="ascii") as file:
-        file.write(head + "\n".join(to.lines) + "\nENDSEC;\nEND-ISO-10303-21;\n")
+        file.write(body.get_text())
 
 
 def check_box(name, degree, weight, limit=math.inf):

@@ -6,14 +6,14 @@ twice; its face has a seam or none, or is in two halves. CTest runs a part of th
 """
 import argparse
 import itertools
-import json
 import math
 import os
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import check, check_equal, finish  # noqa: E402
+from smprogram import compute  # noqa: E402
+from smstepbody import EMPTY, Body, format_real  # noqa: E402
 
 parser = argparse.ArgumentParser()
 for option in ("--program", "--output"):
@@ -28,85 +28,32 @@ TURN = 2.0 * math.pi
 DEGREE = math.pi / 180.0
 
 
-def real(value):
-    """Part 21 wants a point and a capital E."""
-    return repr(float(value)).upper()
-
-
-class Step:
-    """The text of a STEP file with one solid in mm. Every method returns the reference of what it added."""
+class Step(Body):
+    """A file with one solid. Edges with a minus before them are used backwards."""
 
     def __init__(self, degrees):
-        self.lines, self.angle = [], DEGREE if degrees else 1.0
-
-    def add(self, text):
-        self.lines.append(f"#{len(self.lines) + 1}={text};")
-        return f"#{len(self.lines)}"
-
-    def triple(self, name, values):
-        return self.add(f"{name}('',({','.join(map(real, values))}))")
-
-    def point(self, *values):
-        return self.triple("CARTESIAN_POINT", values)
-
-    def direction(self, *values):
-        return self.triple("DIRECTION", values)
-
-    def vertex(self, *values):
-        return self.add(f"VERTEX_POINT('',{self.point(*values)})")
-
-    def frame(self, origin, axis, x):
-        return self.add(f"AXIS2_PLACEMENT_3D('',{self.point(*origin)},{self.direction(*axis)},{self.direction(*x)})")
+        super().__init__(degrees=degrees)
+        self.angle = DEGREE if degrees else 1.0
 
     def line(self, start, along):
-        vector = self.add(f"VECTOR('',{self.direction(*along)},1.)")
-        return self.add(f"LINE('',{self.point(*start)},{vector})")
+        return self.add(f"LINE('',{self.point(start)},{self.add(f'VECTOR({EMPTY},{self.direction(along)},1.)')})")
 
     def edge(self, start, end, curve):
         return self.add(f"EDGE_CURVE('',{start},{end},{curve},.T.)")
 
     def loop(self, *uses):
-        """Edges with a minus before them are used backwards."""
-        oriented = [self.add(f"ORIENTED_EDGE('',*,*,{use.lstrip('-')},{'.F.' if use[0] == '-' else '.T.'})") for use in uses]
-        return self.add(f"EDGE_LOOP('',({','.join(oriented)}))")
+        return super().loop([(use.lstrip("-"), use[0] != "-") for use in uses])
 
     def face(self, surface, *loops, sense=True):
-        bounds = [self.add(f"FACE_BOUND('',{loop},.T.)") for loop in loops]
-        return self.add(f"ADVANCED_FACE('',({','.join(bounds)}),{surface},{'.T.' if sense else '.F.'})")
+        return super().face(loops, surface, sense)
 
     def plane(self, origin, axis, x):
-        return self.add(f"PLANE('',{self.frame(origin, axis, x)})")
+        return self.add(f"PLANE('',{self.axes(origin, axis, x)})")
 
     def trimmed(self, curve, start, end, sense=True):
         """A trim by parameters in the unit of the file."""
-        return self.add(f"TRIMMED_CURVE('',{curve},(PARAMETER_VALUE({real(start / self.angle)})),(PARAMETER_VALUE({real(end / self.angle)})),"
-                        f"{'.T.' if sense else '.F.'},.PARAMETER.)")
-
-    def write(self, path, faces):
-        shell = self.add(f"CLOSED_SHELL('',({','.join(faces)}))")
-        solid = self.add(f"MANIFOLD_SOLID_BREP('',{shell})")
-        length = self.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))")
-        angle = self.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))")
-        if self.angle != 1.0:
-            measure = self.add(f"PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE({real(self.angle)}),{angle})")
-            exponents = self.add("DIMENSIONAL_EXPONENTS(0.,0.,0.,0.,0.,0.,0.)")
-            angle = self.add(f"(CONVERSION_BASED_UNIT('DEGREE',{measure})NAMED_UNIT({exponents})PLANE_ANGLE_UNIT())")
-        solid_angle = self.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())")
-        accuracy = self.add(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-7),{length},'distance_accuracy_value','')")
-        context = self.add(f"(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({accuracy}))"
-                           f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid_angle}))REPRESENTATION_CONTEXT('',''))")
-        shape = self.add(f"ADVANCED_BREP_SHAPE_REPRESENTATION('',({solid}),{context})")
-        application = self.add("APPLICATION_CONTEXT('')")
-        product = self.add(f"PRODUCT('part','part','',({self.add(f'''PRODUCT_CONTEXT('',{application},'mechanical')''')}))")
-        formation = self.add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
-        design = self.add(f"PRODUCT_DEFINITION_CONTEXT('',{application},'design')")
-        definition = self.add(f"PRODUCT_DEFINITION('','',{formation},{design})")
-        defined = self.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
-        self.add(f"SHAPE_DEFINITION_REPRESENTATION({defined},{shape})")
-        with open(path, "w", encoding="ascii") as file:
-            file.write("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','2026-01-01T00:00:00',(''),(''),'','','');\n"
-                       "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n" + "\n".join(self.lines) +
-                       "\nENDSEC;\nEND-ISO-10303-21;\n")
+        ends = ",".join(f"(PARAMETER_VALUE({format_real(parameter / self.angle)}))" for parameter in (start, end))
+        return self.add(f"TRIMMED_CURVE('',{curve},{ends},{'.T.' if sense else '.F.'},.PARAMETER.)")
 
 
 class Conic:
@@ -119,8 +66,8 @@ class Conic:
         return (self.a * math.cos(t), self.b * math.sin(t), z)
 
     def add(self, step, z):
-        frame = step.frame((0, 0, z), (0, 0, 1), (1, 0, 0))
-        return step.add(f"CIRCLE('',{frame},{real(self.a)})" if self.a == self.b else f"ELLIPSE('',{frame},{real(self.a)},{real(self.b)})")
+        frame = step.axes((0, 0, z), (0, 0, 1), (1, 0, 0))
+        return step.add(f"CIRCLE('',{frame},{format_real(self.a)})" if self.a == self.b else f"ELLIPSE('',{frame},{format_real(self.a)},{format_real(self.b)})")
 
 
 # What is trimmed, and the sense of the sweep's profile.
@@ -143,11 +90,11 @@ def make_prism(step, profile, start, topology):
     conic, trims, sense = PROFILES[profile]
     is_hole = topology.startswith("hole")
     at = 2.2 if topology.endswith("aside") else 0.0
-    vector = step.add(f"VECTOR('',{step.direction(0, 0, 1)},1.)")
+    vector = step.add(f"VECTOR('',{step.direction((0, 0, 1))},1.)")
     surface = step.add(f"SURFACE_OF_LINEAR_EXTRUSION('',{add_profile(step, conic.add(step, 0.0), start, trims, sense)},{vector})")
     curves = [conic.add(step, z) for z in (0.0, HEIGHT)]
     angles = (at, at + 0.5 * TURN) if topology == "halves" else (at,)
-    vertices = [[step.vertex(*conic.point(t, z)) for t in angles] for z in (0.0, HEIGHT)]
+    vertices = [[step.vertex(conic.point(t, z)) for t in angles] for z in (0.0, HEIGHT)]
     count = len(angles)
     rims = [[step.edge(vertices[k][i], vertices[k][(i + 1) % count], curves[k]) for i in range(count)] for k in range(2)]
     has_seam = topology not in ("bounds", "hole_bounds")
@@ -171,7 +118,7 @@ def make_prism(step, profile, start, topology):
     if not is_hole:
         return sides + [step.face(plane, step.loop(*uses)) for plane, uses in zip(planes, ends)], math.pi * conic.a * conic.b * HEIGHT
     corners = [(x * PLATE[0] / 2, y * PLATE[1] / 2) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-    points = [[step.vertex(*corner, z) for corner in corners] for z in (0.0, HEIGHT)]
+    points = [[step.vertex((*corner, z)) for corner in corners] for z in (0.0, HEIGHT)]
     upright = [step.edge(points[0][i], points[1][i], step.line((*corners[i], 0.0), (0, 0, 1))) for i in range(4)]
     around = []
     for k, z in enumerate((0.0, HEIGHT)):
@@ -193,9 +140,9 @@ def make_ring(step, profile, start, topology):
     """A ring: the conic at distance 5 from the axis of revolution; the volume."""
     conic, trims, sense = PROFILES[profile]
     major = 5.0
-    frame = step.frame((major, 0, 0), (0, -1, 0), (1, 0, 0))
-    name = f"CIRCLE('',{frame},{real(conic.a)})" if conic.a == conic.b else f"ELLIPSE('',{frame},{real(conic.a)},{real(conic.b)})"
-    axis = step.add(f"AXIS1_PLACEMENT('',{step.point(0, 0, 0)},{step.direction(0, 0, 1)})")
+    frame = step.axes((major, 0, 0), (0, -1, 0), (1, 0, 0))
+    name = f"CIRCLE('',{frame},{format_real(conic.a)})" if conic.a == conic.b else f"ELLIPSE('',{frame},{format_real(conic.a)},{format_real(conic.b)})"
+    axis = step.add(f"AXIS1_PLACEMENT('',{step.point((0, 0, 0))},{step.direction((0, 0, 1))})")
     surface = step.add(f"SURFACE_OF_REVOLUTION('',{add_profile(step, step.add(name), start, trims, sense)},{axis})")
 
     def point(t, angle):
@@ -203,25 +150,25 @@ def make_ring(step, profile, start, topology):
         return (radius * math.cos(angle), radius * math.sin(angle), conic.b * math.sin(t))
 
     def circle(t):
-        return step.add(f"CIRCLE('',{step.frame((0, 0, conic.b * math.sin(t)), (0, 0, 1), (1, 0, 0))},{real(major + conic.a * math.cos(t))})")
+        return step.add(f"CIRCLE('',{step.axes((0, 0, conic.b * math.sin(t)), (0, 0, 1), (1, 0, 0))},{format_real(major + conic.a * math.cos(t))})")
 
     def section(angle):
-        at = step.frame((major * math.cos(angle), major * math.sin(angle), 0), (math.sin(angle), -math.cos(angle), 0), (math.cos(angle), math.sin(angle), 0))
-        return step.add(f"CIRCLE('',{at},{real(conic.a)})" if conic.a == conic.b else f"ELLIPSE('',{at},{real(conic.a)},{real(conic.b)})")
+        at = step.axes((major * math.cos(angle), major * math.sin(angle), 0), (math.sin(angle), -math.cos(angle), 0), (math.cos(angle), math.sin(angle), 0))
+        return step.add(f"CIRCLE('',{at},{format_real(conic.a)})" if conic.a == conic.b else f"ELLIPSE('',{at},{format_real(conic.a)},{format_real(conic.b)})")
 
     volume = TURN * major * math.pi * conic.a * conic.b
     at = 2.2 if topology.endswith("aside") else 0.0
-    vertex = step.vertex(*point(at, 0.0))
+    vertex = step.vertex(point(at, 0.0))
     if topology == "rings":
         # Two circles divide it into an upper and a lower half.
-        vertices = [vertex, step.vertex(*point(0.5 * TURN, 0.0))]
+        vertices = [vertex, step.vertex(point(0.5 * TURN, 0.0))]
         circles = [step.edge(v, v, circle(t)) for v, t in zip(vertices, (0.0, 0.5 * TURN))]
         faces = [step.face(surface, step.loop(circles[0]), step.loop("-" + circles[1]), sense=sense),
                  step.face(surface, step.loop("-" + circles[0]), step.loop(circles[1]), sense=sense)]
         return faces, volume
     if topology == "sections":
         # Two sections divide it into a front and a back half.
-        vertices = [vertex, step.vertex(*point(0.0, 0.5 * TURN))]
+        vertices = [vertex, step.vertex(point(0.0, 0.5 * TURN))]
         sections = [step.edge(v, v, section(angle)) for v, angle in zip(vertices, (0.0, 0.5 * TURN))]
         faces = [step.face(surface, step.loop("-" + sections[0]), step.loop(sections[1]), sense=sense),
                  step.face(surface, step.loop(sections[0]), step.loop("-" + sections[1]), sense=sense)]
@@ -229,12 +176,6 @@ def make_ring(step, profile, start, topology):
     around = step.edge(vertex, vertex, circle(at))
     across = step.edge(vertex, vertex, section(0.0))
     return [step.face(surface, step.loop(around, across, "-" + around, "-" + across), sense=sense)], volume
-
-
-def run(path):
-    done = subprocess.run([options.program, "--quiet", "--backend", "cpu", "--json", "-", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          encoding="utf-8", timeout=100, check=False)
-    return done.returncode, json.loads(done.stdout)["files"][0]
 
 
 folder = os.path.join(options.output, "swept")
@@ -249,8 +190,10 @@ for number, (profile, start, topology, degrees) in enumerate(itertools.product(P
     text = Step(degrees)
     solid, expected = TOPOLOGIES[topology](text, profile, start, topology)
     file_name = os.path.join(folder, title + ".step")
-    text.write(file_name, solid)
-    status, entry = run(file_name)
+    text.product("part", text.shape([text.identity, text.solid(solid)]))
+    with open(file_name, "w", encoding="ascii") as file:
+        file.write(text.get_text())
+    status, entry = compute(options.program, file_name)
     check_equal(title, (0, "ok", []), (status, entry["status"], entry["messages"]))
     check(title, expected, entry["total"]["volume"], (entry["total"]["bounds"]["volume"] or 0.0) + 1e-13 * expected)
 finish()

@@ -20,3 +20,10 @@ def run_json(program, *arguments, status=0):
     check_equal("exit status", status, result.returncode)
     check_true("JSON", result.stdout.startswith("{"), result.stderr)
     return json.loads(result.stdout)["files"][0]
+
+
+def compute(program, path, *more, timeout=200):
+    """Runs the program quietly on the CPU. Returns the exit status and the entry of the file in its JSON."""
+    done = subprocess.run([program, "--quiet", "--backend", "cpu", *more, "--json", "-", path], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, encoding="utf-8", errors="replace", timeout=timeout, check=False)
+    return done.returncode, json.loads(done.stdout)["files"][0]

@@ -31,6 +31,16 @@ inline Counts& GetCounts()
   return counts;
 }
 
+/// Ends the program with an error and its usage unless its arguments are right.
+inline void RequireUsage(bool isRight, const char* usage)
+{
+  if (!isRight)
+  {
+    std::fprintf(stderr, "usage: %s\n", usage);
+    std::exit(EXIT_FAILURE);
+  }
+}
+
 inline bool Record(bool passed)
 {
   ++GetCounts().Checks;

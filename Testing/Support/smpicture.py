@@ -2,8 +2,7 @@
 import os
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from matplotlib.image import imread
 
 from smcheck import check_true
 
@@ -12,7 +11,8 @@ LIMIT = 3e-4
 
 
 def to_colors(image):
-    """Rows of pixels of red, green, blue."""
+    """Rows of pixels of red, green, blue of a vtkImageData, from the bottom."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: PLC0415
     width, height, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3].astype(int)
 
@@ -21,13 +21,16 @@ def read_picture(path):
     """Returns the pixels of a PNG file as to_colors(), or None when there is no such file."""
     if not os.path.exists(path):
         return None
-    reader = vtkPNGReader()
-    reader.SetFileName(path)
-    reader.Update()
-    return to_colors(reader.GetOutput())
+    return read_bytes(path)[::-1, :, :3].astype(int)
+
+
+def read_bytes(path):
+    """The 8-bit values of a PNG file, rows from the top: of grey, or of red, green and blue, and opacity if there is one."""
+    return (255.0 * imread(path)).round().astype(numpy.uint8)
 
 
 def write_picture(image, path):
+    from vtkmodules.vtkIOImage import vtkPNGWriter  # noqa: PLC0415
     writer = vtkPNGWriter()
     writer.SetInputData(image)
     writer.SetFileName(path)

@@ -72,16 +72,9 @@ class Writer(Part21):
             self._add_validation(part, definition, context)
         return definition, shape, origin, context
 
-    def _add_product(self, name, application, shape):
+    def _add_product(self, name, application, shape, identifier=None):
         """A product of its own, also next to one with the same name."""
-        context = self.add(f"PRODUCT_CONTEXT('',{application},'mechanical')")
-        product = self.add(f"PRODUCT('{len(self.done) + 1}','{name}','',({context}))")
-        formation = self.add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
-        design = self.add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')")
-        definition = self.add(f"PRODUCT_DEFINITION('design','',{formation},{design})")
-        described = self.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
-        self.add(f"SHAPE_DEFINITION_REPRESENTATION({described},{shape})")
-        return definition
+        return super()._add_product(name, application, shape, identifier or len(self.done) + 1)
 
     def _add_density(self, part, definition, context):
         _, mass, length = DENSITY_UNITS[part.density_unit]

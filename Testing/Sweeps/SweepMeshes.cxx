@@ -9,13 +9,10 @@
 //     --alone          without OpenCASCADE
 //     --repeat N       meshes each body N times and counts the smallest seconds
 //     --quick          the same without measures: only seconds, triangles and the bits of the mesh
-//     --picture FILE.png ID,ID...   draws these faces of the next file, OpenCASCADE's triangles on the left,
-//     ours on the right
-//     --tile N         pixels along a side of its tiles, 700 by default
+//     --triangles FILE.csv   writes the triangles of both, which MeshPictures.py draws
 //     --verbose        says so of every face
 #include "smKernelMesh.h"
 #include "smMeshMeasures.h"
-#include "smMeshPicture.h"
 #include "smOCCTBody.h"
 #include "smOCCTBounds.h"
 #include "smOCCTDocument.h"
@@ -33,10 +30,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <fstream>
 #include <map>
 #include <memory>
-#include <set>
-#include <sstream>
 #include <unordered_map>
 
 namespace
@@ -49,10 +45,22 @@ int Repeats = 1;
 bool Alone = false;
 bool Quick = false;
 bool Verbose = false;
-std::string Picture;
-std::set<int> PictureIds;
-int Tile = 700;
-std::map<std::string, smtest::MeshSheet> Sheets;
+std::ofstream TriangleFile;
+
+void WriteTriangles(const sm::Face& face, bool isOurs, const sm::FaceMesh& mesh)
+{
+  sm::NURBSSurface::Walker walker(face.Surface);
+  for (const auto& triangle : mesh.Triangles)
+  {
+    TriangleFile << face.FileId << ',' << isOurs << ',' << smtest::IsInverted(face, walker, mesh, triangle);
+    for (const int corner : triangle)
+    {
+      const sm::Vector3& p = mesh.Points[corner];
+      TriangleFile << ',' << p[0] << ',' << p[1] << ',' << p[2];
+    }
+    TriangleFile << '\n';
+  }
+}
 
 double GetSeconds()
 {
@@ -292,9 +300,10 @@ protected:
       for (std::size_t f = 0; f < faces.size(); ++f)
       {
         All.Unexplained += ours[f].Triangles.empty() && ours[f].Reason.empty() ? 1 : 0;
-        if (PictureIds.count(faces[f]->FileId) > 0)
+        if (TriangleFile.is_open())
         {
-          Sheets.emplace(Picture, Tile).first->second.Add(*faces[f], { &theirs[f], &ours[f] });
+          WriteTriangles(*faces[f], false, theirs[f]);
+          WriteTriangles(*faces[f], true, ours[f]);
         }
         ReportInverted(*faces[f], ours[f], theirs[f]);
         if (!Verbose)
@@ -386,19 +395,10 @@ int main(int argc, char* argv[])
       vtkSMPTools::Initialize(Threads);
       continue;
     }
-    if (std::strcmp(argv[i], "--tile") == 0 && i + 1 < argc)
+    if (std::strcmp(argv[i], "--triangles") == 0 && i + 1 < argc)
     {
-      Tile = std::max(std::atoi(argv[++i]), 16);
-      continue;
-    }
-    if (std::strcmp(argv[i], "--picture") == 0 && i + 2 < argc)
-    {
-      Picture = argv[++i];
-      std::istringstream ids(argv[++i]);
-      for (std::string id; std::getline(ids, id, ',');)
-      {
-        PictureIds.insert(std::atoi(id.c_str()));
-      }
+      TriangleFile.open(argv[++i]);
+      TriangleFile << "face,ours,inverted,x0,y0,z0,x1,y1,z1,x2,y2,z2\n";
       continue;
     }
     bool* const flag = std::strcmp(argv[i], "--verbose") == 0 ? &Verbose
@@ -422,15 +422,6 @@ int main(int argc, char* argv[])
       All.Mesh[0].Triangles - before.Mesh[0].Triangles, All.Mesh[1].Triangles - before.Mesh[1].Triangles,
       All.Seconds[0] - before.Seconds[0], All.Seconds[1] - before.Seconds[1]);
     std::fflush(stdout);
-    PictureIds.clear();
-  }
-  for (const auto& [name, sheet] : Sheets)
-  {
-    if (!sheet.Write(name))
-    {
-      std::fprintf(stderr, "%s cannot be written.\n", name.c_str());
-      return 1;
-    }
   }
   std::printf("bits %016llx\n", static_cast<unsigned long long>(Bits));
   const char* names[2] = { "ours", "OpenCASCADE" };

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <new>
 #include <unordered_map>
-#include <utility>
 
 namespace sm
 {

@@ -7,7 +7,6 @@
 #include "vtkTimerLog.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 

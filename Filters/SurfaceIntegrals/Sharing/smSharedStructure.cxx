@@ -8,7 +8,6 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
 
-#include <cstddef>
 #include <new>
 #include <string>
 

@@ -2,6 +2,7 @@
 // their derivatives, against sums in extended precision.
 #include "smBernstein.h"
 #include "smBernsteinNet.h"
+#include "smReferenceBernstein.h"
 #include "smTesting.h"
 
 #include <cmath>
@@ -13,16 +14,6 @@ using namespace smtest;
 
 /// Roundings of 2 x 25 steps, each a few units in the last place of the largest coefficient, which is 1.
 constexpr double Limit = 1e-13;
-
-long double GetBasis(int degree, int i, long double x)
-{
-  long double value = 1.0L;
-  for (int k = 1; k <= i; ++k)
-  {
-    value = value * (degree - i + k) / k;
-  }
-  return value * std::pow(x, i) * std::pow(1.0L - x, degree - i);
-}
 
 double GetNumber(std::mt19937& random)
 {
@@ -48,7 +39,7 @@ void CheckBasis()
       sm::EvaluateBasis(x, degree, values[1]);
       for (int i = 0; i <= degree; ++i)
       {
-        const auto expected = static_cast<double>(GetBasis(degree, i, x));
+        const auto expected = static_cast<double>(Bernstein<long double>(degree, i, x));
         worst = std::max({ worst, std::abs(values[0][i] - expected), std::abs(values[1][i] - expected) });
       }
     }
@@ -63,7 +54,7 @@ long double Sum(const std::array<double, Dimension>* b, int degree, int stride, 
   long double sum = 0.0L;
   for (int i = 0; i <= degree; ++i)
   {
-    sum += GetBasis(degree, i, x) * b[i * stride][c];
+    sum += Bernstein<long double>(degree, i, x) * b[i * stride][c];
   }
   return sum;
 }
@@ -115,7 +106,7 @@ long double Sum(const sm::BernsteinNet& net, std::size_t c, long double s, long 
   long double sum = 0.0L;
   for (int j = 0; j <= net.Q; ++j)
   {
-    sum += GetBasis(net.Q, j, r) * Sum(&net.At(0, j), net.P, 1, c, s);
+    sum += Bernstein(net.Q, j, r) * Sum(&net.At(0, j), net.P, 1, c, s);
   }
   return sum;
 }

@@ -3,8 +3,6 @@
 #include "smBuoyancySums.h"
 #include "smTestManifest.h"
 
-#include <cstdio>
-
 namespace
 {
 using namespace smtest;
@@ -49,11 +47,7 @@ void CheckSums(const Manifest& manifest)
 
 int TestBuoyancySums(int argc, char* argv[])
 {
-  if (argc != 3)
-  {
-    std::fprintf(stderr, "usage: TestBuoyancySums FOLDER BACKEND\n");
-    return 1;
-  }
+  RequireUsage(argc == 3, "TestBuoyancySums FOLDER BACKEND");
   SetBackend(argv[2]);
   CheckSums(Manifest(argv[1]));
   return Finish();

@@ -6,7 +6,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <functional>
-#include <new>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>

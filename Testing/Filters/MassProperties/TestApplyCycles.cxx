@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <memory>
 
 namespace
@@ -253,11 +252,7 @@ private:
 int TestApplyCycles(int argc, char* argv[])
 {
   const int count = argc == 5 ? std::atoi(argv[4]) : 0;
-  if (count < 2)
-  {
-    std::fprintf(stderr, "usage: TestApplyCycles edit|open|window own|shared FOLDER CYCLES (2 or more)\n");
-    return 1;
-  }
+  RequireUsage(count >= 2, "TestApplyCycles edit|open|window own|shared FOLDER CYCLES (2 or more)");
   const Expected part = Manifest(argv[3]).GetSolid("slanted_hole", "moved")[0];
   const Growth limits = GetLimits(argv[1], part, count);
   Cycles cycles(argv[1], std::string(argv[2]) == "shared", part);

@@ -13,9 +13,7 @@
 #include <vtkStringOutputWindow.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <memory>
 
 namespace
@@ -229,11 +227,7 @@ int Exit(const Expected& part, bool inRender)
 
 int TestClosingOrders(int argc, char* argv[])
 {
-  if (argc != 3)
-  {
-    std::fprintf(stderr, "usage: TestClosingOrders own|shared|windows|contexts|exit|exit-in-render FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 3, "TestClosingOrders own|shared|windows|contexts|exit|exit-in-render FOLDER");
   const std::string mode = argv[1];
   const Expected part = Manifest(argv[2]).GetSolid("slanted_hole", "moved")[0];
   if (mode == "exit" || mode == "exit-in-render")

@@ -5,8 +5,6 @@
 
 #include <vtkSurfaceIntegralGPU.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <functional>
 
 namespace
@@ -119,11 +117,7 @@ void CheckMoments(const char* folder, const std::string& solid, int backend, con
 
 int TestHighMoments(int argc, char* argv[])
 {
-  if (argc != 3)
-  {
-    std::fprintf(stderr, "usage: TestHighMoments FOLDER opengl|cpu\n");
-    return 1;
-  }
+  RequireUsage(argc == 3, "TestHighMoments FOLDER opengl|cpu");
   const int backend =
     std::string(argv[2]) == "cpu" ? vtkSurfaceIntegralGPU::CPU : vtkSurfaceIntegralGPU::OPENGL;
   CheckMoments(argv[1], "box", backend, Box(30, 20, 10));

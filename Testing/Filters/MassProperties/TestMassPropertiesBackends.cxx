@@ -11,7 +11,6 @@
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 
-#include <algorithm>
 #include <cstdio>
 
 namespace
@@ -177,11 +176,7 @@ void CheckBudgetAndAbort(const std::string& ring)
 
 int TestMassPropertiesBackends(int argc, char* argv[])
 {
-  if (argc < 3)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesBackends FOLDER solids|device|options\n");
-    return 1;
-  }
+  RequireUsage(argc >= 3, "TestMassPropertiesBackends FOLDER solids|device|options");
   vtkSMPTools::SetBackend("STDThread");
   const std::string folder = argv[1];
   const std::string mode = argv[2];

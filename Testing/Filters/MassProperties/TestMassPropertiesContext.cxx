@@ -201,11 +201,7 @@ void CheckNone(const Expected& part)
 
 int TestMassPropertiesContext(int argc, char* argv[])
 {
-  if (argc != 3)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesContext x|egl|none FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 3, "TestMassPropertiesContext x|egl|none FOLDER");
   const std::string mode = argv[1];
   const Manifest manifest(argv[2]);
   const Expected part = manifest.GetSolid("slanted_hole", "moved")[0];

@@ -159,11 +159,7 @@ void CheckTorus(double h, double turn)
 
 int TestMassPropertiesCuts(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesCuts FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 2, "TestMassPropertiesCuts FOLDER");
   Folder = argv[1];
   double turn = 0.3;
   for (const double h : { 0.0, 1.3, -2.2, 2.99 })

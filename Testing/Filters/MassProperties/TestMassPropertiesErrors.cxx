@@ -123,11 +123,7 @@ void CheckRecovers(const std::string& good, const std::string& bad)
 
 int TestMassPropertiesErrors(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesErrors FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 2, "TestMassPropertiesErrors FOLDER");
   const std::string folder = argv[1];
   const Manifest manifest(folder);
   CheckRefused(folder + "/there_is_no_such_file.step", names::StatusUnreadable);

@@ -15,11 +15,7 @@
 
 int TestMassPropertiesImage(int argc, char* argv[])
 {
-  if (argc < 6)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesImage FILE.step -T FOLDER -V BASELINE.png\n");
-    return 1;
-  }
+  smtest::RequireUsage(argc >= 6, "TestMassPropertiesImage FILE.step -T FOLDER -V BASELINE.png");
   smtest::Pipeline pipeline(argv[1], smtest::DisplayMesh::Fine);
   pipeline.Mass->SetGlyphScale(0.05);
   vtkNew<vtkRenderWindow> window;

@@ -15,8 +15,6 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <cstdio>
-
 namespace
 {
 using namespace smtest;
@@ -100,11 +98,7 @@ long long CountGreen(const std::vector<unsigned char>& pixels)
 
 int TestMassPropertiesInRender(int argc, char* argv[])
 {
-  if (argc != 3)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesInRender own|shared FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 3, "TestMassPropertiesInRender own|shared FOLDER");
   const bool shared = std::string(argv[1]) == "shared";
   const Expected part = Manifest(argv[2]).GetSolid("slanted_hole", "moved")[0];
 

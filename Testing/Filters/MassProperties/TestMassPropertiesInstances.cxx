@@ -180,11 +180,7 @@ void CheckPlacement(const Manifest& manifest, bool mirrored)
 
 int TestMassPropertiesInstances(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesInstances FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 2, "TestMassPropertiesInstances FOLDER");
   const Manifest manifest(argv[1]);
   CheckAssembly(manifest);
   CheckTwoSolids(manifest);

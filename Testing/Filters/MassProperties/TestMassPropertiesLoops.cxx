@@ -155,11 +155,7 @@ void CheckRound()
 
 int TestMassPropertiesLoops(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesLoops FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 2, "TestMassPropertiesLoops FOLDER");
   Folder = argv[1];
   CheckPolygons();
   CheckCone();

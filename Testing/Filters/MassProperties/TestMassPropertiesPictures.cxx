@@ -210,13 +210,8 @@ int TestMassPropertiesPictures(int argc, char* argv[])
 {
   Scene scene;
   const SceneChange spoil = argc == 7 ? Fill(argv[1], { argv[2], argv[3], argv[4] }, scene) : SceneChange();
-  if (!spoil)
-  {
-    std::fprintf(stderr,
-      "usage: TestMassPropertiesPictures parts|assembly|axes|flagged|colors SOLIDS PARTS MODELS OUTPUT "
-      "BASELINES\n");
-    return 1;
-  }
+  smtest::RequireUsage(spoil != nullptr,
+    "TestMassPropertiesPictures parts|assembly|axes|flagged|colors SOLIDS PARTS MODELS OUTPUT BASELINES");
   const std::string mode = argv[1];
   const std::string name = "/TestMassPropertiesPictures_" + mode;
   const vtkSmartPointer<vtkImageData> baseline = smtest::ReadPicture(argv[6] + name + ".png");

@@ -263,11 +263,7 @@ void CheckStatusLines()
 
 int TestMassPropertiesRuns(int argc, char* argv[])
 {
-  if (argc < 3)
-  {
-    std::printf("usage: TestMassPropertiesRuns FOLDER OUTPUT\n");
-    return EXIT_FAILURE;
-  }
+  RequireUsage(argc >= 3, "TestMassPropertiesRuns FOLDER OUTPUT");
   const std::string folder = argv[1];
   CheckStaleValues(folder + "/box-plain.step");
   CheckBudgetAndAbort(folder + "/spline_ring-plain.step", argv[2]);

@@ -17,7 +17,6 @@
 #include <vtkTable.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -37,18 +36,6 @@ vtkSmartPointer<vtkDataObject> ReadLeaf(const Expected& expected)
 vtkPartitionedDataSetCollection* GetBodies(vtkAlgorithm* filter)
 {
   return vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(5));
-}
-
-bool HasMessage(vtkMassPropertiesGPU* mass, const std::string& part)
-{
-  for (int i = 0; i < mass->GetNumberOfMessages(); ++i)
-  {
-    if (mass->GetMessage(i).find(part) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// The volume of what the selectors choose; only warnings are expected.
@@ -146,7 +133,7 @@ void CheckSelectors(const Manifest& manifest)
   CheckChoice(mass, "Assembly", { "//Box", "//Right" }, sum, 2);
   CheckEqual("messages", 0, mass->GetNumberOfMessages());
   CheckChoice(mass, "Assembly", { "//Box", "//Bolt" }, box.Volume, 1);
-  CheckTrue("a selector that names nothing is reported", HasMessage(mass, "//Bolt"));
+  CheckTrue("a selector that names nothing is reported", Says(mass, "//Bolt"));
   CheckEqual("and harms nothing", names::StatusOk, mass->GetStatus());
   CheckEqual("errors and warnings so far", 0, trap.NumberOfErrors + trap.NumberOfWarnings);
 
@@ -155,7 +142,7 @@ void CheckSelectors(const Manifest& manifest)
   mass->Update(5);
   CheckEqual("nothing chosen: status", names::StatusEmpty, mass->GetStatus());
   CheckTrue("nothing chosen: no volume, not 0", std::isnan(mass->GetVolume()));
-  CheckTrue("nothing chosen: said", HasMessage(mass, "no solid is chosen"));
+  CheckTrue("nothing chosen: said", Says(mass, "no solid is chosen"));
   CheckEqual("nothing chosen: meshes", 0, GetBodies(mass)->GetNumberOfPartitionedDataSets());
   CheckEqual("nothing chosen: no error", 0, trap.NumberOfErrors);
 
@@ -180,7 +167,7 @@ void CheckSelectors(const Manifest& manifest)
   assembly->RemoveNode(again);
   mass->SetAssemblyName("Elsewhere");
   mass->Update(5);
-  CheckTrue("an unknown assembly is reported", HasMessage(mass, "no assembly \"Elsewhere\""));
+  CheckTrue("an unknown assembly is reported", Says(mass, "no assembly \"Elsewhere\""));
   CheckEqual("an unknown assembly: status", names::StatusEmpty, mass->GetStatus());
 
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -343,8 +330,8 @@ void CheckMissingParts(const Manifest& manifest)
   mass->SetInputDataObject(input);
   mass->Update();
   CheckEqual("missing: status", names::StatusSuspect, mass->GetStatus());
-  CheckTrue("missing: it is named", HasMessage(mass, "left out: lid"));
-  CheckTrue("missing: an empty block is not", !HasMessage(mass, "nothing"));
+  CheckTrue("missing: it is named", Says(mass, "left out: lid"));
+  CheckTrue("missing: an empty block is not", !Says(mass, "nothing"));
   Check("missing: the volume of the others", expected.Volume, mass->GetVolume(), 1e-9 * expected.Volume);
   const std::string text =
     GetFieldText(vtkTable::SafeDownCast(mass->GetOutputDataObject(2))->GetRowData(), names::Text);
@@ -359,11 +346,7 @@ void CheckMissingParts(const Manifest& manifest)
 
 int TestMassPropertiesSelection(int argc, char* argv[])
 {
-  if (argc < 2)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesSelection FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc >= 2, "TestMassPropertiesSelection FOLDER");
   const Manifest manifest(argv[1]);
   CheckPartsList(Manifest(argv[1]));
   CheckSelectors(manifest);

@@ -173,11 +173,7 @@ void CheckCurved(const std::string& path, double volume)
 
 int TestMassPropertiesShells(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesShells FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 2, "TestMassPropertiesShells FOLDER");
   const BoxShell outer{ { 0, 0, 0 }, { 10, 12, 14 } };
   const BoxShell middle{ { 1, 1, 1 }, { 9, 10, 12 }, false };
   const BoxShell lump{ { 2, 3, 4 }, { 6, 7, 8 } };

@@ -304,11 +304,7 @@ int CheckVariant(const Expected& expected, Pipeline& pipeline)
 
 int TestMassPropertiesValues(int argc, char* argv[])
 {
-  if (argc != 3 && argc != 4)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesValues FOLDER SOLID [VARIANT]\n");
-    return 1;
-  }
+  RequireUsage(argc == 3 || argc == 4, "TestMassPropertiesValues FOLDER SOLID [VARIANT]");
   const Manifest manifest(argv[1]);
   int unmet = 0;
   Pipeline pipeline("");

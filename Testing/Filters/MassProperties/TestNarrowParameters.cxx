@@ -11,9 +11,7 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace

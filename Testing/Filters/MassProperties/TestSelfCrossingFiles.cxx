@@ -305,11 +305,7 @@ void WritePocket(const std::string& name, double bottom)
 
 int TestSelfCrossingFiles(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::fprintf(stderr, "usage: TestSelfCrossingFiles FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 2, "TestSelfCrossingFiles FOLDER");
   Folder = argv[1];
   const std::string loops = "a loop covers part of the surface more than once or from outside";
   // In the second one a curve leaves (10,0) below the other one, and crosses it. Areas: the integral of x dy

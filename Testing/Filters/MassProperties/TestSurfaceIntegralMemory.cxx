@@ -13,7 +13,6 @@
 #endif
 
 #include <cstdio>
-#include <cstdlib>
 #include <type_traits>
 
 namespace
@@ -195,11 +194,7 @@ void CheckRelease(const std::string& name, const std::string& path, bool hasCach
 
 int main(int argc, char* argv[])
 {
-  if (argc != 4)
-  {
-    std::fprintf(stderr, "usage: TestSurfaceIntegralMemory FOLDER failures|limits|release opengl|cpu\n");
-    return 1;
-  }
+  RequireUsage(argc == 4, "TestSurfaceIntegralMemory FOLDER failures|limits|release opengl|cpu");
   const Manifest manifest(argv[1]);
   const std::string mode = argv[2];
   Backend = std::string(argv[3]) == "cpu" ? vtkSurfaceIntegralBase::CPU : vtkSurfaceIntegralBase::OPENGL;

@@ -436,11 +436,7 @@ void CheckWithoutOpenGL(const Manifest& manifest)
 
 int TestMassPropertiesSchemes(int argc, char* argv[])
 {
-  if (argc < 3)
-  {
-    std::fprintf(stderr, "usage: TestMassPropertiesSchemes FOLDER opengl|none\n");
-    return 1;
-  }
+  RequireUsage(argc >= 3, "TestMassPropertiesSchemes FOLDER opengl|none");
   vtkSMPTools::SetBackend("STDThread");
   const Manifest manifest(argv[1]);
   if (std::string(argv[2]) == "none")

@@ -2,7 +2,6 @@
 // anywhere, and what cannot be computed is reported.
 #include "smSchemeTesting.h"
 
-#include <cstdio>
 #include <utility>
 
 namespace

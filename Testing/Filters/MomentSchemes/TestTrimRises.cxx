@@ -6,7 +6,6 @@
 #include "smTesting.h"
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace

@@ -4,8 +4,6 @@
 #include "smTestFaces.h"
 #include "smTesting.h"
 
-#include <cmath>
-
 namespace
 {
 using namespace smtest;

@@ -1,15 +1,17 @@
 // Patches of random rational B-spline surfaces: how far rounding moved them, and what bounds their
 // derivatives, against the surface evaluated in extended precision by Cox and de Boor's recurrence.
 #include "smFacePanels.h"
+#include "smReferenceBernstein.h"
 #include "smTesting.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace
 {
+using smtest::Bernstein;
+using smtest::BernsteinSlope;
 using Real = long double;
 using RealPoint = std::array<Real, 3>;
 
@@ -52,17 +54,6 @@ RealPoint EvaluateSurface(const sm::NURBSSurface& surface, Real u, Real v)
   return { h[0] / h[3], h[1] / h[3], h[2] / h[3] };
 }
 
-/// B_i^n(x), by its triangle.
-Real Bernstein(int n, int i, Real x)
-{
-  return i < 0 || i > n ? 0 : n == 0 ? 1 : (1 - x) * Bernstein(n - 1, i, x) + x * Bernstein(n - 1, i - 1, x);
-}
-
-Real Slope(int n, int i, Real x)
-{
-  return n * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
-}
-
 /// Position, in model coordinates, and derivatives in s and r.
 void EvaluatePatch(const sm::FacePanels& panels, const sm::Patch& patch, Real s, Real r, RealPoint x[3])
 {
@@ -73,8 +64,8 @@ void EvaluatePatch(const sm::FacePanels& panels, const sm::Patch& patch, Real s,
   {
     for (int i = 0; i <= p; ++i)
     {
-      const Real factors[3] = { Bernstein(p, i, s) * Bernstein(q, j, r), Slope(p, i, s) * Bernstein(q, j, r),
-        Bernstein(p, i, s) * Slope(q, j, r) };
+      const Real factors[3] = { Bernstein(p, i, s) * Bernstein(q, j, r),
+        BernsteinSlope(p, i, s) * Bernstein(q, j, r), Bernstein(p, i, s) * BernsteinSlope(q, j, r) };
       for (int k = 0; k < 3; ++k)
       {
         for (int c = 0; c < 4; ++c)

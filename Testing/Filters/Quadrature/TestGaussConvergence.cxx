@@ -3,12 +3,12 @@
 // at most M in the ellipse E_rho gives (32/15) M rho^(-2N) / (1 - rho^-2)), and comes near it.
 #include "smGaussLegendre.h"
 #include "smPortableCxx.h"
+#include "smReferenceBernstein.h"
 #include "smTesting.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -39,6 +39,8 @@ double smCoefficient(uint index)
 
 namespace
 {
+using smtest::Bernstein;
+using smtest::BernsteinSlope;
 using Complex = std::complex<long double>;
 constexpr long double Pi = 3.14159265358979323846264338327950288L;
 
@@ -85,30 +87,6 @@ double Integrate(const Patch& patch, Integrand integrand, int points)
     }
   }
   return sum;
-}
-
-/// B_i^n and its derivative at a complex parameter, from the definition.
-Complex Bernstein(int n, int i, Complex x)
-{
-  if (i < 0 || i > n)
-  {
-    return 0.0L;
-  }
-  Complex value = 1.0L;
-  for (int k = 1; k <= i; ++k)
-  {
-    value *= x * static_cast<long double>(n - i + k) / static_cast<long double>(k);
-  }
-  for (int k = 0; k < n - i; ++k)
-  {
-    value *= 1.0L - x;
-  }
-  return value;
-}
-
-Complex BernsteinSlope(int n, int i, Complex x)
-{
-  return static_cast<long double>(n) * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
 }
 
 /// Modulus of the integrand's continuation. A square root has the modulus' square root on either branch.

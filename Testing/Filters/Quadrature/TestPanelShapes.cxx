@@ -3,8 +3,6 @@
 #include "smReferencePanels.h"
 #include "smTesting.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace

@@ -9,6 +9,7 @@
 #include "smExactMoments.h"
 #include "smGaussRule.h"
 #include "smQuadraturePlan.h"
+#include "smReferenceBernstein.h"
 
 #include <array>
 #include <cmath>
@@ -41,38 +42,6 @@ inline const GaussRule& GetRule(int n)
     rule = MakeGaussRule(n);
   }
   return rule;
-}
-
-template <class Real>
-Real Power(Real x, int n)
-{
-  Real value = 1;
-  for (; n > 0; --n)
-  {
-    value *= x;
-  }
-  return value;
-}
-
-template <class Real>
-Real Bernstein(int n, int i, Real x)
-{
-  if (i < 0 || i > n)
-  {
-    return 0;
-  }
-  Real binomial = 1;
-  for (int k = i; k > 0; --k)
-  {
-    binomial = binomial * (n - i + k) / k;
-  }
-  return binomial * Power(x, i) * Power(1 - x, n - i);
-}
-
-template <class Real>
-Real Slope(int n, int i, Real x)
-{
-  return n == 0 ? 0 : n * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
 }
 
 /// All Bernstein polynomials of degree n <= 63 at x, by raising the degree, and their derivatives.
@@ -254,7 +223,7 @@ public:
         const Real c =
           (static_cast<Real>(this->Panels.Coefficients[first + 2 * i + d]) - patch.Start[d]) / patch.Width[d];
         point[d] += Bernstein(degree, i, t) * c;
-        slope[d] += Slope(degree, i, t) * c;
+        slope[d] += BernsteinSlope(degree, i, t) * c;
       }
     }
   }
@@ -331,7 +300,7 @@ private:
         {
           const double value = this->Panels.Coefficients[ribbon.Edge + 3 * k + d];
           c[d] += Bernstein(ribbon.EdgeDegree, k, e) * value;
-          dc[d] += Slope(ribbon.EdgeDegree, k, e) * value;
+          dc[d] += BernsteinSlope(ribbon.EdgeDegree, k, e) * value;
         }
       }
       for (int j = 0; j < 5; ++j)

@@ -8,17 +8,12 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
-#include <cstdio>
 #include <memory>
 
 int TestSolidSectionImage(int argc, char* argv[])
 {
   using namespace smtest;
-  if (argc < 6)
-  {
-    std::fprintf(stderr, "usage: TestSolidSectionImage FOLDER -T FOLDER -V BASELINE.png\n");
-    return 1;
-  }
+  RequireUsage(argc >= 6, "TestSolidSectionImage FOLDER -T FOLDER -V BASELINE.png");
   const Manifest manifest(argv[1]);
   vtkNew<vtkRenderer> renderer;
   // Through the middle of the void, along the axis of the hole, and along Villarceau's circles.

@@ -2,8 +2,7 @@
 // finite or project, and bodies without faces. No filter may give them a total that has no meaning, or the
 // status ok.
 #include "smBoxBodies.h"
-#include "smMessageTrap.h"
-#include "smTesting.h"
+#include "smTestPipeline.h"
 
 #include <vtkBuoyancy.h>
 #include <vtkMassPropertiesGPU.h>
@@ -67,18 +66,6 @@ vtkSmartPointer<vtkNURBSDataSet> MakeBox(double x)
   return body.Make();
 }
 
-bool HasMessage(vtkSurfaceIntegralBase* filter, const std::string& part)
-{
-  for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
-  {
-    if (filter->GetMessage(i).find(part) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// One part in mm and one in inches: each has its row, and there is no sum.
 void CheckUnits()
 {
@@ -92,7 +79,7 @@ void CheckUnits()
     [](const std::string& name, vtkSurfaceIntegralBase* filter, double total)
     {
       CheckTrue("two units, " + name + ": no total", std::isnan(total));
-      CheckTrue("two units, " + name + ": said", HasMessage(filter, "different length units"));
+      CheckTrue("two units, " + name + ": said", Says(filter, "different length units"));
       CheckEqual("two units, " + name + ": rows", 2,
         vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfRows());
     });
@@ -188,7 +175,7 @@ void CheckTubeWithDiscs()
   }
   Filters open(make(0, 0.5));
   CheckEqual("tube with small discs", "open", open.Mass->GetStatus());
-  CheckTrue("tube with small discs, said", HasMessage(open.Mass, "4 borders"));
+  CheckTrue("tube with small discs, said", Says(open.Mass, "4 borders"));
 }
 
 /// Squares of areas, and second moments, of so small a body are 0 in doubles, and so are their bounds.
@@ -226,7 +213,7 @@ void CheckApart(double gap)
     const Filters filters(body);
     const std::string label = name + ", " + std::to_string(gap * 1e9) + "e-9 apart";
     CheckEqual(label, gap == 0.0 ? "ok" : "suspect", filters.Mass->GetStatus());
-    CheckTrue(label + ", said", (gap > 0.0) == HasMessage(filters.Mass, "no edge closes the gap"));
+    CheckTrue(label + ", said", (gap > 0.0) == Says(filters.Mass, "no edge closes the gap"));
   }
 }
 
@@ -257,7 +244,7 @@ void CheckWithoutLoops()
     Filters filters(surface);
     filters.Visit([what = name](const std::string& filter, vtkSurfaceIntegralBase* integral, double)
       { CheckEqual(what + ", " + filter, "open", integral->GetStatus()); });
-    CheckTrue(name + ", said", HasMessage(filters.Mass, name == "tube" ? "2 borders" : "1 border"));
+    CheckTrue(name + ", said", Says(filters.Mass, name == "tube" ? "2 borders" : "1 border"));
     CheckTrue(name + ", no section", std::isnan(filters.Section->GetSectionArea()));
     surface->GetModel()->SetBody(vtkTrimmedNURBSModel::SHELL);
     Filters shell(surface);
@@ -288,7 +275,7 @@ void CheckGaps()
     filters.Buoyancy->Update();
     CheckEqual(what + ", all below", status, filters.Buoyancy->GetStatus());
     // A small gap is not a message of these filters, but stands in their tables.
-    CheckTrue(what + ", said", HasMessage(filters.Section, "widest gap") == (status == "suspect"));
+    CheckTrue(what + ", said", Says(filters.Section, "widest gap") == (status == "suspect"));
     for (vtkSurfaceIntegralBase* filter : { static_cast<vtkSurfaceIntegralBase*>(filters.Section),
            static_cast<vtkSurfaceIntegralBase*>(filters.Buoyancy) })
     {
@@ -318,12 +305,12 @@ void CheckUnknownUnit()
   const auto box = MakeBox(0.0);
   box->GetModel()->SetLengthUnit("parsec");
   Filters without(box);
-  CheckTrue("no density, nothing said", !HasMessage(without.Mass, "parsec"));
+  CheckTrue("no density, nothing said", !Says(without.Mass, "parsec"));
   box->GetModel()->SetDensity(1000.0);
   Filters filters(box);
   Check("unknown unit, volume", 6.0, filters.Mass->GetVolume(), filters.Mass->GetVolumeBound());
   CheckTrue("unknown unit, no mass", std::isnan(filters.Mass->GetMass()));
-  CheckTrue("unknown unit, said", HasMessage(filters.Mass, "\"parsec\""));
+  CheckTrue("unknown unit, said", Says(filters.Mass, "\"parsec\""));
 }
 
 /// A solid without faces, alone and next to a box: what is not there has no section.

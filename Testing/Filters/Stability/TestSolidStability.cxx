@@ -350,11 +350,7 @@ void TestGround(const std::string& folder)
 
 int TestSolidStability(int argc, char* argv[])
 {
-  if (argc != 4)
-  {
-    std::fprintf(stderr, "usage: TestSolidStability FOLDER SOLIDS MODE\n");
-    return 1;
-  }
+  RequireUsage(argc == 4, "TestSolidStability FOLDER SOLIDS MODE");
   QuietOcct();
   const std::string folder = argv[1];
   const Manifest manifest(argv[2]);

@@ -243,11 +243,7 @@ void TestErrors(const std::string& folder)
 
 int TestSolidStabilityBodies(int argc, char* argv[])
 {
-  if (argc != 4)
-  {
-    std::fprintf(stderr, "usage: TestSolidStabilityBodies FOLDER SOLIDS MODE\n");
-    return 1;
-  }
+  RequireUsage(argc == 4, "TestSolidStabilityBodies FOLDER SOLIDS MODE");
   QuietOcct();
   const std::string folder = argv[1];
   if (std::string(argv[3]) == "bodies")

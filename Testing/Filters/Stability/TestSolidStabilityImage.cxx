@@ -16,8 +16,6 @@
 #include <vtkRenderer.h>
 #include <vtkSolidStability.h>
 
-#include <cstdio>
-
 namespace
 {
 /// A prism that leans by a share of its base, at its place along x, and the drawing of how it stands.
@@ -54,11 +52,7 @@ void AddPrism(vtkRenderer* renderer, const std::string& folder, double lean, dou
 
 int TestSolidStabilityImage(int argc, char* argv[])
 {
-  if (argc < 6)
-  {
-    std::fprintf(stderr, "usage: TestSolidStabilityImage FOLDER -T FOLDER -V BASELINE.png\n");
-    return 1;
-  }
+  smtest::RequireUsage(argc >= 6, "TestSolidStabilityImage FOLDER -T FOLDER -V BASELINE.png");
   smtest::QuietOcct();
   vtkNew<vtkRenderer> renderer;
   AddPrism(renderer, argv[1], 0.4, 0.0, "stable");

@@ -8,7 +8,6 @@
 
 #include <vtkMassPropertiesGPU.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -126,11 +125,7 @@ void CheckPlate(double thickness, double slope)
 
 int TestSolidStabilityTip(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::fprintf(stderr, "usage: TestSolidStabilityTip FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 2, "TestSolidStabilityTip FOLDER");
   QuietOcct();
   const std::string folder = argv[1];
   // A curved contact is refined to 1e-5 of the size where the verdict is certain.

@@ -8,9 +8,6 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkSurfaceIntegralGPU.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace
 {
 using namespace smtest;
@@ -201,11 +198,7 @@ void CheckEdits()
 
 int TestBackendCost(int argc, char* argv[])
 {
-  if (argc != 3)
-  {
-    std::fprintf(stderr, "usage: TestBackendCost FOLDER PART\n");
-    return 1;
-  }
+  RequireUsage(argc == 3, "TestBackendCost FOLDER PART");
   const Manifest manifest(argv[1]);
   CheckModel();
   CheckEvaluations(argv[2], 4.0);

@@ -256,11 +256,7 @@ void CheckRandom(Compiler& compiler, int count)
 
 int TestExpressionTypes(int argc, char* argv[])
 {
-  if (argc < 3)
-  {
-    std::fprintf(stderr, "usage: TestExpressionTypes COUNT FOLDER...\n");
-    return 1;
-  }
+  RequireUsage(argc >= 3, "TestExpressionTypes COUNT FOLDER...");
   vtkNew<vtkComputeContext> context;
   CheckEqual("context", static_cast<int>(vtkComputeContext::READY), context->Start());
   Compiler compiler(context, argc - 2, argv + 2);

@@ -4,7 +4,6 @@
 #include "smSurfaceIntegrator.h"
 #include "smTesting.h"
 
-#include <cmath>
 #include <cstring>
 
 namespace

@@ -7,7 +7,6 @@
 #include <vtkSurfaceIntegralGPU.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 namespace

@@ -11,7 +11,6 @@
 #include <vtkTable.h>
 
 #include <clocale>
-#include <cstdio>
 #include <map>
 
 namespace
@@ -344,11 +343,7 @@ int TestSurfaceExpressions(int argc, char* argv[])
     { "curvatures", CheckCurvatures }, { "flux", CheckFluxes }, { "faces", CheckFaces },
     { "mistakes", CheckMistakes }, { "undefined", CheckUndefined }, { "commas", CheckCommas } };
   const auto mode = argc == 3 ? modes.find(argv[2]) : modes.end();
-  if (mode == modes.end())
-  {
-    std::fprintf(stderr, "usage: TestSurfaceExpressions FOLDER MODE\n");
-    return 1;
-  }
+  RequireUsage(mode != modes.end(), "TestSurfaceExpressions FOLDER MODE");
   mode->second(argv[1]);
   return Finish();
 }

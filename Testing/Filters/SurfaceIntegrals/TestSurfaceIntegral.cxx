@@ -6,8 +6,6 @@
 #include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 
-#include <cstdio>
-
 namespace
 {
 using namespace smtest;
@@ -107,11 +105,7 @@ void CheckMistakes(const Expected& part)
 
 int TestSurfaceIntegral(int argc, char* argv[])
 {
-  if (argc != 2)
-  {
-    std::fprintf(stderr, "usage: TestSurfaceIntegral FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc == 2, "TestSurfaceIntegral FOLDER");
   const Expected box = Manifest(argv[1]).GetSolid("box", "plain")[0];
   CheckIntegrands(box);
   CheckMistakes(box);

@@ -10,9 +10,6 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkSurfaceIntegralGPU.h>
 
-#include <algorithm>
-#include <cstdio>
-
 namespace
 {
 using namespace smtest;
@@ -126,11 +123,7 @@ void CheckOpen(const std::string& path)
 
 int TestSurfaceIntegralOrigin(int argc, char* argv[])
 {
-  if (argc != 3)
-  {
-    std::fprintf(stderr, "usage: TestSurfaceIntegralOrigin FOLDER PART\n");
-    return 1;
-  }
+  RequireUsage(argc == 3, "TestSurfaceIntegralOrigin FOLDER PART");
   const Manifest manifest(argv[1]);
   for (const char* variant : { "plain", "nopcurves" })
   {

@@ -8,8 +8,6 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkSurfaceIntegralGPU.h>
 
-#include <cstdio>
-
 namespace
 {
 using namespace smtest;
@@ -58,11 +56,7 @@ void CheckNames(vtkSTEPReader* reader, const Expected& ball)
 
 int TestSurfaceIntegralSwitches(int argc, char* argv[])
 {
-  if (argc < 2)
-  {
-    std::fprintf(stderr, "usage: TestSurfaceIntegralSwitches FOLDER\n");
-    return 1;
-  }
+  RequireUsage(argc >= 2, "TestSurfaceIntegralSwitches FOLDER");
   const Manifest manifest(argv[1]);
   const Expected ball = manifest.GetSolid("sphere", "plain").front();
   const double radius = std::cbrt(ball.Volume * 0.75 / vtkMath::Pi());

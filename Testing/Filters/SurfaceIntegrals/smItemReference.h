@@ -8,6 +8,7 @@
 #include "Items/smBatchParameters.h"
 #include "Items/smItemKernels.h"
 #include "smGaussLegendre.h"
+#include "smReferenceBernstein.h"
 
 #include <algorithm>
 #include <random>
@@ -32,25 +33,6 @@ inline Vector Cross(const Vector& a, const Vector& b)
 inline Real Dot(const Vector& a, const Vector& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline Real Bernstein(int n, int i, Real x)
-{
-  Real value = i < 0 || i > n ? 0.0L : 1.0L;
-  for (int k = 1; k <= i && i <= n; ++k)
-  {
-    value *= static_cast<Real>(n - i + k) / k;
-  }
-  for (int k = 0; k < n && i >= 0 && i <= n; ++k)
-  {
-    value *= k < i ? x : 1.0L - x;
-  }
-  return value;
-}
-inline Real BernsteinSlope(int n, int i, Real x)
-{
-  return n == 0 ? 0.0L
-                : n * ((i > 0 ? Bernstein(n - 1, i - 1, x) : 0.0L) - (i < n ? Bernstein(n - 1, i, x) : 0.0L));
 }
 
 /// A polynomial piece of `size` coordinates and its derivative.

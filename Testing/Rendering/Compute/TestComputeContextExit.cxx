@@ -43,11 +43,7 @@ struct Witness
 
 int TestComputeContextExit(int argc, char* argv[])
 {
-  if (argc < 3)
-  {
-    std::fprintf(stderr, "usage: TestComputeContextExit display|headless own|window\n");
-    return 1;
-  }
+  smtest::RequireUsage(argc >= 3, "TestComputeContextExit display|headless own|window");
   const std::string source = argv[2];
   Context = vtkSmartPointer<vtkComputeContext>::New();
   if (source == "window")

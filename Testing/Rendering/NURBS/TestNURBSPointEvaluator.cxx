@@ -14,7 +14,6 @@
 #include <vtkPartitionedDataSetCollection.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace
 {

@@ -1,5 +1,6 @@
 // The chunks of mathematics that the shaders are made of, compiled as C++: against extended precision.
 #include "smPortableCxx.h"
+#include "smReferenceBernstein.h"
 #include "smTesting.h"
 #include "smUnitRoundoff.h"
 
@@ -31,27 +32,8 @@ dvec4 smControlPoint(uint index)
 #include "glsl/smBernstein.glsl"
 #include "glsl/smPatch.glsl"
 
-/// B_i^n(x) and its derivative, directly from the definition.
-long double Bernstein(int n, int i, long double x)
-{
-  if (i < 0 || i > n)
-  {
-    return 0.0L;
-  }
-  long double value = 1.0L;
-  for (int k = 1; k <= i; ++k)
-  {
-    value = value * (n - i + k) / k;
-  }
-  return value * std::pow(x, static_cast<long double>(i)) *
-    std::pow(1.0L - x, static_cast<long double>(n - i));
-}
-
-long double BernsteinSlope(int n, int i, long double x)
-{
-  return n == 0 ? 0.0L : n * (Bernstein(n - 1, i - 1, x) - Bernstein(n - 1, i, x));
-}
-
+using smtest::Bernstein;
+using smtest::BernsteinSlope;
 constexpr double Unit = sm::UnitRoundoff;
 
 /// Exact sums of doubles within 2^10 of each other fit into the 64 bits of a long double, products of
@@ -90,7 +72,7 @@ void CheckBasis()
       smBernsteinBasis(n, x, basis);
       for (int i = 0; i <= n; ++i)
       {
-        worst = std::max(worst, std::abs(basis[i] - static_cast<double>(Bernstein(n, i, x))));
+        worst = std::max(worst, std::abs(basis[i] - static_cast<double>(Bernstein<long double>(n, i, x))));
       }
     }
   }
@@ -121,10 +103,10 @@ void CheckPieces()
       long double expected[4] = { 0.0L, 0.0L, 0.0L, 0.0L };
       for (int i = 0; i <= n; ++i)
       {
-        expected[0] += Bernstein(n, i, x) * coefficients[1 + 2 * i + 1];
-        expected[1] += BernsteinSlope(n, i, x) * coefficients[1 + 2 * i + 1];
-        expected[2] += Bernstein(n, i, x) * coefficients[1 + 3 * i + 2];
-        expected[3] += BernsteinSlope(n, i, x) * coefficients[1 + 3 * i + 2];
+        expected[0] += Bernstein<long double>(n, i, x) * coefficients[1 + 2 * i + 1];
+        expected[1] += BernsteinSlope<long double>(n, i, x) * coefficients[1 + 2 * i + 1];
+        expected[2] += Bernstein<long double>(n, i, x) * coefficients[1 + 3 * i + 2];
+        expected[3] += BernsteinSlope<long double>(n, i, x) * coefficients[1 + 3 * i + 2];
       }
       expected[0] -= static_cast<long double>(trimOrigin.y);
       expected[2] -= static_cast<long double>(edgeOrigin.z);
@@ -184,9 +166,9 @@ void CheckPatches()
             const dvec4& c = controlPoints[2 + i + j * (p + 1)];
             for (int d = 0; d < 4; ++d)
             {
-              h[0][d] += Bernstein(p, i, s) * Bernstein(q, j, r) * c[d];
-              h[1][d] += BernsteinSlope(p, i, s) * Bernstein(q, j, r) * c[d];
-              h[2][d] += Bernstein(p, i, s) * BernsteinSlope(q, j, r) * c[d];
+              h[0][d] += Bernstein<long double>(p, i, s) * Bernstein<long double>(q, j, r) * c[d];
+              h[1][d] += BernsteinSlope<long double>(p, i, s) * Bernstein<long double>(q, j, r) * c[d];
+              h[2][d] += Bernstein<long double>(p, i, s) * BernsteinSlope<long double>(q, j, r) * c[d];
             }
           }
         }

@@ -2,7 +2,6 @@
 
 #include "smGaussRule.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdio>

@@ -6,6 +6,7 @@
 #define smJsonFields_h
 
 #include "smFields.h"
+#include "smFiltersProductsModule.h"
 #include "smJson.h"
 
 #include <utility>
@@ -13,7 +14,7 @@
 
 namespace sm
 {
-class JsonFields : public Fields
+class SMFILTERSPRODUCTS_EXPORT JsonFields : public Fields
 {
 public:
   using Fields::Number;
@@ -53,11 +54,6 @@ Json WriteJsonFields(const Visit& visit)
   visit(fields);
   return fields.Take();
 }
-
-/// Sets the keys "file" and "file_bytes". "file" is the name; Dump() replaces its bytes that are not UTF-8.
-/// When there are such bytes, "file_bytes" is the percent-encoded name, which gives them back; otherwise it
-/// is null.
-void VisitFileName(Fields& fields, std::string& name);
 }
 
 #endif

@@ -1,7 +1,5 @@
 #include "smJsonFields.h"
 
-#include "smText.h"
-
 namespace sm
 {
 void JsonFields::Put(const char* key, Json value)
@@ -64,13 +62,5 @@ void JsonFields::End()
   auto [key, value] = std::move(this->Open.back());
   this->Open.pop_back();
   this->Put(key, std::move(value));
-}
-
-void VisitFileName(Fields& fields, std::string& name)
-{
-  fields.Note("", "name of the file").Text("file", name);
-  std::optional<std::string> bytes =
-    MakeUtf8(name) == name ? std::nullopt : std::optional(PercentEncode(name));
-  fields.Note("", "the percent-encoded name of a file whose name is not UTF-8").Text("file_bytes", bytes);
 }
 }

@@ -1,6 +1,6 @@
 /**
  * @file smJson.h
- * @brief The JSON type of the example programs: keys keep their order
+ * @brief The JSON type of results and programs: keys keep their order; not installed
  */
 #ifndef smJson_h
 #define smJson_h
