@@ -239,8 +239,8 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
     const FacePanels& panels = cut.Faces[i]->Panels;
     const bool mayHaveSheet =
       (isNothing || (cut.IsWhole && isWhole)) && MayTouch(panels, frame.Plane, 2.0 * rounded);
-    cut.VolumeErrors[i] =
-      below.CutError + (mayHaveSheet ? 2.0 * rounded * GetLargestArea(panels, GetStripArea(panels)) : 0.0);
+    cut.VolumeErrors[i] = below.CutError +
+      (mayHaveSheet ? 2.0 * rounded * GetLargestArea(panels, GetStripArea(*cut.Faces[i])) : 0.0);
     cut.Errors[i] = cut.Faces[i]->Error;
   }
   if (cut.IsWhole)

@@ -113,7 +113,7 @@ SubmergedFace CutBelow(const CutFacePointer& face, const HeightPlane& plane, con
   {
     return result;
   }
-  result.StripArea = GetStripArea(face->Panels);
+  result.StripArea = GetStripArea(*face);
   if (side < 0)
   {
     result.Parts[0] = face;

@@ -337,8 +337,13 @@ double GetBorderResidual(const Face& face, const FacePanels& panels)
   return largest;
 }
 
-double GetStripArea(const FacePanels& panels)
+double GetStripArea(const CutFace& face)
 {
+  if (const double known = face.StripArea.Value; known >= 0.0)
+  {
+    return known;
+  }
+  const FacePanels& panels = face.Panels;
   double area = 0.0;
   for (const Ribbon& ribbon : panels.Ribbons)
   {
@@ -349,6 +354,7 @@ double GetStripArea(const FacePanels& panels)
   {
     area += 0.5 * Norm(Subtract(cap.From, cap.Apex)) * Norm(Subtract(cap.To, cap.Apex));
   }
+  face.StripArea.Value = area;
   return area;
 }
 }

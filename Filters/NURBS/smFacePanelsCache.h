@@ -11,6 +11,7 @@
 #include "smFaceCache.h"
 #include "smFacePanels.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -19,7 +20,19 @@
 
 namespace sm
 {
-/// A face with the panels, ribbons and caps it was cut into. Immutable once it is made.
+/// A bound that any thread may keep; negative before.
+struct KeptBound
+{
+  KeptBound() = default;
+  KeptBound(const KeptBound& other)
+    : Value(other.Value.load())
+  {
+  }
+  void operator=(const KeptBound& other) { this->Value = other.Value.load(); }
+  std::atomic<double> Value{ -1.0 };
+};
+
+/// A face with the panels, ribbons and caps it was cut into. Immutable once it is made, except StripArea.
 struct CutFace
 {
   FacePointer Source;
@@ -29,6 +42,8 @@ struct CutFace
   int Degree[2] = { 1, 1 };
   /// The reason why the face could not be cut, with the name of the face; empty when it was cut.
   std::string Error;
+  /// An upper bound of the area of ribbons and caps, kept by the first caller that computes the bound.
+  mutable KeptBound StripArea;
 
   /// Panels, ribbons and caps.
   std::size_t GetNumberOfItems() const

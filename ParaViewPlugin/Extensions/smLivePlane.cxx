@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <memory>
 
@@ -25,9 +26,15 @@ namespace sm
 namespace
 {
 /// Longest run that a filter does during a drag with the setting WhereFast, in seconds. After a longer run a
-/// drag tries it once if it was not longer than LongestTrial: a first run prepares data that later runs have.
+/// drag tries one more if the run was not longer than LongestTrial. The first run prepares data that later
+/// runs have: up to LongestFirst it counts as fast.
 constexpr double LongestRun = 0.1;
 constexpr double LongestTrial = 0.5;
+constexpr double LongestFirst = 5.0;
+
+/// The planes that ParaView's window shows: 5.11 has the second, others the first.
+constexpr const char* PlaneNames[] = { "ImplicitPlaneWidgetRepresentation",
+  "DisplaySizedImplicitPlaneWidgetRepresentation" };
 
 enum Setting
 {
@@ -53,12 +60,15 @@ public:
     }
     else
     {
-      *this->Seconds = now - this->Start;
+      const double seconds = now - this->Start;
+      *this->Seconds = this->IsFirst && seconds < LongestFirst ? std::min(seconds, LongestRun) : seconds;
+      this->IsFirst = false;
     }
   }
 
 private:
   double Start = 0.0;
+  bool IsFirst = true;
 };
 
 /// The measured seconds of the last runs, by filter.
@@ -80,8 +90,9 @@ public:
   }
 };
 
-/// Returns the active source if its plane is followed; else null.
-vtkSMSourceProxy* FindFilter(vtkSMSessionProxyManager* manager)
+/// Returns the active source if its plane is followed, and its last run was fast enough where that counts;
+/// else null.
+vtkSMSourceProxy* FindFilter(vtkSMSessionProxyManager* manager, bool isAnySpeed)
 {
   vtkSMProxySelectionModel* model = manager ? manager->GetSelectionModel("ActiveSources") : nullptr;
   vtkSMProxy* active = model ? model->GetCurrentProxy() : nullptr;
@@ -93,7 +104,7 @@ vtkSMSourceProxy* FindFilter(vtkSMSessionProxyManager* manager)
     return nullptr;
   }
   const int setting = vtkSMPropertyHelper(filter, "LivePlane").GetAsInt();
-  if (setting != WhereFast)
+  if (setting != WhereFast || isAnySpeed)
   {
     return setting == Never ? nullptr : filter;
   }
@@ -149,8 +160,14 @@ public:
       this->IsSlow = false;
       return;
     }
-    vtkSMSourceProxy* filter = plane ? FindFilter(plane->GetSessionProxyManager()) : nullptr;
-    if (!filter || this->Busy || this->IsSlow)
+    // A drag that was followed up to a slow run is followed to its end, so that results belong to the plane.
+    const bool isEnd = event == vtkCommand::EndInteractionEvent;
+    if (this->Busy || isEnd != this->IsSlow)
+    {
+      return;
+    }
+    vtkSMSourceProxy* filter = plane ? FindFilter(plane->GetSessionProxyManager(), isEnd) : nullptr;
+    if (!filter)
     {
       return;
     }
@@ -195,7 +212,9 @@ public:
     {
       vtkSMProxy* widget = widgets.GetAsProxy(i);
       const char* name = widget ? widget->GetXMLName() : nullptr;
-      if (!name || std::strcmp(name, "ImplicitPlaneWidgetRepresentation") != 0)
+      if (!name ||
+        std::none_of(std::begin(PlaneNames), std::end(PlaneNames),
+          [name](const char* plane) { return std::strcmp(name, plane) == 0; }))
       {
         continue;
       }
@@ -206,6 +225,7 @@ public:
         vtkNew<DragCommand> command;
         widget->AddObserver(vtkCommand::StartInteractionEvent, command);
         widget->AddObserver(vtkCommand::InteractionEvent, command);
+        widget->AddObserver(vtkCommand::EndInteractionEvent, command);
       }
     }
   }

@@ -16,7 +16,7 @@ namespace
 {
 using Cells = std::array<std::string, MaterialTableColumns>;
 
-const Cells Titles = { "Part", "Material", "Density (kg/m^3)", "Mass (kg)" };
+const Cells Titles = { "Part", "Material", "kg/m^3", "kg" };
 constexpr const char* TotalName = "Total";
 constexpr const char* TickedTotalName = "Total of ticked solids";
 constexpr const char* FromFile = " (file)";

@@ -4,16 +4,19 @@
 #include "smVisitMeshes.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkBillboardTextActor3D.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkCoordinate.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
 #include <set>
@@ -27,7 +30,12 @@ vtkFlaggedRepresentation::vtkFlaggedRepresentation()
   {
     number->SetVisibility(false);
     number->SetPickable(false);
-    number->SetDisplayOffset(6, 6);
+    // Six pixels to the right of the place and above it.
+    vtkNew<vtkCoordinate> place;
+    place->SetCoordinateSystemToWorld();
+    number->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+    number->GetPositionCoordinate()->SetReferenceCoordinate(place);
+    number->SetPosition(6.0, 6.0);
     number->GetTextProperty()->SetFontSize(18);
     number->GetTextProperty()->SetBold(true);
     // White on it has a contrast of 6 : 1.
@@ -52,7 +60,11 @@ bool vtkFlaggedRepresentation::AddToView(vtkView* view)
   {
     if (renderView)
     {
-      renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER)->AddViewProp(number);
+      vtkRenderer* front = renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER);
+      front->AddViewProp(number);
+      // At the begin of the list, so that the summary covers numbers.
+      front->GetViewProps()->RemoveItem(number);
+      front->GetViewProps()->InsertItem(-1, number);
     }
   }
   return this->Superclass::AddToView(view);
@@ -110,9 +122,9 @@ int vtkFlaggedRepresentation::ProcessViewRequest(
         vtkCell* cell = mesh->GetCell(i);
         double middle[3];
         cell->GetPoints()->GetPoint(cell->GetNumberOfPoints() / 2, middle);
-        vtkBillboardTextActor3D* number = this->Numbers[static_cast<std::size_t>(flag) - 1];
+        vtkTextActor* number = this->Numbers[static_cast<std::size_t>(flag) - 1];
         number->SetInput(std::to_string(flag).c_str());
-        number->SetPosition(middle);
+        number->GetPositionCoordinate()->GetReferenceCoordinate()->SetValue(middle);
         number->GetTextProperty()->SetColor(this->NumberColor);
       }
     });

@@ -3,8 +3,8 @@
  * @brief   draws flagged edges and faces, with the numbers of the worst next to them
  *
  * The input is port 6 of vtkSurfaceIntegralBase. The numbers are those of the cell array Flag, by which the
- * summary names the places. They are drawn in front of everything by the process with the window, and not at
- * all while a server renders for it.
+ * summary names the places. The process with the window draws them in front of all solids and behind the
+ * summary; while a server renders for it, there are none.
  */
 #ifndef vtkFlaggedRepresentation_h
 #define vtkFlaggedRepresentation_h
@@ -15,7 +15,7 @@
 
 #include <array> // for the numbers
 
-class vtkBillboardTextActor3D;
+class vtkTextActor;
 
 class SMPARAVIEWEXTENSIONS_EXPORT vtkFlaggedRepresentation : public vtkPVCompositeRepresentation
 {
@@ -47,7 +47,7 @@ private:
 
   double NumberColor[3] = { 1.0, 1.0, 1.0 };
   /// One for each place that the summary names.
-  std::array<vtkNew<vtkBillboardTextActor3D>, 5> Numbers;
+  std::array<vtkNew<vtkTextActor>, 5> Numbers;
 };
 
 #endif

@@ -92,6 +92,14 @@ double MeasureWidth(const std::string& line, vtkTextProperty* text, int dpi)
     : 0.0;
 }
 
+/// Returns where the line with the status begins; npos without one.
+std::size_t FindStatus(const std::string& text)
+{
+  const std::string label = "Status: ";
+  const std::size_t at = text.compare(0, label.size(), label) == 0 ? 0 : text.find("\n" + label);
+  return at == 0 || at == std::string::npos ? at : at + 1;
+}
+
 /// Breaks lines that are wider than the view; continuation lines are indented and come before indented lines
 /// of the text. Words and values are not divided.
 std::string BreakLines(const std::string& lines, vtkTextProperty* text, int dpi, double width)
@@ -336,7 +344,20 @@ int vtkMassSummaryRepresentation::ProcessViewRequest(
     const bool isShown = this->GetVisibility() && !written.empty();
     this->Written = written;
     this->Box->SetVisibility(isShown && this->BoxOpacity > 0.0);
-    this->StatusActor->SetVisibility(isShown && this->Flagged);
+    // The status needs its text here: VTK reports an error when it draws an actor without text.
+    const std::size_t begin = FindStatus(written);
+    const bool hasStatus = isShown && this->Flagged && begin != std::string::npos;
+    this->StatusActor->SetVisibility(hasStatus);
+    this->StatusActor->SetInput(
+      hasStatus ? written.substr(begin, written.find('\n', begin) - begin).c_str() : "");
+    vtkTextProperty* own = this->StatusActor->GetTextProperty();
+    own->ShallowCopy(text);
+    own->SetColor(1.0, 1.0, 1.0);
+    own->SetShadow(false);
+    own->SetBackgroundColor(this->FlaggedColor);
+    own->SetBackgroundOpacity(1.0);
+    own->SetJustificationToLeft();
+    own->SetVerticalJustificationToTop();
   }
   return 1;
 }
@@ -387,24 +408,7 @@ void vtkMassSummaryRepresentation::PlaceBox(vtkViewport* viewport)
   const double shade = GetLuminance(color) > MiddleLuminance ? 0.0 : 1.0;
   this->Box->GetProperty()->SetColor(shade, shade, shade);
   this->Box->GetProperty()->SetOpacity(this->BoxOpacity);
-  // The line with the status.
-  const std::size_t at = lines.rfind("Status: ", 0) == 0 ? 0 : lines.find("\nStatus: ");
-  if (at == std::string::npos)
-  {
-    this->StatusActor->SetVisibility(false);
-    return;
-  }
-  const std::size_t begin = at == 0 ? 0 : at + 1;
-  const std::string status = lines.substr(begin, lines.find('\n', begin) - begin);
+  const std::size_t begin = std::min(FindStatus(lines), lines.size());
   const auto before = static_cast<double>(std::count(lines.begin(), lines.begin() + begin, '\n'));
-  vtkTextProperty* own = this->StatusActor->GetTextProperty();
-  own->ShallowCopy(text);
-  own->SetColor(1.0, 1.0, 1.0);
-  own->SetShadow(false);
-  own->SetBackgroundColor(this->FlaggedColor);
-  own->SetBackgroundOpacity(1.0);
-  own->SetJustificationToLeft();
-  own->SetVerticalJustificationToTop();
-  this->StatusActor->SetInput(status.c_str());
   this->StatusActor->SetPosition(left, top - before * advance);
 }

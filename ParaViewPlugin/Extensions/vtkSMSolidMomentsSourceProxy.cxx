@@ -9,10 +9,12 @@
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
 #include "vtkComputeContext.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVProgressHandler.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMPTools.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSurfaceIntegralBase.h"
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <thread>
@@ -31,6 +34,36 @@ namespace
 /// ParaView ignores reports of progress that follow another one within an interval, 0.1 s by default. This is
 /// the shortest interval that it accepts.
 constexpr double ShortInterval = 0.01;
+
+/// Lets an algorithm run on all cores; owned by the algorithm. ParaView's VTK runs loops on one thread unless
+/// the environment names a backend. Several ranks share the cores themselves.
+class ThreadsCommand : public vtkCommand
+{
+public:
+  static ThreadsCommand* New() { return new ThreadsCommand; }
+  vtkTypeMacro(ThreadsCommand, vtkCommand);
+
+  void Execute(vtkObject*, unsigned long event, void*) override
+  {
+    vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+    if (event == vtkCommand::StartEvent && !std::getenv("VTK_SMP_BACKEND_IN_USE") &&
+      !(ranks && ranks->GetNumberOfProcesses() > 1))
+    {
+      const char* backend = vtkSMPTools::GetBackend();
+      this->Backend = backend ? backend : "";
+      vtkSMPTools::SetBackend("STDThread");
+    }
+    else if (event == vtkCommand::EndEvent && !this->Backend.empty())
+    {
+      vtkSMPTools::SetBackend(this->Backend.c_str());
+      this->Backend.clear();
+    }
+  }
+
+private:
+  /// The backend that VTK has between runs.
+  std::string Backend;
+};
 
 /// Makes ParaView show the report that shaders are compiled, the only one for some seconds; owned by the
 /// compute context.
@@ -174,6 +207,9 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   // Not null in the built-in session only.
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->GetClientSideObject()))
   {
+    vtkNew<ThreadsCommand> threads;
+    algorithm->AddObserver(vtkCommand::StartEvent, threads);
+    algorithm->AddObserver(vtkCommand::EndEvent, threads);
     vtkNew<EscapeCommand> command;
     command->Label = this->GetXMLLabel();
     for (const unsigned long event :

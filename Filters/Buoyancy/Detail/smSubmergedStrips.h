@@ -21,8 +21,8 @@ CutErrors CutStripsBelow(const Face& face, const FacePanels& from, const HeightP
 /// Returns a bound of how far the residuals of trim and edge curves may move a point of the face's border.
 double GetBorderResidual(const Face& face, const FacePanels& panels);
 
-/// Returns an upper bound of the area of a face's ribbons and caps.
-double GetStripArea(const FacePanels& panels);
+/// Returns an upper bound of the area of a face's ribbons and caps; computed once for a face. Thread safe.
+double GetStripArea(const CutFace& face);
 }
 
 #endif

@@ -16,6 +16,13 @@ namespace
 /// Number of messages that a summary lists at most.
 constexpr std::size_t MaxNotes = 5;
 
+/// Returns true for the note of a body about its widest gap, without a consequence behind it.
+bool IsGapNote(const std::string& message)
+{
+  const std::size_t at = message.find("the widest gap between a face and its edge is ");
+  return at != std::string::npos && message.find(": ", at) == std::string::npos;
+}
+
 /// Lines of at most 64 characters, in which every line of the text begins a new one.
 std::string WrapLines(const std::string& text)
 {
@@ -40,23 +47,25 @@ std::string FormatStatus(const std::string& status, const std::string& reason)
 std::string FormatNotes(const std::string& reason, const std::vector<std::string>& messages)
 {
   std::string text;
-  std::set<std::string> listed;
-  std::size_t left = 0;
+  std::set<std::string> known;
+  std::size_t listed = 0;
+  bool hasGapNote = false;
   for (const std::string& message : messages)
   {
-    if (reason.find(message) != std::string::npos || !listed.insert(message).second)
+    if (reason.find(message) != std::string::npos || !known.insert(message).second)
     {
       continue;
     }
-    if (listed.size() <= MaxNotes)
+    // One note of gaps is enough: those of an assembly would fill half of a view.
+    const bool isAnotherGap = hasGapNote && IsGapNote(message);
+    hasGapNote = hasGapNote || IsGapNote(message);
+    if (listed < MaxNotes && !isAnotherGap)
     {
+      ++listed;
       text += WrapLines("Note: " + message);
     }
-    else
-    {
-      ++left;
-    }
   }
+  const std::size_t left = known.size() - listed;
   return left > 0 ? text + "and " + FormatCount(left, "more note\n", "more notes\n") : text;
 }
 

@@ -258,6 +258,9 @@ void CheckStatusLines()
     "not the reason again", "Note: mm is assumed\n", sm::FormatNotes("a: second", { unit, "second" }));
   CheckEqual("the number of the others", "Note: 1\nNote: 2\nNote: 3\nNote: 4\nNote: 5\nand 2 more notes\n",
     sm::FormatNotes("", { "1", "2", "3", "4", "5", "6", "7" }));
+  const std::string gap = "the widest gap between a face and its edge is ";
+  CheckEqual("one note of gaps", "Note: nut: " + gap + "2 mm\nNote: last\nand 1 more note\n",
+    sm::FormatNotes("", { "nut: " + gap + "2 mm", "rod: " + gap + "3 mm", "last" }));
 }
 }
 

@@ -22,6 +22,11 @@ elseif (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersSection AND TARGET
     COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginWalk.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
       "${SOLIDMOMENTS_TEST_OUTPUT}")
 endif ()
+if (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersSection)
+  solidmoments_add_test(NAME PluginKeys LABELS plugin value XVFB TIMEOUT 1200
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginKeys.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
+      "${SOLIDMOMENTS_TEST_OUTPUT}")
+endif ()
 # The run that Esc stops is one of the paper's schemes.
 if (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersMomentSchemes)
   solidmoments_add_test(NAME PluginEscape LABELS plugin robust XVFB
