@@ -24,6 +24,8 @@ namespace sm
 /// Data of the file about a shape other than its geometry; the key of a ShapeTable is the shape's TShape.
 struct ShapeInfo
 {
+  /// Keeps the shape: another one that got its address would get its data.
+  Handle(TopoDS_TShape) Owner;
   int FileId = 0;
   std::string Name;
   Vector3 Color{ -1.0, -1.0, -1.0 };
@@ -43,6 +45,14 @@ struct ShapeInfo
   bool Misplaced = false;
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
+
+/// Returns the data of a shape; empty ones are added if it has none.
+inline ShapeInfo& AddShapeInfo(ShapeTable& table, const TopoDS_Shape& shape)
+{
+  ShapeInfo& info = table[shape.TShape().get()];
+  info.Owner = shape.TShape();
+  return info;
+}
 
 /// Returns true if OpenCASCADE has not repaired a solid or shell, or only some of its faces.
 SMREADERSSTEP_EXPORT bool IsAsInFile(const TopoDS_Shape& shape, const ShapeTable& table);

@@ -128,10 +128,14 @@ std::vector<TopoDS_Shape> ShapeAdder::GetParts(const TopoDS_Shape& shell)
   if (parts.empty())
   {
     parts = SplitShell(shell);
-    ShapeInfo info = this->Result.Table[shell.TShape().get()];
+    ShapeInfo info = AddShapeInfo(this->Result.Table, shell);
     for (const TopoDS_Shape& part : parts)
     {
-      this->Result.Table.emplace(part.TShape().get(), info);
+      if (!part.IsSame(shell))
+      {
+        info.Owner = part.TShape();
+        this->Result.Table.emplace(part.TShape().get(), info);
+      }
       info.LostFaces = 0;
     }
   }

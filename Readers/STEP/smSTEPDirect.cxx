@@ -153,7 +153,7 @@ private:
     }
     for (const auto& [shape, face] : this->Log.SoundFaces)
     {
-      this->Result.Table[shape].AsInFile = face;
+      AddShapeInfo(this->Result.Table, face->Face).AsInFile = face;
     }
     return true;
   }
@@ -180,12 +180,12 @@ private:
     info.OpenSolid = isOpen;
     for (TopExp_Explorer it(to, isOpen ? TopAbs_SHELL : from.ShapeType()); it.More(); it.Next())
     {
-      const auto [place, isNew] = this->Result.Table.emplace(it.Current().TShape().get(), info);
-      if (!isNew && place->second.FileId == 0)
+      ShapeInfo& own = AddShapeInfo(this->Result.Table, it.Current());
+      if (own.FileId == 0)
       {
-        const auto sound = place->second.AsInFile;
-        place->second = info;
-        place->second.AsInFile = sound;
+        info.Owner = own.Owner;
+        info.AsInFile = own.AsInFile;
+        own = info;
       }
     }
   }

@@ -140,7 +140,7 @@ private:
 
   void Describe(const TopoDS_Shape& shape, std::uint64_t id, std::string_view name)
   {
-    ShapeInfo& info = this->Shapes.Table[shape.TShape().get()];
+    ShapeInfo& info = AddShapeInfo(this->Shapes.Table, shape);
     info.FileId = static_cast<int>(id);
     info.Name = GetShapeName(name);
   }
@@ -186,7 +186,7 @@ private:
     result.Closed(this->Body.Kind == CensusBodyKind::Solid);
     if (this->NumberOfLostFaces > lost)
     {
-      this->Shapes.Table[result.TShape().get()].LostFaces = this->NumberOfLostFaces - lost;
+      AddShapeInfo(this->Shapes.Table, result).LostFaces = this->NumberOfLostFaces - lost;
     }
     return hasFaces ? TopoDS_Shape(result) : TopoDS_Shape();
   }
@@ -419,7 +419,7 @@ private:
     }
     this->CheckTorus(census.Id, surfaceEntity, *surface.Value, isBounded);
     this->Describe(face, census.Id, this->Entities.Get(entity, NameOfItem).Text);
-    ShapeInfo& info = this->Shapes.Table[face.TShape().get()];
+    ShapeInfo& info = AddShapeInfo(this->Shapes.Table, face);
     info.OwnSurface = surface.Own;
     info.Bounded = isBounded;
     face.Orientation(isForward ? TopAbs_FORWARD : TopAbs_REVERSED);
