@@ -212,6 +212,10 @@ void Read(std::string content, RepairMode repair, const ProgressCallback& progre
     }
   }
   document.Statements = ReadFaceStatements(declared.Text, declared.Census);
+  for (const std::uint64_t face : document.ReversedFaces)
+  {
+    document.Statements[face].IsForward = !document.Statements[face].IsForward;
+  }
   Conclude(declared.Census, document);
 }
 }

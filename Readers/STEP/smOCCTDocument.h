@@ -88,6 +88,9 @@ struct Document
   ShapeTable Table;
   /// What a STEP file states about its faces in space.
   FaceStatements Statements;
+  /// Numbers of the faces whose surface was read with the opposite normal, because one of its parameters runs
+  /// backwards in the file.
+  std::vector<std::uint64_t> ReversedFaces;
   /// Wall-clock seconds until the entities are in memory, and those of the inspection of faces, which finds
   /// missing trim curves. The rest of the time of reading is the transfer of entities to shapes.
   double ParseSeconds = 0.0;

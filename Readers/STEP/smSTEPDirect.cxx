@@ -65,6 +65,7 @@ public:
       return false;
     }
     this->Shapes.Report(this->Result.Messages, this->Result.Defects);
+    this->Result.ReversedFaces = this->Shapes.GetReversedFaces();
     this->AddColors();
     AddSTEPProducts(
       this->Entities, this->Census, this->Kind, this->Bodies, this->OccurrenceColors, this->Result);

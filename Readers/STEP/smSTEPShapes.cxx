@@ -417,6 +417,10 @@ private:
     {
       this->AddNaturalBounds(kernel, face);
     }
+    if (surface.Value->IsReversed())
+    {
+      this->Shapes.ReversedFaces.push_back(census.Id);
+    }
     this->CheckTorus(census.Id, surfaceEntity, *surface.Value, isBounded);
     this->Describe(face, census.Id, this->Entities.Get(entity, NameOfItem).Text);
     ShapeInfo& info = AddShapeInfo(this->Shapes.Table, face);

@@ -41,6 +41,8 @@ public:
 
   /// Returns a solid, or a compound of the shells of a surface model; null if no face of it is made.
   TopoDS_Shape MakeBody(const CensusBody& body);
+  /// Numbers of the faces whose surface has the opposite normal (STEPSurface::IsReversed()).
+  const std::vector<std::uint64_t>& GetReversedFaces() const { return this->ReversedFaces; }
   /// Reports contradictions within the file that the shapes made so far do not show.
   void Report(std::vector<std::string>& messages, std::vector<std::string>& defects) const;
   /// Returns "face #12" for a shape that was made of entity #12, else "a shape".
@@ -68,6 +70,7 @@ private:
   FirstOfSeveral ShortArcs;
   FirstOfSeveral LostFaces;
   std::vector<std::string> Defects;
+  std::vector<std::uint64_t> ReversedFaces;
 };
 }
 

@@ -33,7 +33,10 @@ std::vector<std::string> ListFolders(const char* folders)
 }
 }
 
-vtkSTEPReader::vtkSTEPReader() = default;
+vtkSTEPReader::vtkSTEPReader()
+{
+  this->SetSearchFolders("");
+}
 
 vtkSTEPReader::~vtkSTEPReader()
 {

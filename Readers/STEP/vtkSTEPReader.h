@@ -63,7 +63,7 @@ public:
   ///@{
   /**
    * Folders in which files are looked for that the file names as the shapes of parts of its assembly, with
-   * colons between them; those in the folder of the file itself are found without (null, default). No
+   * colons between them; those in the folder of the file itself are found without (empty, default). No
    * absolute path in a file, and none with "..", is followed: only its last part counts. Files that are not
    * found are reported, and the result is suspect. Not used with SetContent().
    */
