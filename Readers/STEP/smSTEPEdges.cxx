@@ -44,7 +44,7 @@ public:
       {
         this->FindClosed(range);
       }
-      else if (this->IsSame)
+      else if (this->IsSame && this->Edge.First == this->Edge.Last)
       {
         throw STEPGeometryFailure{ "its vertices are the same, and its curve is not closed" };
       }

@@ -41,10 +41,10 @@ struct STEPEdge
  *
  * | curve | parameters of the vertices | both vertices are the same |
  * |---|---|---|
- * | line | feet | refused |
+ * | line | feet | refused, except a part that is shorter than SameVertex |
  * | ellipse, circle | angles, the second one less than a turn behind | the whole turn |
  * | parabola, hyperbola | closed form | refused |
- * | open spline, and others | feet; ends of the curve within SameVertex | refused |
+ * | open spline, and others | feet; ends of the curve within SameVertex | likewise |
  * | closed spline, and others | likewise; a part over the seam is a composite curve | the whole curve |
  *
  * Not thread safe. Throws only std::bad_alloc.

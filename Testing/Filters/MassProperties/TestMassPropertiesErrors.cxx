@@ -129,7 +129,6 @@ int TestMassPropertiesErrors(int argc, char* argv[])
   CheckRefused(folder + "/there_is_no_such_file.step", names::StatusUnreadable);
   CheckRefused(folder, names::StatusUnreadable);
   CheckRefused(manifest.GetSpecial("empty").Path, names::StatusUnreadable);
-  CheckRefused(manifest.GetSpecial("truncated").Path, names::StatusUnreadable);
   CheckRefused(manifest.GetSpecial("not_step").Path, names::StatusUnreadable);
   CheckRefused(manifest.GetSpecial("no_geometry").Path, names::StatusEmpty);
   CheckRefused(manifest.GetSpecial("points_only").Path, names::StatusEmpty);
