@@ -1,8 +1,10 @@
 #include "smSTEPExternalFiles.h"
 
 #include "smSTEPCensus.h"
+#include "smTextEncoding.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <set>
@@ -21,6 +23,8 @@ constexpr std::size_t MaxFiles = 10000;
 
 /// Text in which names of other files may stand; without it there are none.
 constexpr std::string_view FileEntity = "DOCUMENT_FILE";
+/// Numbers of another file are increased by a multiple of this.
+constexpr std::uint64_t RoundNumber = 1000;
 constexpr std::string_view EndOfSection = "ENDSEC";
 
 /// Returns the text of an entity with all numbers of entities increased, except in strings and comments.
@@ -39,9 +43,10 @@ std::string Renumber(std::string_view text, std::uint64_t by)
     {
       ++end;
     }
-    result += text[i] == '#' && end > i + 1
-      ? "#" + std::to_string(std::stoull(std::string(text.substr(i + 1, end - i - 1))) + by)
-      : std::string(text.substr(i, end - i));
+    std::uint64_t number = 0;
+    const bool isNumber = text[i] == '#' && end > i + 1 &&
+      std::from_chars(text.data() + i + 1, text.data() + end, number).ec == std::errc();
+    result += isNumber ? "#" + std::to_string(number + by) : std::string(text.substr(i, end - i));
     i = end - 1;
   }
   return result;
@@ -190,7 +195,7 @@ private:
   /// Returns the canonical path of a file; empty if it is in none of the folders.
   fs::path FindFile(const std::string& name, const fs::path& own) const
   {
-    std::string slashed = name;
+    std::string slashed = DecodePart21Text(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     const fs::path written(slashed);
     const bool isPlain = written.is_relative() && slashed.find(':') == std::string::npos &&
@@ -220,11 +225,7 @@ private:
     Part21File file;
     const bool isRead = file.Read(path.string());
     const std::vector<ShapedProduct> none;
-    std::uint64_t by = 1000;
-    while (by <= this->Largest)
-    {
-      by *= 10;
-    }
+    const std::uint64_t by = (this->Largest / RoundNumber + 1) * RoundNumber;
     std::vector<ShapedProduct> roots = isRead ? FindRoots(TakeSTEPCensus(file), by) : none;
     if (roots.empty())
     {

@@ -260,6 +260,11 @@ AffineTransform<Dimension> ReadGeometryOperator(
     const auto get = [&](int k) { return isGiven[k] ? &read[k] : nullptr; };
     if (!MakeBaseAxes({ get(0), get(1), get(2) }, axes))
     {
+      // FindSTEPDoubts() sees simple instances only.
+      if (entities.File.IsComplex(entity))
+      {
+        throw STEPGeometryFailure{ "two axes of its transformation are parallel" };
+      }
       // Two are parallel, which FindSTEPDoubts() reports: the last axis counts first.
       axes[2] = isGiven[2] ? read[2] : Vector3{ 0.0, 0.0, 1.0 };
       if (!isGiven[0] || !ProjectFirstAxis(axes[2], &read[0], axes[0]))

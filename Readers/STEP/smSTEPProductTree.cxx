@@ -420,12 +420,17 @@ private:
     return false;
   }
 
-  /// Gets the motion that brings the frame of the part onto that of the assembly; none if the file states no
-  /// placement, which the census reports. Returns false, with a defect, if it is not read.
+  /// Gets the motion that brings the frame of the part onto that of the assembly; none, with a defect,
+  /// if the file states no placement. Returns false, with a defect, if it is not read.
   bool GetPlacement(const CensusOccurrence& occurrence, gp_Trsf& motion)
   {
     if (occurrence.Transformation == 0 || occurrence.ChildShape == 0)
     {
+      if (occurrence.HasSolids && this->Unplaced.insert(occurrence.Id).second)
+      {
+        this->Result.Defects.push_back("Occurrence #" + std::to_string(occurrence.Id) +
+          " of the file has no placement: it is taken at the origin of its assembly. Export the file again.");
+      }
       return true;
     }
     const Index transformation = this->Entities.File.Find(occurrence.Transformation);

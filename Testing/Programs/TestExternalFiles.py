@@ -121,6 +121,11 @@ check_whole("an assembly as a part", write_assembly(at(folder, "nested.step"), [
 check_whole("a file that names others", write_assembly(at(folder, "upper.step"), [("twice.step", (0, 0, 100))]), 48.0, (16, 1.5, 102))
 check_whole("an absolute name: its last part", write_assembly(at(folder, "absolute.step"), [("C:/of/the/author/plate.step", (0, 0, 0))]), 24.0, (1, 1.5, 2))
 
+many = [(f"part{k}.step", (0, 0, 10 * k)) for k in range(15)]
+for file, _ in many:
+    write_product(at(folder, file), Part("part", [((0, 0, 0), (1, 1, 1))]))
+check_whole("fifteen files", write_assembly(at(folder, "many.step"), many), 15.0, (0.5, 0.5, 70.5))
+
 check_flagged("a missing file", write_assembly(at(folder, "missing.step"), [("plate.step", (0, 0, 0)), ("nowhere.step", (9, 0, 0))]), ["nowhere.step"], 24.0)
 check_flagged("a file of another kind", write_assembly(at(folder, "other.step"), [("plate.step", (0, 0, 0)), ("note.txt", (9, 0, 0))]), ["note.txt of product #40 is not a STEP file"], 24.0)
 check_flagged("the file itself", write_assembly(at(folder, "itself.step"), [("plate.step", (0, 0, 0)), ("itself.step", (9, 0, 0))]),
