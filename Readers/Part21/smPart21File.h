@@ -146,10 +146,6 @@ public:
   /// The names in FILE_SCHEMA, as in the file.
   const std::vector<std::string>& GetSchemas() const { return this->Schemas; }
 
-  /// Returns true if the file has what the first edition of the standard has not: several or named DATA
-  /// sections, and sections of other kinds.
-  bool HasLaterSections() const { return this->LaterSections; }
-
   const std::vector<Part21Problem>& GetProblems() const { return this->Problems; }
   /// Returns the number of defects of a kind, including those that are not listed.
   std::size_t GetNumberOfProblems(Part21Defect defect) const
@@ -208,7 +204,6 @@ private:
   std::vector<SparseId> SparseIds;
   std::vector<std::string> TypeNames;
   std::vector<std::string> Schemas;
-  bool LaterSections = false;
   std::vector<Part21Problem> Problems;
   std::array<std::size_t, static_cast<std::size_t>(Part21Defect::Count)> Counts{};
 };

@@ -118,8 +118,6 @@ bool Part21Parser::ParseSection()
   {
     // A section may have a name and its schema: DATA('NAME',('SCHEMA'));
     this->SkipBlanks();
-    this->File.LaterSections = this->File.LaterSections || this->HasData || this->Cursor.Peek() == '(';
-    this->HasData = true;
     if (this->Cursor.Peek() == '(' && !this->Cursor.SkipBrackets())
     {
       this->Recover();
@@ -135,7 +133,6 @@ bool Part21Parser::ParseSection()
   }
   else if (word == "ANCHOR" || word == "REFERENCE" || word == "SIGNATURE")
   {
-    this->File.LaterSections = true;
     this->SkipSection();
   }
   else

@@ -59,7 +59,6 @@ private:
   /// Hash table of type names with open addressing: index of a name plus one; 0 for a free entry.
   std::vector<std::uint32_t> TypeTable = std::vector<std::uint32_t>(1024, 0);
   bool Ended = false;
-  bool HasData = false;
 };
 }
 

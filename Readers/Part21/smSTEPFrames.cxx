@@ -15,9 +15,6 @@ namespace
 constexpr double ParallelSine = 1e-12;
 /// The same for the default of a direction, for which a file's rounding errors must not decide.
 constexpr double DefaultSine = 1e-9;
-/// Rounding errors of a product of two frames.
-constexpr double FrameRounding = 1e-14;
-
 bool ReadThreeNumbers(std::string_view list, STEPVector& numbers)
 {
   Part21Values values(list);
@@ -72,28 +69,6 @@ bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVect
   return true;
 }
 
-STEPVector GetKernelFirstAxis(const STEPVector& z)
-{
-  const double a = std::fabs(z[0]);
-  const double b = std::fabs(z[1]);
-  const double c = std::fabs(z[2]);
-  STEPVector x{};
-  if (b <= a && b <= c)
-  {
-    x = a > c ? STEPVector{ -z[2], 0.0, z[0] } : STEPVector{ z[2], 0.0, -z[0] };
-  }
-  else if (a <= b && a <= c)
-  {
-    x = b > c ? STEPVector{ 0.0, -z[2], z[1] } : STEPVector{ 0.0, z[2], -z[1] };
-  }
-  else
-  {
-    x = a > b ? STEPVector{ -z[1], z[0], 0.0 } : STEPVector{ z[1], -z[0], 0.0 };
-  }
-  vtkMath::Normalize(x.data());
-  return x;
-}
-
 bool MakeBaseAxes(const std::array<const STEPVector*, 3>& given, std::array<STEPVector, 3>& axes)
 {
   STEPVector& x = axes[0];
@@ -136,52 +111,5 @@ bool ReadSTEPFrame(const STEPAttributes& entities, Part21File::Index placement, 
   }
   vtkMath::Cross(z.data(), frame.Axes[0].data(), frame.Axes[1].data());
   return true;
-}
-
-STEPFrame Compose(const STEPFrame& first, const STEPFrame& second)
-{
-  const auto rotate = [&first](const STEPVector& vector)
-  {
-    STEPVector result{};
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      result[i] = first.Axes[0][i] * vector[0] + first.Axes[1][i] * vector[1] + first.Axes[2][i] * vector[2];
-    }
-    return result;
-  };
-  STEPFrame result;
-  result.Origin = rotate(second.Origin);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    result.Axes[i] = rotate(second.Axes[i]);
-    result.Origin[i] += first.Origin[i];
-  }
-  return result;
-}
-
-STEPFrame Invert(const STEPFrame& frame)
-{
-  STEPFrame result;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    result.Axes[i] = { frame.Axes[0][i], frame.Axes[1][i], frame.Axes[2][i] };
-    result.Origin[i] = -vtkMath::Dot(frame.Axes[i], frame.Origin);
-  }
-  return result;
-}
-
-bool IsSame(const STEPFrame& a, const STEPFrame& b, double size)
-{
-  double rotation = 0.0;
-  double shift = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    shift = std::max(shift, std::fabs(a.Origin[i] - b.Origin[i]));
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      rotation = std::max(rotation, std::fabs(a.Axes[i][k] - b.Axes[i][k]));
-    }
-  }
-  return rotation <= FrameRounding && shift <= FrameRounding * size;
 }
 }

@@ -34,9 +34,6 @@ bool ReadSTEPDirection(const STEPAttributes& entities, Part21File::Index directi
 /// `reference` is parallel to `z`.
 SMREADERSPART21_EXPORT bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVector& x);
 
-/// The x axis that OpenCASCADE gives a placement without a reference direction.
-STEPVector GetKernelFirstAxis(const STEPVector& z);
-
 /// The function base_axis: the axes of an operator of which some are given, others null. They may be a
 /// reflection. Returns false if one is parallel to another; this may also be the default of y.
 SMREADERSPART21_EXPORT bool MakeBaseAxes(
@@ -45,12 +42,6 @@ SMREADERSPART21_EXPORT bool MakeBaseAxes(
 /// Reads an AXIS2_PLACEMENT_3D. Returns false if it is damaged or has no x axis.
 SMREADERSPART21_EXPORT bool ReadSTEPFrame(
   const STEPAttributes& entities, Part21File::Index placement, STEPFrame& frame);
-
-/// The motion `second` followed by `first`.
-STEPFrame Compose(const STEPFrame& first, const STEPFrame& second);
-STEPFrame Invert(const STEPFrame& frame);
-/// Returns true if two frames differ by no more than rounding errors of lengths of this size.
-bool IsSame(const STEPFrame& a, const STEPFrame& b, double size);
 }
 
 #endif

@@ -41,8 +41,6 @@ struct ShapeInfo
   FileSurface OwnSurface;
   /// Number of faces that a shell has in the file but not in OpenCASCADE's shape.
   int LostFaces = 0;
-  /// True for a solid or shell one of whose instances lost its scale or reflection in the transfer.
-  bool Misplaced = false;
 };
 using ShapeTable = std::unordered_map<const TopoDS_TShape*, ShapeInfo>;
 

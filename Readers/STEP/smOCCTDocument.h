@@ -31,8 +31,6 @@ struct PartBody
   double FileVolume = std::numeric_limits<double>::quiet_NaN();
   double FileArea = std::numeric_limits<double>::quiet_NaN();
   Vector3 Color{ -1.0, -1.0, -1.0 };
-  /// True if an instance of it lost its scale or reflection.
-  bool Misplaced = false;
   /// Accuracy of coordinates in mm that the file states for it; 0: none.
   double Uncertainty = 0.0;
   /// Number of faces that the file declares and that Shape does not have; Messages names them.

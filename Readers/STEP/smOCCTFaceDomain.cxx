@@ -48,7 +48,7 @@ constexpr double Rounded = 1e-14;
 constexpr double SamePart = 1e-7;
 
 /// A domain that begins at 0, or has no ends, does not state which part of the surface is meant
-/// (KeepRevolvedConics()).
+/// (smSTEPRevolvedConics.h).
 constexpr double StatedStart = 1e-12;
 
 /// Edges within this distance of a part, relative to the extent of the profile, may lie on it.

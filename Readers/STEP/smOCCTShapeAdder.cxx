@@ -181,7 +181,6 @@ void ShapeAdder::AddBody(const TopoDS_Shape& shape, bool solid, const PartBody& 
       body.FileId = info->second.FileId;
       body.Name = info->second.Name.empty() ? body.Name : info->second.Name;
       body.Color = info->second.Color[0] >= 0.0 ? info->second.Color : body.Color;
-      body.Misplaced = info->second.Misplaced;
     }
     if (body.Name.empty())
     {

@@ -61,11 +61,6 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const FaceSt
     { this->GetStatementPlace(part), part.Solid, size.SignedVolume, std::move(size.FaceAreas) }, body);
   body.MissingFaces = std::max(body.MissingFaces, part.LostFaces);
   body.Messages.insert(body.Messages.end(), part.Messages.begin(), part.Messages.end());
-  if (part.Misplaced)
-  {
-    ++body.Defects;
-    body.Messages.push_back("An instance of it lost its scale or its mirror.");
-  }
   this->MakeModel(part, size, body);
   this->Summarise(part, body.Messages);
   this->ConversionSeconds = vtkTimerLog::GetUniversalTime() - start - this->MeshSeconds;

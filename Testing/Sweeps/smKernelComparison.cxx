@@ -111,7 +111,7 @@ public:
       std::hypot(this->Origin[0], this->Origin[1], this->Origin[2]);
     this->Body = sm::ConvertBody(part.Shape, part.Scale, 1.0, this->Origin, table);
     result.MissingFaces += this->Body.MissingFaces;
-    result.Defects += this->Body.Defects + (part.Misplaced ? 1 : 0);
+    result.Defects += this->Body.Defects;
     result.Messages.insert(result.Messages.end(), this->Body.Messages.begin(), this->Body.Messages.end());
   }
 
