@@ -29,13 +29,13 @@ struct Signature
   double Area, First, Trace, VectorArea, Along;
 };
 
-Signature GetSignature(const FaceShape& face)
+Signature GetSignature(const FaceAreaMoments& face)
 {
   return { face.Area, Norm(face.First), face.GetTrace(), Norm(face.VectorArea),
     Dot(face.First, face.VectorArea) };
 }
 
-Slack GetSlack(const FaceShape& a, const FaceShape& b, double tolerance, double radius)
+Slack GetSlack(const FaceAreaMoments& a, const FaceAreaMoments& b, double tolerance, double radius)
 {
   const double area = std::max(a.Area, b.Area);
   return { tolerance * area + a.AreaBound + b.AreaBound,
@@ -44,7 +44,7 @@ Slack GetSlack(const FaceShape& a, const FaceShape& b, double tolerance, double 
     tolerance * area + 3.0 * (a.VectorAreaBound + b.VectorAreaBound) };
 }
 
-bool HaveSameSignature(const FaceShape& a, const FaceShape& b, double tolerance, double radius)
+bool HaveSameSignature(const FaceAreaMoments& a, const FaceAreaMoments& b, double tolerance, double radius)
 {
   const Slack slack = GetSlack(a, b, tolerance, radius);
   const Signature x = GetSignature(a);
@@ -63,7 +63,7 @@ bool AreNear(const std::array<double, N>& a, const std::array<double, N>& b, dou
     a.begin(), a.end(), b.begin(), [slack](double x, double y) { return std::abs(x - y) <= slack; });
 }
 
-bool AreEqual(const FaceShape& a, const FaceShape& b, double tolerance, double radius)
+bool AreEqual(const FaceAreaMoments& a, const FaceAreaMoments& b, double tolerance, double radius)
 {
   const Slack slack = GetSlack(a, b, tolerance, radius);
   return std::abs(a.Area - b.Area) <= slack.Area && AreNear(a.First, b.First, slack.First) &&
@@ -88,16 +88,16 @@ struct SortedShape
     std::iota(this->Order.begin(), this->Order.end(), std::size_t{ 0 });
     std::sort(this->Order.begin(), this->Order.end(),
       [&shape](std::size_t x, std::size_t y) { return shape.Faces[x].Area < shape.Faces[y].Area; });
-    for (const FaceShape& face : shape.Faces)
+    for (const FaceAreaMoments& face : shape.Faces)
     {
       this->AreaBound = std::max(this->AreaBound, face.AreaBound);
     }
   }
 
-  const FaceShape& GetFace(std::size_t i) const { return this->Shape->Faces[i]; }
+  const FaceAreaMoments& GetFace(std::size_t i) const { return this->Shape->Faces[i]; }
 
   /// The part of Order with the faces that may have the area of this one.
-  std::pair<OrderIterator, OrderIterator> FindArea(const FaceShape& face, double tolerance) const
+  std::pair<OrderIterator, OrderIterator> FindArea(const FaceAreaMoments& face, double tolerance) const
   {
     const double slack = 2.0 * tolerance * face.Area + face.AreaBound + this->AreaBound;
     const auto begin = std::partition_point(this->Order.begin(), this->Order.end(),
@@ -112,9 +112,9 @@ struct SortedShape
 bool Carries(const Matrix3& rotation, const PartShape& a, const SortedShape& b, double tolerance)
 {
   std::vector<bool> used(b.Order.size());
-  for (const FaceShape& face : a.Faces)
+  for (const FaceAreaMoments& face : a.Faces)
   {
-    FaceShape carried = face;
+    FaceAreaMoments carried = face;
     carried.Rotate(rotation);
     const auto [begin, end] = b.FindArea(face, tolerance);
     const auto found = std::find_if(begin, end,
@@ -143,7 +143,7 @@ struct Direction
 constexpr double MinWeight = 1e-9;
 constexpr int MaxRotations = 2000;
 
-std::vector<Direction> GetDirections(const FaceShape& face, std::size_t index, double radius)
+std::vector<Direction> GetDirections(const FaceAreaMoments& face, std::size_t index, double radius)
 {
   std::vector<Direction> directions;
   const auto add = [&](int kind, const std::array<double, 3>& vector, double weight)
@@ -163,7 +163,7 @@ std::vector<Direction> GetDirections(const FaceShape& face, std::size_t index, d
   {
     for (int j = 0; j < 3; ++j)
     {
-      matrix[i][j] = face.Second[FaceShape::Pair[i][j]];
+      matrix[i][j] = face.Second[FaceAreaMoments::Pair[i][j]];
     }
   }
   double values[3];

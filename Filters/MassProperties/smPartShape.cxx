@@ -53,9 +53,9 @@ IntegralRequest MakeShapeRequest(double relativeTolerance)
   return request;
 }
 
-FaceShape MakeFace(const FaceIntegrals& integrals)
+FaceAreaMoments MakeFace(const FaceIntegrals& integrals)
 {
-  FaceShape face;
+  FaceAreaMoments face;
   const auto get = [&integrals](int k) { return integrals.Face[k] + integrals.Closing[k]; };
   const auto getBound = [&integrals](int first, int count)
   {
@@ -84,7 +84,7 @@ FaceShape MakeFace(const FaceIntegrals& integrals)
   return face;
 }
 
-bool IsFinite(const FaceShape& face)
+bool IsFinite(const FaceAreaMoments& face)
 {
   const double sum = face.Area + Norm(face.First) + Norm(face.VectorArea) + face.AreaBound + face.FirstBound +
     face.SecondBound + face.VectorAreaBound + std::accumulate(face.Second.begin(), face.Second.end(), 0.0);
@@ -101,7 +101,7 @@ bool IsAccurate(const PartShape& shape)
   const double radius = shape.GetRadius();
   const double area = shape.GetArea();
   return std::all_of(shape.Faces.begin(), shape.Faces.end(),
-    [radius, area](const FaceShape& face)
+    [radius, area](const FaceAreaMoments& face)
     {
       const double largest = std::max(LargestFaceBound * face.Area, LargestPartBound * area);
       return face.AreaBound <= largest && face.FirstBound <= largest * radius &&
@@ -144,14 +144,14 @@ std::array<double, 3> Apply(const Matrix3& m, const std::array<double, 3>& v)
 }
 
 /// Moves the reference of a face's moments by `shift`.
-void MoveReference(const std::array<double, 3>& shift, FaceShape& face)
+void MoveReference(const std::array<double, 3>& shift, FaceAreaMoments& face)
 {
   const double distance = Norm(shift);
   for (int i = 0; i < 3; ++i)
   {
     for (int j = i; j < 3; ++j)
     {
-      face.Second[FaceShape::Pair[i][j]] +=
+      face.Second[FaceAreaMoments::Pair[i][j]] +=
         face.Area * shift[i] * shift[j] - face.First[i] * shift[j] - face.First[j] * shift[i];
     }
   }
@@ -164,7 +164,7 @@ void MoveReference(const std::array<double, 3>& shift, FaceShape& face)
 }
 }
 
-void FaceShape::Rotate(const Matrix3& matrix)
+void FaceAreaMoments::Rotate(const Matrix3& matrix)
 {
   const std::array<double, 6> second = this->Second;
   for (int i = 0; i < 3; ++i)
@@ -189,7 +189,7 @@ void FaceShape::Rotate(const Matrix3& matrix)
 double PartShape::GetArea() const
 {
   double area = 0.0;
-  for (const FaceShape& face : this->Faces)
+  for (const FaceAreaMoments& face : this->Faces)
   {
     area += face.Area;
   }
@@ -199,7 +199,7 @@ double PartShape::GetArea() const
 double PartShape::GetRadius() const
 {
   double radius = 0.0;
-  for (const FaceShape& face : this->Faces)
+  for (const FaceAreaMoments& face : this->Faces)
   {
     // Root mean square distance of the face's points from the reference.
     radius = std::max(radius, std::sqrt(std::max(face.GetTrace(), 0.0) / face.Area));
@@ -213,7 +213,7 @@ void PartShape::Center()
   const double area = this->GetArea();
   for (int i = 0; i < 3; ++i)
   {
-    for (const FaceShape& face : this->Faces)
+    for (const FaceAreaMoments& face : this->Faces)
     {
       shift[i] += face.First[i];
     }
@@ -221,13 +221,13 @@ void PartShape::Center()
     this->Reference[i] += shift[i];
   }
   double bound = 0.0;
-  for (FaceShape& face : this->Faces)
+  for (FaceAreaMoments& face : this->Faces)
   {
     MoveReference(shift, face);
     bound += face.FirstBound / area;
   }
   // The centre of an equal shape has an error of the same size.
-  for (FaceShape& face : this->Faces)
+  for (FaceAreaMoments& face : this->Faces)
   {
     face.SecondBound += 2.0 * bound * Norm(face.First);
     face.FirstBound += bound * face.Area;
@@ -246,7 +246,7 @@ void PartShape::Place(const double placement[12])
   {
     this->Reference[i] += placement[4 * i + 3];
   }
-  for (FaceShape& face : this->Faces)
+  for (FaceAreaMoments& face : this->Faces)
   {
     face.Rotate(matrix);
   }

@@ -18,7 +18,7 @@ namespace sm
 {
 /// Integrals over a face, about a point of the part: area; x, y, z; xx, yy, zz, xy, yz, xz; the components of
 /// the outward normal.
-struct SMFILTERSMASSPROPERTIES_EXPORT FaceShape
+struct SMFILTERSMASSPROPERTIES_EXPORT FaceAreaMoments
 {
   double Area = 0.0;
   std::array<double, 3> First{};
@@ -44,7 +44,7 @@ struct SMFILTERSMASSPROPERTIES_EXPORT PartShape
 {
   /// The point that the faces refer to; after Center() that of the area's centre.
   std::array<double, 3> Reference{};
-  std::vector<FaceShape> Faces;
+  std::vector<FaceAreaMoments> Faces;
   /// False for a free shell.
   bool IsSolid = true;
   /// The reason why the shape is not known; empty if it is. An unknown shape is equal to no other.

@@ -145,7 +145,7 @@ bool HasOtherMaterial(const Quantities& before, const Quantities& after, double 
 struct Body
 {
   const SolidResults* Solid;
-  SolidShape Shape;
+  PlacedPartShape Shape;
   std::array<double, 3> Center{};
   bool IsDone = false;
 
@@ -155,7 +155,7 @@ struct Body
 
 std::vector<Body> ListEntries(const ProductResults& results, const ProductShapes& measured)
 {
-  std::map<std::string, SolidShape> shapes = ReadShapes(measured);
+  std::map<std::string, PlacedPartShape> shapes = ReadShapes(measured);
   std::vector<Body> bodies;
   for (const SolidResults& solid : results.Solids)
   {

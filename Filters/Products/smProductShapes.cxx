@@ -17,7 +17,7 @@ namespace
 /// Relative tolerance of the integrals of shapes. Their bounds are mostly the rounding of the sums.
 constexpr double ShapeTolerance = 1e-12;
 
-void Visit(Fields& fields, FaceShape& face)
+void Visit(Fields& fields, FaceAreaMoments& face)
 {
   fields.Number("area", face.Area);
   fields.Point("first", face.First);
@@ -39,7 +39,7 @@ void ProductShapes::Visit(Fields& fields)
       fields.Point("reference", shape.Reference);
       fields.Flag("solid", isSolid);
       fields.Text("problem", shape.Problem);
-      fields.List("faces", shape.Faces, [&fields](FaceShape& face) { sm::Visit(fields, face); });
+      fields.List("faces", shape.Faces, [&fields](FaceAreaMoments& face) { sm::Visit(fields, face); });
       shape.IsSolid = isSolid.value_or(false);
     });
   fields.List("bodies", this->Bodies,
@@ -78,13 +78,13 @@ ProductShapes MeasureProduct(vtkDataObject* input, const ProductResults& results
   return result;
 }
 
-bool SolidShape::IsMirrored() const
+bool PlacedPartShape::IsMirrored() const
 {
   const std::array<double, 12>& m = this->Placement;
   return vtkMath::Determinant3x3(m.data(), m.data() + 4, m.data() + 8) < 0.0;
 }
 
-std::array<double, 3> SolidShape::GetCenter() const
+std::array<double, 3> PlacedPartShape::GetCenter() const
 {
   PartShape point;
   point.Reference = this->Shape->Reference;
@@ -92,14 +92,14 @@ std::array<double, 3> SolidShape::GetCenter() const
   return point.Reference;
 }
 
-PartShape SolidShape::GetPlaced() const
+PartShape PlacedPartShape::GetPlaced() const
 {
   PartShape placed = *this->Shape;
   placed.Place(this->Placement.data());
   return placed;
 }
 
-std::map<std::string, SolidShape> ReadShapes(const ProductShapes& shapes)
+std::map<std::string, PlacedPartShape> ReadShapes(const ProductShapes& shapes)
 {
   std::vector<std::shared_ptr<const PartShape>> models;
   for (const PartShape& given : shapes.Models)
@@ -108,7 +108,7 @@ std::map<std::string, SolidShape> ReadShapes(const ProductShapes& shapes)
     shape->Center();
     models.push_back(std::move(shape));
   }
-  std::map<std::string, SolidShape> solids;
+  std::map<std::string, PlacedPartShape> solids;
   for (const ProductShapes::Body& body : shapes.Bodies)
   {
     const auto model = static_cast<std::size_t>(body.Model);

@@ -41,7 +41,7 @@ SMFILTERSPRODUCTS_EXPORT ProductShapes MeasureProduct(
   vtkDataObject* input, const ProductResults& results, double seconds);
 
 /// The data of a solid for the comparison.
-struct SolidShape
+struct PlacedPartShape
 {
   /// Index of the model, and its shape in its own coordinates, centred. Null if the solid has none.
   std::size_t Model = 0;
@@ -56,7 +56,7 @@ struct SolidShape
 };
 
 /// Returns the shapes of solids by their ids.
-std::map<std::string, SolidShape> ReadShapes(const ProductShapes& shapes);
+std::map<std::string, PlacedPartShape> ReadShapes(const ProductShapes& shapes);
 }
 
 #endif

@@ -68,7 +68,7 @@ void CheckMoments()
   CheckEqual("faces", 6, static_cast<int>(shape.Faces.size()));
   CheckTrue("no problem", shape.Problem.empty());
   // The face z = 5: area 6, x from 0 to 2, y from 0 to 3, about the reference.
-  const sm::FaceShape& top = shape.Faces[5];
+  const sm::FaceAreaMoments& top = shape.Faces[5];
   const auto& r = shape.Reference;
   const double area = 6.0;
   const double x[2] = { 0 - r[0], 2 - r[0] };
