@@ -19,11 +19,11 @@ function(solidmoments_precompile owner)
 endfunction ()
 
 solidmoments_precompile(smPrecompiledStandard
-  TARGETS FiltersCommon FiltersBezier FiltersNURBS FiltersQuadrature FiltersStability ReadersPart21 RenderingCompute RenderingNURBS)
+  TARGETS FiltersCommon FiltersBezier FiltersNURBS FiltersQuadrature FiltersStability ReadersFaces ReadersPart21 RenderingCompute RenderingNURBS)
 solidmoments_precompile(smPrecompiledVTK
   HEADERS <vtkDoubleArray.h> <vtkNew.h> <vtkPolyData.h> <vtkSmartPointer.h>
   LIBRARIES VTK::CommonDataModel
   TARGETS FiltersSurfaceIntegrals FiltersMassProperties FiltersBuoyancy FiltersMomentSchemes FiltersNURBSEdit)
-target_precompile_headers(ReadersSTEP PRIVATE ${solidmoments_standard_headers}
+target_precompile_headers(ReadersKernel PRIVATE ${solidmoments_standard_headers}
   <BRep_Tool.hxx> <Geom2d_BSplineCurve.hxx> <Geom_BSplineCurve.hxx> <Geom_BSplineSurface.hxx> <Standard_Failure.hxx>
   <StepData_StepModel.hxx> <TopExp_Explorer.hxx> <TopoDS.hxx>)

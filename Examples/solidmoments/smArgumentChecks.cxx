@@ -18,8 +18,8 @@ std::string CheckBackend(const std::string& name)
 
 std::string CheckRepair(const std::string& word)
 {
-  return word == "always" || word == "needed" ? ""
-                                              : "--repair " + word + " is not known; use always or needed";
+  const bool known = word == "always" || word == "needed" || word == "never";
+  return known ? "" : "--repair " + word + " is not known; use always, needed or never";
 }
 
 std::string CheckUnit(const std::string& name)

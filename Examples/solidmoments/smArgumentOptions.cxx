@@ -118,7 +118,8 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     .add_option("--repair", job.Repair,
       "Which solids and shells OpenCASCADE repairs: needed (default): those that are\n"
       "not sound as the file has them, as a message reports; the others are read\n"
-      "faster, with trim curves that follow the edges; or always: all")
+      "faster, with trim curves that follow the edges; always: all; or never: none,\n"
+      "and those that are not sound have their sound faces only and are suspect")
     ->type_name("WHEN")
     ->check(sm::CheckRepair);
   app

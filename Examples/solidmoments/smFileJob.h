@@ -32,7 +32,7 @@ struct JobOptions
   std::string InputUnit = "mm";           ///< of files that state none, see vtkBREPReader::SetInputUnit
   std::vector<std::string> SearchFolders; ///< see vtkSTEPReader::SetSearchFolders
   std::string Repair =
-    "needed"; ///< or "always": which shapes OpenCASCADE repairs, see vtkCADReader::SetRepair
+    "needed"; ///< or "always", "never": which shapes OpenCASCADE repairs, see vtkCADReader::SetRepair
   std::string Backend = "auto";
   double Tolerance = 1e-9; ///< relative, see vtkSurfaceIntegralGPU::SetRelativeTolerance
   /// Tolerances of single quantities, "volume=1e-6" or "center=0,1e-3": relative, absolute; see

@@ -28,7 +28,9 @@ void SetUpReader(vtkCADReader* reader, const std::string& path, const JobOptions
       folders += (folders.empty() ? "" : ":") + folder;
     }
     step->SetSearchFolders(folders.c_str());
-    step->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED : vtkSTEPReader::ALWAYS);
+    step->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED
+        : options.Repair == "never"            ? vtkSTEPReader::NEVER
+                                               : vtkSTEPReader::ALWAYS);
   }
   if (auto* brep = vtkBREPReader::SafeDownCast(reader))
   {

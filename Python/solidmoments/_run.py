@@ -81,7 +81,7 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
     or file for that of the file. input_unit: that of a BREP file, which states none. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
     for `mass_uncertainty`. materials: rows (pattern of names, material, density or None), before
     `density`. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
-    repair: needed, OpenCASCADE repairs the solids and shells that are not sound as the file has them; or always, all.
+    repair: needed, OpenCASCADE repairs the solids and shells that are not sound as the file has them; always, all; or never.
 
     Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result. A result with another status
     than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
@@ -98,8 +98,8 @@ def run_filter(file, density=None, *, content=None, unit="mm", input_unit="mm", 
     from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
-    if repair not in ("needed", "always"):
-        raise ValueError(f"repair is {repair!r}; it has to be 'needed' or 'always'")
+    if repair not in ("needed", "always", "never"):
+        raise ValueError(f"repair is {repair!r}; it has to be 'needed', 'always' or 'never'")
     check_unit(unit, input_unit)
     mass = make_filter(density, tolerance, backend, density_tolerance, max_seconds)
     if content is None and not os.path.exists(file):
@@ -116,7 +116,7 @@ def run_filter(file, density=None, *, content=None, unit="mm", input_unit="mm", 
     if is_brep:
         reader.SetInputUnit(input_unit)
     else:
-        reader.SetRepair(reader.ON_NEED if repair == "needed" else reader.ALWAYS)
+        reader.SetRepair({"needed": reader.ON_NEED, "always": reader.ALWAYS, "never": reader.NEVER}[repair])
     reader.SetMaximumSeconds(max_seconds or 0.0)
     mass.SetInputConnection(reader.GetOutputPort())
     for pattern, material, value in materials:

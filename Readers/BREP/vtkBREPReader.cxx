@@ -1,8 +1,9 @@
 #include "vtkBREPReader.h"
 
-#include "smBREPDocument.h"
+#include "smBREPFormat.h"
+#include "smFile.h"
+#include "smKernel.h"
 #include "smLengthUnits.h"
-#include "smOCCTFile.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkSTEPReader.h"
@@ -34,7 +35,16 @@ int vtkBREPReader::CanReadContent(const std::string& content)
 
 sm::Document vtkBREPReader::ReadDocument(std::string content, const sm::ProgressCallback& progress)
 {
-  sm::Document document = sm::ReadBREP(content, progress);
+  sm::Document document;
+  if (const sm::Kernel* kernel = sm::GetKernel())
+  {
+    document = kernel->ReadBREP(content, progress);
+  }
+  else
+  {
+    document.Problem = "OpenCASCADE, which reads BREP files, is not installed, or its library "
+                       "(smReadersKernel) cannot be loaded";
+  }
   document.FileUnit = this->InputUnit;
   document.FileUnitInMillimetres = document.UnitInMillimetres = sm::GetUnitInMillimetres(this->InputUnit);
   return document;

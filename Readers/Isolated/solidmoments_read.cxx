@@ -7,6 +7,7 @@
  * its standard output, and ends with the process that started it.
  */
 #include "smHelperProcess.h"
+#include "smKernel.h"
 #include "smReadProgram.h"
 #include "vtkBREPReader.h"
 #include "vtkSTEPReader.h"
@@ -62,6 +63,8 @@ bool ReadAndSend(char** arguments)
   observer->SetCallback(OnProgress);
   observer->SetClientData(&messages);
   reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  sm::SetRepairObserver([messages](bool isBeginning)
+    { sm::SendMessage(messages, isBeginning ? sm::RepairBegins : sm::RepairEnds, nullptr, 0); });
   reader->Update();
   const sm::Bytes output = reader->PackOutput();
   return sm::SendMessage(messages, sm::ReadResult, output.data(), output.size());

@@ -29,16 +29,22 @@ bool ReadThreeNumbers(std::string_view list, STEPVector& numbers)
   return !values.Next(value) && !values.IsMalformed();
 }
 
-/// Subtracts the part along the unit vector `axis` and makes the rest a unit vector. Returns the length of
-/// the rest.
+/// Subtracts the part along the unit vector `axis` and makes the rest a unit vector, which the second time
+/// removes what rounding left of a nearly parallel vector. Returns the length of the rest.
 double Project(const STEPVector& axis, STEPVector& vector)
 {
-  const double along = vtkMath::Dot(axis, vector);
-  for (std::size_t i = 0; i < 3; ++i)
+  double rest = 0.0;
+  for (int i = 0; i < 2; ++i)
   {
-    vector[i] -= along * axis[i];
+    const double along = vtkMath::Dot(axis, vector);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      vector[k] -= along * axis[k];
+    }
+    const double length = vtkMath::Normalize(vector.data());
+    rest = i == 0 ? length : rest;
   }
-  return vtkMath::Normalize(vector.data());
+  return rest;
 }
 }
 

@@ -66,6 +66,10 @@ ReadProgramOutcome RunReadProgram(const std::string& program, const std::vector<
       {
         std::memcpy(&fraction, content.data(), sizeof(fraction));
       }
+      else if (kind == RepairBegins || kind == RepairEnds)
+      {
+        outcome.IsRepairing = kind == RepairBegins;
+      }
       else if (kind == ReadResult)
       {
         outcome.Result = std::move(content);

@@ -13,9 +13,12 @@
 
 namespace sm
 {
-/// Kinds of the messages of solidmoments-read: the fraction of the work that is done, a double; the output.
+/// Kinds of the messages of solidmoments-read: the fraction of the work that is done, a double; the output; a
+/// repair begins, or has ended.
 constexpr char ReadProgress = 'p';
 constexpr char ReadResult = 'r';
+constexpr char RepairBegins = 'b';
+constexpr char RepairEnds = 'e';
 
 /// Returns the path of solidmoments-read, which is in the folder bin next to that of the library or next to a
 /// folder above it; empty if it is not there.
@@ -32,6 +35,8 @@ struct ReadProgramOutcome
   bool IsStopped = false;
   /// True if the program has sent a message: a failure is then not that of starting it.
   bool IsStarted = false;
+  /// True if it ended while OpenCASCADE repaired a body.
+  bool IsRepairing = false;
 };
 
 /**

@@ -1,15 +1,11 @@
 #include "smSTEPDirect.h"
 
+#include "smKernel.h"
 #include "smLengthUnits.h"
 #include "smSTEPAppearance.h"
 #include "smSTEPAttributes.h"
 #include "smSTEPProductTree.h"
 #include "smSTEPShapes.h"
-
-#include <BRep_Builder.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS_Compound.hxx>
-#include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
 #include <cctype>
@@ -20,7 +16,7 @@ namespace sm
 {
 namespace
 {
-/// Tolerance that OpenCASCADE's repair may give edges and vertices, in millimetres.
+/// Tolerance that the repair may give edges and vertices, in millimetres.
 constexpr double LargestTolerance = 1.0;
 
 using Index = Part21File::Index;
@@ -50,7 +46,7 @@ public:
     , Census(census)
     , Result(document)
     , Log(log)
-    , Shapes(this->Entities, census, this->Ledger, document.Table)
+    , Shapes(this->Entities, census, this->Ledger)
   {
   }
 
@@ -101,10 +97,10 @@ private:
       {
         continue;
       }
-      const TopoDS_Shape shape = this->Shapes.MakeBody(body);
-      if (!shape.IsNull())
+      ShapeGroup shapes = this->Shapes.MakeBody(body);
+      if (!shapes.IsEmpty())
       {
-        this->Bodies.emplace(static_cast<std::uint32_t>(k), shape);
+        this->Bodies.emplace(static_cast<std::uint32_t>(k), std::move(shapes));
       }
       faces += body.Faces;
       if (!progress(0.5 * static_cast<double>(faces) /
@@ -118,86 +114,141 @@ private:
 
   bool Repair(RepairMode repair, const ProgressCallback& progress)
   {
-    const ShapeLabel label = [this](const TopoDS_Shape& shape) { return this->Shapes.GetLabel(shape); };
-    const RepairFilter isSound = [&](TopoDS_Shape& shape, const FaceRepair& repairFaces)
-    {
-      if (repair == RepairMode::OnNeed)
-      {
-        return IsSoundBody(shape, this->Log, label, repairFaces);
-      }
-      LogBeforeRepair(shape, this->Log, label);
-      return false;
-    };
     std::size_t done = 0;
-    for (auto& [index, shape] : this->Bodies)
+    for (auto& [index, shapes] : this->Bodies)
     {
       const double precision = this->Shapes.GetPrecision(this->Census.Bodies[index]);
-      if (shape.ShapeType() == TopAbs_COMPOUND)
+      const RepairLimits limits{ precision, std::max(precision, LargestTolerance) };
+      ShapeGroup result;
+      for (const SolidUse& solid : shapes.Solids)
       {
-        TopoDS_Compound parts;
-        BRep_Builder builder;
-        builder.MakeCompound(parts);
-        for (TopoDS_Iterator it(shape); it.More(); it.Next())
-        {
-          builder.Add(parts, this->RepairShape(it.Value(), precision, isSound));
-        }
-        shape = parts;
+        this->RepairBody(repair, MakeBody(solid), solid.Solid->Data, limits, result);
       }
-      else
+      for (const ShellUse& shell : shapes.Shells)
       {
-        shape = this->RepairShape(shape, precision, isSound);
+        this->RepairBody(repair, MakeBody(shell), ShapeData(), limits, result);
       }
+      shapes = std::move(result);
       if (!progress(0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(this->Bodies.size())))
       {
         return false;
       }
     }
-    for (const auto& [shape, face] : this->Log.SoundFaces)
-    {
-      AddShapeInfo(this->Result.Table, face->Face).AsInFile = face;
-    }
     return true;
   }
 
-  TopoDS_Shape RepairShape(const TopoDS_Shape& original, double precision, const RepairFilter& isSound)
+  /// Adds the body, or what a repair makes of it, to `result`.
+  void RepairBody(
+    RepairMode repair, BodyShape body, const ShapeData& data, const RepairLimits& limits, ShapeGroup& result)
   {
-    const TopoDS_Shape shape = RepairOnDemand(original, precision, std::max(precision, LargestTolerance),
-      isSound, [this](const TopoDS_Shape& from, const TopoDS_Shape& to) { this->PassInfo(from, to); });
-    this->PassInfo(original, shape);
-    return shape;
+    const BodyShape original = body;
+    bool isSound = false;
+    if (repair == RepairMode::Always)
+    {
+      LogBeforeRepair(original, this->Log);
+    }
+    else
+    {
+      isSound = IsSoundBody(body, this->Log,
+        [&](const BodyShape& whole, const std::vector<const FaceShape*>& faces,
+          std::vector<const FaceShape*>& repaired)
+        {
+          const RepairNotice notice;
+          const Kernel* kernel = repair == RepairMode::Never ? nullptr : GetKernel();
+          return kernel ? kernel->RepairFaces(whole, faces, limits, repaired) : whole;
+        });
+    }
+    if (!isSound)
+    {
+      const RepairNotice notice;
+      const Kernel* kernel = repair == RepairMode::Never ? nullptr : GetKernel();
+      if (kernel)
+      {
+        const ShapeGroup repaired = kernel->RepairBody(original, data, limits);
+        result.Solids.insert(result.Solids.end(), repaired.Solids.begin(), repaired.Solids.end());
+        result.Shells.insert(result.Shells.end(), repaired.Shells.begin(), repaired.Shells.end());
+        result.Faces.insert(result.Faces.end(), repaired.Faces.begin(), repaired.Faces.end());
+        return;
+      }
+      this->TakeUnrepaired(original, data, limits.Precision, repair);
+      body = original;
+    }
+    body.VisitFaces(
+      [this](const FaceUse& use)
+      {
+        const auto sound = this->Log.SoundFaces.find(use.Face.get());
+        use.Face->Completed = sound == this->Log.SoundFaces.end() ? nullptr : sound->second;
+      });
+    AddTo(body, data, result);
   }
 
-  /// Gives what became of a shape its number, name and colour.
-  void PassInfo(const TopoDS_Shape& from, const TopoDS_Shape& to)
+  /// Completes the faces of a body that needs a repair, and gets none, as far as they are sound.
+  void TakeUnrepaired(const BodyShape& body, const ShapeData& data, double precision, RepairMode repair)
   {
-    const auto known = this->Result.Table.find(from.TShape().get());
-    if (known == this->Result.Table.end() || to.IsNull() || from.TShape() == to.TShape())
+    --this->Log.RepairedBodies;
+    const std::string reason =
+      this->Log.Reasons.empty() ? std::string() : " (" + this->Log.Reasons.back() + ")";
+    if (!this->Log.Reasons.empty())
     {
-      return;
+      this->Log.Reasons.pop_back();
     }
-    ShapeInfo info = known->second;
-    info.AsInFile = nullptr;
-    const bool isOpen = from.ShapeType() == TopAbs_SOLID && !TopExp_Explorer(to, TopAbs_SOLID).More();
-    info.OpenSolid = isOpen;
-    for (TopExp_Explorer it(to, isOpen ? TopAbs_SHELL : from.ShapeType()); it.More(); it.Next())
+    CompleteFaces(body, precision, this->Log);
+    this->Result.Defects.push_back(GetLabel(body, data) + " of the file needs a repair" + reason +
+      (repair == RepairMode::Never ? " and got none"
+                                   : ", and OpenCASCADE, which repairs, is not installed, or its library "
+                                     "(smReadersKernel) cannot be loaded") +
+      ": those of its faces that are sound are taken. Export the file again.");
+  }
+
+  static std::string GetLabel(const BodyShape& body, const ShapeData& data)
+  {
+    const int id = body.IsSolid ? data.FileId : body.Shells.front().Shell->Data.FileId;
+    return (body.IsSolid ? "Solid #" : "Shell #") + std::to_string(id);
+  }
+
+  static void AddTo(const BodyShape& body, const ShapeData& data, ShapeGroup& result)
+  {
+    if (body.IsSolid)
     {
-      ShapeInfo& own = AddShapeInfo(this->Result.Table, it.Current());
-      if (own.FileId == 0)
-      {
-        info.Owner = own.Owner;
-        info.AsInFile = own.AsInFile;
-        own = info;
-      }
+      const auto solid = std::make_shared<SolidShape>();
+      solid->Data = data;
+      solid->Shells = body.Shells;
+      result.Solids.push_back({ solid, false, {} });
+    }
+    else
+    {
+      result.Shells.insert(result.Shells.end(), body.Shells.begin(), body.Shells.end());
     }
   }
 
   void AddColors()
   {
     const STEPColors colors = STEPAppearance(this->Entities).ReadColors();
-    for (auto& [shape, info] : this->Result.Table)
+    const auto paint = [&colors](ShapeData& data)
     {
-      const auto color = colors.Items.find(static_cast<std::uint64_t>(info.FileId));
-      info.Color = color == colors.Items.end() ? info.Color : color->second;
+      const auto color = colors.Items.find(static_cast<std::uint64_t>(data.FileId));
+      data.Color = color == colors.Items.end() ? data.Color : color->second;
+    };
+    const auto paintShell = [&paint](const ShellUse& use)
+    {
+      paint(use.Shell->Data);
+      for (const FaceUse& face : use.Shell->Faces)
+      {
+        paint(face.Face->Data);
+      }
+    };
+    for (auto& [index, shapes] : this->Bodies)
+    {
+      for (const SolidUse& solid : shapes.Solids)
+      {
+        paint(solid.Solid->Data);
+        std::for_each(solid.Solid->Shells.begin(), solid.Solid->Shells.end(), paintShell);
+      }
+      std::for_each(shapes.Shells.begin(), shapes.Shells.end(), paintShell);
+      for (const FaceUse& face : shapes.Faces)
+      {
+        paint(face.Face->Data);
+      }
     }
     this->OccurrenceColors = colors.Occurrences;
   }
@@ -212,7 +263,7 @@ private:
   /// The kind of bodies that are read: solids, if the file has any.
   CensusBodyKind Kind = CensusBodyKind::Solid;
   /// Shapes by the index of their body in the census.
-  std::map<std::uint32_t, TopoDS_Shape> Bodies;
+  std::map<std::uint32_t, ShapeGroup> Bodies;
 };
 }
 

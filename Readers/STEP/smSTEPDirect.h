@@ -1,13 +1,13 @@
 /**
  * @file smSTEPDirect.h
- * @brief Reads a STEP file without OpenCASCADE's STEP reader: from its entities to the document
+ * @brief Reads a STEP file: from its entities to the document
  */
 #ifndef smSTEPDirect_h
 #define smSTEPDirect_h
 
-#include "smOCCTDocument.h"
-#include "smOCCTRepair.h"
+#include "smDocument.h"
 #include "smPart21File.h"
+#include "smRepair.h"
 #include "smSTEPCensus.h"
 
 #include <string>
@@ -15,10 +15,9 @@
 namespace sm
 {
 /**
- * Fills in units, bodies, instances and products of a document, and the table of its shapes, from the
- * entities of a file. Faces and instances that are not converted are left out and reported. Sound bodies are
- * not repaired unless `repair` is Always; the others are, by OpenCASCADE. Hold a KernelSession. Returns false
- * if `progress` returned false.
+ * Fills in units, bodies, instances and products of a document from the entities of a file. Faces and
+ * instances that are not converted are left out and reported. Sound bodies are not repaired unless `repair`
+ * is Always; the others are, by OpenCASCADE (smKernel.h). Returns false if `progress` returned false.
  */
 bool ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair,
   const ProgressCallback& progress, Document& document, RepairLog& log);

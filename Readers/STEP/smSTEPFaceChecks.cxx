@@ -1,9 +1,9 @@
 #include "smSTEPFaceChecks.h"
 
+#include "Loops/smNaturalBoundary.h"
+#include "smCatchFailure.h"
 #include "smFacePieces.h"
 #include "smFormat.h"
-#include "smOCCTFailure.h"
-#include "smOCCTNaturalBoundary.h"
 #include "smParallelFor.h"
 
 #include <algorithm>
@@ -97,15 +97,16 @@ std::vector<StatedFace> CollectStatedFaces(const FaceStatements& statements, con
   return faces;
 }
 
-/// Returns true if the kernel's surface of a face is closed.
+/// Returns true if the surface of a face is closed.
 bool IsClosedSurface(const StatedFace& face, const ConvertedBody& body)
 {
   bool isClosed = false;
   CatchFailure(
     [&]
     {
-      TopTools_IndexedMapOfShape edges;
-      isClosed = IsOnClosedSurface(CollectFace(body.Faces[face.Indices[0]].Source, edges, MissingTrim::Feet));
+      EdgeIndex edges;
+      isClosed =
+        IsOnClosedSurface(CollectFace(*body.Faces[face.Indices[0]].Source, false, edges, MissingTrim::Feet));
     });
   return isClosed;
 }

@@ -6,7 +6,7 @@
 #define smSTEPFaceChecks_h
 
 #include "smBodyCheck.h"
-#include "smOCCTBody.h"
+#include "smBodyConversion.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 #include "smSTEPLeaf.h"
 
+#include "Shapes/smShapeBounds.h"
 #include "smBodyMesh.h"
+#include "smCatchFailure.h"
 #include "smDisplayMesh.h"
-#include "smOCCTBounds.h"
-#include "smOCCTFailure.h"
 #include "smSTEPFaceChecks.h"
 
 #include "vtkPolyData.h"
@@ -26,24 +26,24 @@ constexpr double ConversionShare = 0.8;
 constexpr int UnitRoundings = 6;
 
 /// Returns the row-major 4x4 matrix of a rigid or mirrored placement, with the translation in output units.
-std::array<double, 16> GetPlacement(const gp_Trsf& trsf, double unit)
+std::array<double, 16> GetPlacement(const Placement& place, double unit)
 {
   std::array<double, 16> matrix{};
   for (int i = 0; i < 3; ++i)
   {
     for (int j = 0; j < 3; ++j)
     {
-      matrix[4 * i + j] = trsf.Value(i + 1, j + 1);
+      matrix[4 * i + j] = place.Linear[i][j];
     }
-    matrix[4 * i + 3] = unit * trsf.Value(i + 1, 4);
+    matrix[4 * i + 3] = unit * place.Translation[i];
   }
   matrix[15] = 1.0;
   return matrix;
 }
 }
 
-LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const FaceStatements& statements,
-  const LeafOptions& options, const ProgressCallback& progress)
+LeafMaker::LeafMaker(const PartBody& part, const FaceStatements& statements, const LeafOptions& options,
+  const ProgressCallback& progress)
   : Options(options)
   , Color(part.Color)
   , Model(vtkSmartPointer<vtkTrimmedNURBSModel>::New())
@@ -51,7 +51,7 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const FaceSt
   const double start = vtkTimerLog::GetUniversalTime();
   BodySize size;
   ConvertedBody body;
-  const std::string failure = CatchFailure([&]() { this->Convert(part, table, progress, size, body); });
+  const std::string failure = CatchFailure([&]() { this->Convert(part, progress, size, body); });
   if (!failure.empty())
   {
     body.Messages.push_back("The body could not be carried over: " + failure + ".");
@@ -66,16 +66,16 @@ LeafMaker::LeafMaker(const PartBody& part, const ShapeTable& table, const FaceSt
   this->ConversionSeconds = vtkTimerLog::GetUniversalTime() - start - this->MeshSeconds;
 }
 
-void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
-  BodySize& size, ConvertedBody& body)
+void LeafMaker::Convert(
+  const PartBody& part, const ProgressCallback& progress, BodySize& size, ConvertedBody& body)
 {
   double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   int unbounded = 0;
-  if (!IsAsInFile(part.Shape, table) || !GetEdgeBounds(part.Shape, bounds))
+  if (!GetShapeBounds(part.Shape, bounds, &unbounded))
   {
-    GetShapeBounds(part.Shape, bounds, &unbounded);
+    std::fill(bounds, bounds + 6, 0.0);
   }
-  const double toOutput = std::abs(part.Scale.ScaleFactor()) * this->Options.Unit;
+  const double toOutput = part.Scale.GetScale() * this->Options.Unit;
   // The origin is rounded to single precision, so that its subtraction from coordinates near it is exact.
   double origin[3];
   double box[6];
@@ -87,7 +87,7 @@ void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const Pro
   }
   this->Model->SetOrigin(origin);
   const auto report = [&progress](double x) { return progress(ConversionShare * x); };
-  body = ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, table, report,
+  body = ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, report,
     this->Options.FileUnitName.empty() || this->Options.FileUnitName == "mm" ? 0 : UnitRoundings);
   this->Aborted = body.Aborted;
   if (unbounded > 0)
@@ -103,13 +103,15 @@ void LeafMaker::Convert(const PartBody& part, const ShapeTable& table, const Pro
 
 StatementPlace LeafMaker::GetStatementPlace(const PartBody& part) const
 {
-  const AffineMap map = AffineMap::Make(part.Scale, this->Options.Unit, this->Model->GetOrigin());
   StatementPlace place;
   for (int i = 0; i < 3; ++i)
   {
-    std::copy(map.Linear[i], map.Linear[i] + 3, place.Linear[i].begin());
+    for (int j = 0; j < 3; ++j)
+    {
+      place.Linear[i][j] = this->Options.Unit * part.Scale.Linear[i][j];
+    }
+    place.Shift[i] = this->Options.Unit * part.Scale.Translation[i] - this->Model->GetOrigin()[i];
   }
-  place.Shift = map.Translation;
   return place;
 }
 
@@ -194,6 +196,6 @@ void LeafMaker::MakeModel(const PartBody& part, const BodySize& size, ConvertedB
 
 LeafSource LeafMaker::MakeSource(const BodyInstance& instance) const
 {
-  return { this->Model, GetPlacement(instance.Placement, this->Options.Unit), this->Color, instance.Color };
+  return { this->Model, GetPlacement(instance.Place, this->Options.Unit), this->Color, instance.Color };
 }
 }

@@ -5,11 +5,11 @@
 #ifndef smSTEPLeaf_h
 #define smSTEPLeaf_h
 
+#include "smBodyConversion.h"
 #include "smBodySize.h"
+#include "smDocument.h"
 #include "smFaceCheck.h"
 #include "smLeafMesh.h"
-#include "smOCCTBody.h"
-#include "smOCCTDocument.h"
 #include "smProgressCallback.h"
 
 #include "vtkSmartPointer.h"
@@ -36,8 +36,8 @@ class LeafMaker
 public:
   /// Converts and measures the body. A failure becomes a message; only std::bad_alloc is thrown. `progress`
   /// gets a fraction in [0,1] and returns false to stop.
-  LeafMaker(const PartBody& part, const ShapeTable& table, const FaceStatements& statements,
-    const LeafOptions& options, const ProgressCallback& progress);
+  LeafMaker(const PartBody& part, const FaceStatements& statements, const LeafOptions& options,
+    const ProgressCallback& progress);
 
   /// Returns the source of the leaf of one instance, which shares the model.
   LeafSource MakeSource(const BodyInstance& instance) const;
@@ -50,8 +50,7 @@ public:
   double GetConversionSeconds() const { return this->ConversionSeconds; }
 
 private:
-  void Convert(const PartBody& part, const ShapeTable& table, const ProgressCallback& progress,
-    BodySize& size, ConvertedBody& body);
+  void Convert(const PartBody& part, const ProgressCallback& progress, BodySize& size, ConvertedBody& body);
   /// Returns the place of the model relative to the statements of the file.
   StatementPlace GetStatementPlace(const PartBody& part) const;
   /// Makes the scale mesh, and measures the body by it. `box` is the approximate box of the body, relative to

@@ -92,8 +92,7 @@ private:
       uv = { Dot(away, frame.Axes[0]), Dot(away, frame.Axes[1]) };
       return true;
     }
-    return this->Stated.Finder &&
-      this->Stated.Finder->Find(gp_Pnt(point[0], point[1], point[2]), nullptr, uv.data());
+    return this->Stated.Finder && this->Stated.Finder->Find(point, nullptr, uv.data());
   }
 
   Vector3 Evaluate(double t) const

@@ -5,7 +5,7 @@
 #ifndef smSTEPParameterCurves_h
 #define smSTEPParameterCurves_h
 
-#include "smOCCTFootPoint.h"
+#include "Trims/smFootPoint.h"
 #include "smSTEPGeometry.h"
 
 #include <array>

@@ -1,56 +1,52 @@
 #include "smSTEPPolygons.h"
 
-#include <Geom_Line.hxx>
-#include <Precision.hxx>
-#include <TopoDS_Wire.hxx>
-#include <gp_Pnt.hxx>
-
 namespace sm
 {
-bool STEPPolygons::Add(const std::vector<Vector3>& corners, bool isForward, TopoDS_Face& face)
+bool STEPPolygons::Add(const std::vector<Vector3>& corners, bool isForward, FaceShape& face)
 {
-  TopoDS_Wire wire;
-  this->Builder.MakeWire(wire);
-  bool hasSides = false;
+  WireShape wire;
+  wire.Reversed = !isForward;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const Vector3& from = corners[i];
     const Vector3& to = corners[(i + 1) % corners.size()];
-    if (Norm(Subtract(to, from)) > Precision::Confusion())
+    if (Norm(Subtract(to, from)) > DefaultTolerance)
     {
       const bool isAscending = from < to;
-      const TopoDS_Edge side = isAscending ? this->GetSide(from, to) : this->GetSide(to, from);
-      this->Builder.Add(wire, side.Oriented(isAscending ? TopAbs_FORWARD : TopAbs_REVERSED));
-      hasSides = true;
+      CoedgeShape side;
+      side.Edge = isAscending ? this->GetSide(from, to) : this->GetSide(to, from);
+      side.Reversed = isAscending != isForward;
+      wire.Coedges.push_back(std::move(side));
     }
   }
+  const bool hasSides = !wire.Coedges.empty();
   if (hasSides)
   {
-    wire.Closed(true);
-    wire.Orientation(isForward ? TopAbs_FORWARD : TopAbs_REVERSED);
-    this->Builder.Add(face, wire);
+    face.Wires.push_back(std::move(wire));
   }
   return hasSides;
 }
 
-TopoDS_Edge STEPPolygons::GetSide(const Vector3& from, const Vector3& to)
+const EdgePointer& STEPPolygons::GetSide(const Vector3& from, const Vector3& to)
 {
-  TopoDS_Edge& side = this->Sides[{ from, to }];
-  if (side.IsNull())
+  EdgePointer& side = this->Sides[{ from, to }];
+  if (!side)
   {
-    const gp_Pnt start(from[0], from[1], from[2]);
-    const gp_Pnt end(to[0], to[1], to[2]);
-    this->Builder.MakeEdge(side, new Geom_Line(start, gp_Vec(start, end)), Precision::Confusion());
+    const Vector3 along = Subtract(to, from);
+    side = std::make_shared<EdgeShape>();
+    std::string problem;
+    side->Curve = GeometricCurve<3>::Make(LineCurve<3>{ from, Normalized(along) }, problem);
+    side->Last = Norm(along);
     for (const Vector3* point : { &from, &to })
     {
-      TopoDS_Vertex& corner = this->Corners[*point];
-      if (corner.IsNull())
+      VertexPointer& corner = this->Corners[*point];
+      if (!corner)
       {
-        this->Builder.MakeVertex(corner, point == &from ? start : end, Precision::Confusion());
+        corner = std::make_shared<VertexShape>();
+        corner->Point = *point;
       }
-      this->Builder.Add(side, corner.Oriented(point == &from ? TopAbs_FORWARD : TopAbs_REVERSED));
+      (point == &from ? side->Start : side->End) = corner;
     }
-    this->Builder.Range(side, 0.0, start.Distance(end));
   }
   return side;
 }

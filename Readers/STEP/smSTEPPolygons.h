@@ -5,12 +5,7 @@
 #ifndef smSTEPPolygons_h
 #define smSTEPPolygons_h
 
-#include "smVector.h"
-
-#include <BRep_Builder.hxx>
-#include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
-#include <TopoDS_Vertex.hxx>
+#include "Shapes/smShape.h"
 
 #include <map>
 #include <utility>
@@ -25,14 +20,13 @@ class STEPPolygons
 public:
   /// Adds the polygon with these corners, in millimetres, to a face, in their order or, if not `isForward`,
   /// against it. Returns false for one without sides.
-  bool Add(const std::vector<Vector3>& corners, bool isForward, TopoDS_Face& face);
+  bool Add(const std::vector<Vector3>& corners, bool isForward, FaceShape& face);
 
 private:
-  TopoDS_Edge GetSide(const Vector3& from, const Vector3& to);
+  const EdgePointer& GetSide(const Vector3& from, const Vector3& to);
 
-  BRep_Builder Builder;
-  std::map<Vector3, TopoDS_Vertex> Corners;
-  std::map<std::pair<Vector3, Vector3>, TopoDS_Edge> Sides;
+  std::map<Vector3, VertexPointer> Corners;
+  std::map<std::pair<Vector3, Vector3>, EdgePointer> Sides;
 };
 }
 

@@ -1,16 +1,14 @@
 #include "smSTEPProductTree.h"
 
 #include "Geometry/smGeometryTransform.h"
-#include "smOCCTShapeAdder.h"
 #include "smSTEPAppearance.h"
 #include "smSTEPGeometryReading.h"
 #include "smSTEPProducts.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPStructureAttributes.h"
 #include "smSTEPUnits.h"
+#include "smShapeAdder.h"
 #include "smTextEncoding.h"
-
-#include <gp_Ax3.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -42,37 +40,27 @@ std::string GetOwnName(std::string_view text)
   return IsMadeName(name) ? std::string() : name;
 }
 
-bool IsSameFrame(const gp_Ax3& a, const gp_Ax3& b)
+bool IsAtOrigin(const GeometricFrame& frame)
 {
-  const auto isSame = [](const gp_XYZ& p, const gp_XYZ& q)
-  { return p.X() == q.X() && p.Y() == q.Y() && p.Z() == q.Z(); };
-  return isSame(a.Location().XYZ(), b.Location().XYZ()) && isSame(a.Direction().XYZ(), b.Direction().XYZ()) &&
-    isSame(a.XDirection().XYZ(), b.XDirection().XYZ());
-}
-
-/// Returns the motion of the world's frame to another one.
-gp_Trsf GetMotion(const gp_Ax3& frame)
-{
-  gp_Trsf motion;
-  motion.SetTransformation(frame, gp_Ax3());
-  return motion;
+  const GeometricFrame world;
+  return frame.Origin == world.Origin && frame.Axes == world.Axes;
 }
 
 /// Returns the motion of one frame to another one.
-gp_Trsf Place(const gp_Ax3& from, const gp_Ax3& to)
+Placement Place(const GeometricFrame& from, const GeometricFrame& to)
 {
-  const gp_Trsf first = GetMotion(from);
-  const bool isOrigin = IsSameFrame(from, gp_Ax3());
-  return isOrigin ? GetMotion(to) : GetMotion(to) * first.Inverted();
+  return IsAtOrigin(from) ? MakeMotion(to) : Compose(MakeMotion(to), Invert(MakeMotion(from)));
 }
 
-gp_Trsf MakeMotion(const AffineTransform<3>& t)
+Placement ReadOperator(const AffineTransform<3>& t)
 {
   RequireGeometry(t.GetScale() > 0.0 ? "" : "its operator is not a similarity");
-  gp_Trsf motion;
-  motion.SetValues(t.Linear[0][0], t.Linear[0][1], t.Linear[0][2], t.Translation[0], t.Linear[1][0],
-    t.Linear[1][1], t.Linear[1][2], t.Translation[1], t.Linear[2][0], t.Linear[2][1], t.Linear[2][2],
-    t.Translation[2]);
+  Placement motion;
+  for (int i = 0; i < 3; ++i)
+  {
+    std::copy(t.Linear[i].begin(), t.Linear[i].end(), motion.Linear[i]);
+  }
+  motion.Translation = t.Translation;
   return motion;
 }
 
@@ -80,7 +68,7 @@ class ProductTree
 {
 public:
   ProductTree(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
-    const std::map<std::uint32_t, TopoDS_Shape>& bodies,
+    const std::map<std::uint32_t, ShapeGroup>& bodies,
     const std::unordered_map<std::uint64_t, Vector3>& colors, Document& document)
     : Entities(entities)
     , Census(census)
@@ -132,7 +120,7 @@ public:
     {
       if (!product.IsPart && product.Instances > 0)
       {
-        roots.push_back(this->Visit(product, "", gp_Trsf(), Inherited()));
+        roots.push_back(this->Visit(product, "", Placement(), Inherited()));
       }
     }
     for (std::size_t k = 0; k < this->Census.Shapes.size() && this->Census.WithoutProducts; ++k)
@@ -140,7 +128,7 @@ public:
       if (!this->Census.Shapes[k].IsUsed)
       {
         ProductNode node;
-        this->AddShapeOf(k, PartBody(), gp_Trsf(), Inherited(), node);
+        this->AddShapeOf(k, PartBody(), Placement(), Inherited(), node);
         roots.push_back(std::move(node));
       }
     }
@@ -168,7 +156,7 @@ private:
       for (const std::size_t shape : product.Shapes)
       {
         this->VisitItems(shape,
-          [&](std::uint32_t body, const gp_Trsf&)
+          [&](std::uint32_t body, const Placement&)
           { count += this->Adder.CountSolids(this->Bodies.at(body)); });
       }
       for (const CensusOccurrence* occurrence : this->Occurrences[product.Id])
@@ -181,7 +169,7 @@ private:
     return this->SolidCounts[product.Id];
   }
 
-  ProductNode Visit(const CensusProduct& product, std::string_view occurrenceName, const gp_Trsf& placement,
+  ProductNode Visit(const CensusProduct& product, std::string_view occurrenceName, const Placement& placement,
     Inherited inherited)
   {
     this->Open.insert(product.Id);
@@ -204,14 +192,15 @@ private:
     for (const CensusOccurrence* occurrence : this->Occurrences[product.Id])
     {
       const auto child = this->Products.find(occurrence->Child);
-      gp_Trsf own;
+      Placement own;
       if (child != this->Products.end() && !occurrence->IsMapped &&
         this->Open.count(occurrence->Child) == 0 && this->GetPlacement(*occurrence, own))
       {
         const auto color = this->Colors.find(occurrence->Id);
         Inherited passed = inherited;
         passed.Color = color == this->Colors.end() ? inherited.Color : color->second;
-        node.Children.push_back(this->Visit(*child->second, occurrence->Name, placement * own, passed));
+        node.Children.push_back(
+          this->Visit(*child->second, occurrence->Name, Compose(placement, own), passed));
       }
     }
     this->Open.erase(product.Id);
@@ -227,12 +216,12 @@ private:
     return node;
   }
 
-  void AddShapeOf(std::size_t shape, const PartBody& part, const gp_Trsf& placement,
+  void AddShapeOf(std::size_t shape, const PartBody& part, const Placement& placement,
     const Inherited& inherited, ProductNode& node)
   {
     this->VisitItems(shape,
-      [&](std::uint32_t body, const gp_Trsf& motion)
-      { this->Adder.Add(this->Bodies.at(body), part, placement * motion, inherited.Color, node); });
+      [&](std::uint32_t body, const Placement& motion)
+      { this->Adder.Add(this->Bodies.at(body), part, Compose(placement, motion), inherited.Color, node); });
     for (const std::uint64_t representation : this->Census.Shapes[shape].Representations)
     {
       this->CountFreeFaces(representation);
@@ -284,8 +273,8 @@ private:
   }
 
   /// Calls visit(body, motion) for the bodies of a shape, and of those that are mapped into it.
-  void VisitItems(std::size_t shape, const std::function<void(std::uint32_t, const gp_Trsf&)>& visit,
-    const gp_Trsf& motion = gp_Trsf())
+  void VisitItems(std::size_t shape, const std::function<void(std::uint32_t, const Placement&)>& visit,
+    const Placement& motion = Placement())
   {
     // A shape that contains itself is reported by the census.
     if (!this->OpenShapes.insert(shape).second)
@@ -311,10 +300,10 @@ private:
             : this->ShapesOfRepresentations.find(this->Entities.File.GetId(mapped));
           if (place != this->ShapesOfRepresentations.end())
           {
-            gp_Trsf own;
+            Placement own;
             if (this->GetMapping(map, item, representation, this->Entities.File.GetId(mapped), own))
             {
-              this->VisitItems(place->second, visit, motion * own);
+              this->VisitItems(place->second, visit, Compose(motion, own));
             }
           }
         }
@@ -325,20 +314,21 @@ private:
 
   /// Gets the motion of a mapped item: from its origin to its target (ISO 10303-43). Returns false, with a
   /// defect, if it has none.
-  bool GetMapping(Index map, Index item, std::uint64_t parent, std::uint64_t child, gp_Trsf& motion)
+  bool GetMapping(Index map, Index item, std::uint64_t parent, std::uint64_t child, Placement& motion)
   {
     const Part21Value target = this->Entities.Get(item, MappingTarget);
     return this->Try("Mapped item", this->Entities.File.GetId(item),
       [&]
       {
-        const gp_Ax3 from = this->ReadFrame(this->Entities.Get(map, MappingOrigin), this->GetUnit(child));
+        const GeometricFrame from =
+          this->ReadFrame(this->Entities.Get(map, MappingOrigin), this->GetUnit(child));
         if (this->Entities.Has(this->Entities.Follow(target), STEPRole::Transformation))
         {
-          motion = MakeMotion(
+          motion = ReadOperator(
             ReadGeometryOperator<3>(this->Entities, this->Entities.Follow(target), this->GetUnit(parent)));
-          if (!IsSameFrame(from, gp_Ax3()))
+          if (!IsAtOrigin(from))
           {
-            motion = motion * GetMotion(from).Inverted();
+            motion = Compose(motion, Invert(MakeMotion(from)));
             this->ReportOperator(target.Id);
           }
         }
@@ -397,13 +387,9 @@ private:
     return found->second;
   }
 
-  gp_Ax3 ReadFrame(const Part21Value& value, double unit) const
+  GeometricFrame ReadFrame(const Part21Value& value, double unit) const
   {
-    const Index placement = this->Entities.Follow(value);
-    const GeometricFrame frame = ReadGeometryFrame(this->Entities, placement, unit);
-    return gp_Ax3(gp_Pnt(frame.Origin[0], frame.Origin[1], frame.Origin[2]),
-      gp_Dir(frame.Axes[2][0], frame.Axes[2][1], frame.Axes[2][2]),
-      gp_Dir(frame.Axes[0][0], frame.Axes[0][1], frame.Axes[0][2]));
+    return ReadGeometryFrame(this->Entities, this->Entities.Follow(value), unit);
   }
 
   bool HasItem(std::uint64_t representation, const Part21Value& item) const
@@ -422,7 +408,7 @@ private:
 
   /// Gets the motion that brings the frame of the part onto that of the assembly; none, with a defect,
   /// if the file states no placement. Returns false, with a defect, if it is not read.
-  bool GetPlacement(const CensusOccurrence& occurrence, gp_Trsf& motion)
+  bool GetPlacement(const CensusOccurrence& occurrence, Placement& motion)
   {
     if (occurrence.Transformation == 0 || occurrence.ChildShape == 0)
     {
@@ -456,7 +442,7 @@ private:
   const STEPAttributes& Entities;
   const STEPCensus& Census;
   const CensusBodyKind Kind;
-  const std::map<std::uint32_t, TopoDS_Shape>& Bodies;
+  const std::map<std::uint32_t, ShapeGroup>& Bodies;
   const std::unordered_map<std::uint64_t, Vector3>& Colors;
   Document& Result;
   ShapeAdder Adder;
@@ -481,8 +467,8 @@ private:
 }
 
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
-  const std::map<std::uint32_t, TopoDS_Shape>& bodies,
-  const std::unordered_map<std::uint64_t, Vector3>& colors, Document& document)
+  const std::map<std::uint32_t, ShapeGroup>& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
+  Document& document)
 {
   ProductTree(entities, census, kind, bodies, colors, document).Build();
 }

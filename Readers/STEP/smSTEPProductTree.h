@@ -5,7 +5,7 @@
 #ifndef smSTEPProductTree_h
 #define smSTEPProductTree_h
 
-#include "smOCCTDocument.h"
+#include "smDocument.h"
 #include "smSTEPAttributes.h"
 #include "smSTEPCensus.h"
 
@@ -25,8 +25,8 @@ namespace sm
  * Faces of surface models are counted where there are solids.
  */
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
-  const std::map<std::uint32_t, TopoDS_Shape>& bodies,
-  const std::unordered_map<std::uint64_t, Vector3>& colors, Document& document);
+  const std::map<std::uint32_t, ShapeGroup>& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
+  Document& document);
 }
 
 #endif

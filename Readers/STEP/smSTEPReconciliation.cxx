@@ -2,12 +2,6 @@
 
 #include "smFormat.h"
 
-#include <BRep_Tool.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_TShape.hxx>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -45,16 +39,6 @@ std::string Name(const CensusBody& body)
 std::string Count(CensusCount count)
 {
   return count == CensusMaximum ? "more than " + std::to_string(count - 1) : std::to_string(count);
-}
-
-/// Returns true for a face whose boundary and surface need nothing of the file's entity: it has an edge, and
-/// its surface is not a spline that OpenCASCADE made periodic.
-bool IsPlainFace(const TopoDS_Face& face)
-{
-  TopLoc_Location location;
-  const auto spline = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
-  return TopExp_Explorer(face, TopAbs_EDGE).More() &&
-    (spline.IsNull() || (!spline->IsUPeriodic() && !spline->IsVPeriodic()));
 }
 
 class Reconciliation
@@ -272,7 +256,7 @@ private:
     this->Result.Messages.push_back(message);
   }
 
-  /// Reports a file that OpenCASCADE reads but the census cannot interpret: nothing is known about its
+  /// Reports a file that is read but that the census cannot interpret: nothing is known about its
   /// completeness.
   void CheckDeclared()
   {
@@ -306,7 +290,7 @@ private:
     {
       this->Result.Defects.push_back("Solid " + Name(body) +
         " of the file was lost: " + std::to_string(body.Faces) + " faces, " + Count(body.Instances) +
-        (body.Instances == 1 ? " instance." : " instances.") + " OpenCASCADE makes no shape of it.");
+        (body.Instances == 1 ? " instance." : " instances.") + "");
       return;
     }
     this->CheckFaces(body, parts);
@@ -319,43 +303,15 @@ private:
     }
   }
 
-  /// Returns true for a face in the shells of several bodies.
-  bool IsShared(std::uint32_t face)
-  {
-    if (this->FaceUses.empty())
-    {
-      this->FaceUses.assign(this->Census.Faces.size(), 0);
-      for (const CensusShellUse& use : this->Census.ShellUses)
-      {
-        const CensusShell& shell = this->Census.Shells[use.Shell];
-        for (std::uint32_t f = shell.FirstFace; f < shell.FirstFace + shell.NumberOfFaces; ++f)
-        {
-          ++this->FaceUses[this->Census.FaceUses[f]];
-        }
-      }
-    }
-    return this->FaceUses[face] > 1;
-  }
-
   void CheckFaces(const CensusBody& body, const std::vector<std::size_t>& parts)
   {
     std::set<std::uint64_t> present;
-    std::set<const TopoDS_TShape*> unnamed;
     for (const std::size_t i : parts)
     {
-      for (TopExp_Explorer it(this->Result.Bodies[i].Shape, TopAbs_FACE); it.More(); it.Next())
-      {
-        const auto info = this->Result.Table.find(it.Current().TShape().get());
-        const int id = info == this->Result.Table.end() ? 0 : info->second.FileId;
-        present.insert(static_cast<std::uint64_t>(id));
-        if (id == 0 && IsPlainFace(TopoDS::Face(it.Current())))
-        {
-          unnamed.insert(it.Current().TShape().get());
-        }
-      }
+      this->Result.Bodies[i].Shape.VisitFaces([&present](const FaceUse& use)
+        { present.insert(static_cast<std::uint64_t>(use.Face->Data.FileId)); });
     }
     std::vector<std::uint64_t> missing;
-    std::size_t shared = 0;
     for (std::uint32_t s = body.FirstShell; s < body.FirstShell + body.NumberOfShells; ++s)
     {
       const CensusShell& shell = this->Census.Shells[this->Census.ShellUses[s].Shell];
@@ -365,13 +321,10 @@ private:
         if (present.count(id) == 0)
         {
           missing.push_back(id);
-          shared += this->IsShared(this->Census.FaceUses[f]) ? 1 : 0;
         }
       }
     }
-    // OpenCASCADE makes two faces of one that two bodies have, and only the second one has a number.
-    const bool isShared = shared == missing.size() && unnamed.size() >= missing.size();
-    if (missing.empty() || isShared)
+    if (missing.empty())
     {
       return;
     }
@@ -388,14 +341,16 @@ private:
   {
     // A solid may be read as several bodies: its parts, and copies with a scale or a reflection. Each part
     // must have as many instances as the solid.
-    std::map<const TopoDS_TShape*, CensusCount> counts;
+    std::map<const void*, CensusCount> counts;
     for (const std::size_t i : parts)
     {
-      counts[this->Result.Bodies[i].Shape.TShape().get()] += this->Instances[i];
+      const BodyShape& shape = this->Result.Bodies[i].Shape;
+      const void* key = shape.Shells.empty() ? nullptr : shape.Shells.front().Shell.get();
+      counts[key] += this->Instances[i];
     }
     if (body.NumberOfShells > 1 && counts.size() > 1)
     {
-      // OpenCASCADE makes a separate solid of a void that is not inside the outer shell.
+      // The repair makes a separate solid of a void that is not inside the outer shell.
       this->Result.Defects.push_back("Solid " + Name(body) +
         " has a void that does not lie inside its outer shell: it was read as " +
         std::to_string(counts.size()) + " solids.");
@@ -426,8 +381,6 @@ private:
   std::map<std::uint64_t, std::vector<std::size_t>> Read;
   std::vector<CensusCount> Instances;
   bool HasMappedItems;
-  /// Number of shells of bodies that have each face of the census.
-  std::vector<int> FaceUses;
 };
 }
 

@@ -1,11 +1,11 @@
 /**
  * @file smSTEPReconciliation.h
- * @brief Compares the shapes that OpenCASCADE made of a STEP file with the census of the file
+ * @brief Compares the shapes that were made of a STEP file with the census of the file
  */
 #ifndef smSTEPReconciliation_h
 #define smSTEPReconciliation_h
 
-#include "smOCCTDocument.h"
+#include "smDocument.h"
 #include "smSTEPCensus.h"
 
 namespace sm

@@ -1,29 +1,13 @@
 #include "smSTEPShapes.h"
 
+#include "smCatchFailure.h"
 #include "smFormat.h"
-#include "smOCCTFailure.h"
 #include "smSTEPGeometryReading.h"
 #include "smSTEPPolygons.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
 #include "smSTEPTrims.h"
 #include "smTextEncoding.h"
-
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Geom_Plane.hxx>
-#include <Geom_SphericalSurface.hxx>
-#include <Geom_SurfaceOfRevolution.hxx>
-#include <Geom_ToroidalSurface.hxx>
-#include <Precision.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
-#include <TopoDS_Iterator.hxx>
-#include <TopoDS_Shell.hxx>
-#include <TopoDS_Solid.hxx>
-#include <TopoDS_Wire.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +25,7 @@ constexpr STEPAttribute SenseOfShell = { "ORIENTED_CLOSED_SHELL", 1, 3, "orienta
 constexpr STEPAttribute PolygonOfLoop = { "POLY_LOOP", 0, 1, "polygon" };
 constexpr STEPAttribute VertexOfLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
 
-/// Accuracy in millimetres of a file that states none: OpenCASCADE's.
+/// Accuracy in millimetres of a file that states none.
 constexpr double DefaultPrecision = 1e-4;
 
 /// Distance of a vertex from the apex of its cone, relative to the cone's size, above which they contradict.
@@ -50,15 +34,13 @@ constexpr double ApexLimit = 2e-3;
 /// An arc below this part of its radius is not certain.
 constexpr double ShortArc = 1e-9;
 
+/// The tolerance of a vertex is so many times the distance of the ends of its edges.
+constexpr double VertexMargin = 1.000001;
+
 /// Rounding of coordinates, relative to them.
 constexpr double Rounding = 1e-14;
 
 using Index = Part21File::Index;
-
-gp_Pnt ToKernelPoint(const Vector3& p)
-{
-  return { p[0], p[1], p[2] };
-}
 
 std::string GetShapeName(std::string_view text)
 {
@@ -81,53 +63,34 @@ public:
   {
   }
 
-  TopoDS_Shape Make()
+  ShapeGroup Make()
   {
     const STEPCensus& census = this->Shapes.Census;
+    const auto solid = std::make_shared<SolidShape>();
+    ShapeGroup result;
     const bool isSolid = this->Body.Kind == CensusBodyKind::Solid;
-    TopoDS_Shape whole;
-    if (isSolid)
-    {
-      TopoDS_Solid solid;
-      this->Builder.MakeSolid(solid);
-      whole = solid;
-    }
-    else
-    {
-      TopoDS_Compound compound;
-      this->Builder.MakeCompound(compound);
-      whole = compound;
-    }
-    bool hasFaces = false;
+    std::vector<ShellUse>& shells = isSolid ? solid->Shells : result.Shells;
     for (std::uint32_t s = this->Body.FirstShell; s < this->Body.FirstShell + this->Body.NumberOfShells; ++s)
     {
       const CensusShellUse& use = census.ShellUses[s];
-      TopoDS_Shape shell = this->MakeShell(census.Shells[use.Shell]);
-      if (shell.IsNull())
+      const ShellPointer shell = this->MakeShell(census.Shells[use.Shell]);
+      if (!shell)
       {
         continue;
       }
-      hasFaces = true;
       const Index entity = this->Entities.File.Find(use.Id);
-      if (use.Void && this->Entities.Get(entity, SenseOfShell).Text == "F")
-      {
-        shell.Reverse();
-      }
+      shells.push_back({ shell, use.Void && this->Entities.Get(entity, SenseOfShell).Text == "F", {} });
       if (!isSolid)
       {
-        this->Describe(shell, this->Body.Id, this->Body.Name);
+        Describe(this->Body.Id, this->Body.Name, shell->Data);
       }
-      this->Builder.Add(whole, shell);
     }
-    if (!hasFaces)
+    if (!solid->Shells.empty())
     {
-      return {};
+      Describe(this->Body.Id, this->Body.Name, solid->Data);
+      result.Solids.push_back({ solid, false, {} });
     }
-    if (isSolid)
-    {
-      this->Describe(whole, this->Body.Id, this->Body.Name);
-    }
-    return whole;
+    return result;
   }
 
 private:
@@ -138,15 +101,14 @@ private:
     bool IsForward;
   };
 
-  void Describe(const TopoDS_Shape& shape, std::uint64_t id, std::string_view name)
+  static void Describe(std::uint64_t id, std::string_view name, ShapeData& data)
   {
-    ShapeInfo& info = AddShapeInfo(this->Shapes.Table, shape);
-    info.FileId = static_cast<int>(id);
-    info.Name = GetShapeName(name);
+    data.FileId = static_cast<int>(id);
+    data.Name = GetShapeName(name);
   }
 
   /// Returns the shell of the faces that are made; null if there is none.
-  TopoDS_Shape MakeShell(const CensusShell& shell)
+  ShellPointer MakeShell(const CensusShell& shell)
   {
     const STEPCensus& census = this->Shapes.Census;
     const int lost = this->NumberOfLostFaces;
@@ -163,32 +125,22 @@ private:
         this->Lose(face);
       }
     }
-    TopoDS_Shell result;
-    this->Builder.MakeShell(result);
-    bool hasFaces = false;
+    const auto result = std::make_shared<ShellShape>();
     for (const std::uint32_t f : uses)
     {
-      TopoDS_Shape made = this->TryFace(census.Faces[census.FaceUses[f]]);
-      if (!made.IsNull())
+      const FaceUse made = this->TryFace(census.Faces[census.FaceUses[f]]);
+      if (made.Face)
       {
-        if (census.IsReversedUse[f])
-        {
-          made.Reverse();
-        }
-        this->Builder.Add(result, made);
-        hasFaces = true;
+        result->Faces.push_back({ made.Face, made.Reversed != census.IsReversedUse[f] });
       }
       else
       {
         this->Lose(census.Faces[census.FaceUses[f]]);
       }
     }
-    result.Closed(this->Body.Kind == CensusBodyKind::Solid);
-    if (this->NumberOfLostFaces > lost)
-    {
-      AddShapeInfo(this->Shapes.Table, result).LostFaces = this->NumberOfLostFaces - lost;
-    }
-    return hasFaces ? TopoDS_Shape(result) : TopoDS_Shape();
+    result->Closed = this->Body.Kind == CensusBodyKind::Solid;
+    result->LostFaces = this->NumberOfLostFaces - lost;
+    return result->Faces.empty() ? nullptr : result;
   }
 
   /// Counts a face that is left out, and keeps the reason.
@@ -310,52 +262,50 @@ private:
     return true;
   }
 
-  TopoDS_Vertex GetVertex(Index entity, const Vector3& position)
+  const VertexPointer& GetVertex(Index entity, const Vector3& position)
   {
-    TopoDS_Vertex& vertex = this->Vertices[this->FindVertex(entity)];
-    if (vertex.IsNull())
+    VertexPointer& vertex = this->Vertices[this->FindVertex(entity)];
+    if (!vertex)
     {
-      this->Builder.MakeVertex(vertex, ToKernelPoint(position), Precision::Confusion());
+      vertex = std::make_shared<VertexShape>();
+      vertex->Point = position;
     }
     return vertex;
   }
 
-  TopoDS_Edge GetEdge(Index entity)
+  /// Returns the edge of an entity; null if it has a row.
+  const EdgePointer& GetEdge(Index entity)
   {
-    TopoDS_Edge& result = this->Edges[entity];
+    EdgePointer& result = this->Edges[entity];
     const STEPEdge* edge = this->Shared.Edges.GetEdge(entity);
-    if (!result.IsNull() || !edge)
+    if (result || !edge)
     {
       return result;
     }
-    double range[2];
-    const Handle(Geom_Curve) curve = this->Shared.MakeCurve(entity, *edge, range);
-    if (curve.IsNull())
+    result = std::make_shared<EdgeShape>();
+    result->Curve = edge->Curve;
+    result->First = edge->First;
+    result->Last = edge->Last;
+    result->Start = this->GetVertex(this->GetVertexEntity(entity, edge->IsForward), edge->Start);
+    result->End = this->GetVertex(this->GetVertexEntity(entity, !edge->IsForward), edge->End);
+    for (const bool isStart : { true, false })
     {
-      return result;
+      VertexShape& vertex = *(isStart ? result->Start : result->End);
+      const Vector3 end = edge->Curve->Evaluate(isStart ? edge->First : edge->Last);
+      vertex.Tolerance = std::max(vertex.Tolerance, VertexMargin * Norm(Subtract(end, vertex.Point)));
     }
-    this->Builder.MakeEdge(result, curve, Precision::Confusion());
-    const Vector3* const ends[2] = { &edge->Start, &edge->End };
-    for (int i = 0; i < 2; ++i)
-    {
-      TopoDS_Vertex vertex =
-        this->GetVertex(this->GetVertexEntity(entity, edge->IsForward == (i == 0)), *ends[i]);
-      this->Builder.UpdateVertex(vertex, 1.000001 * curve->Value(range[i]).Distance(BRep_Tool::Pnt(vertex)));
-      this->Builder.Add(result, vertex.Oriented(i == 0 ? TopAbs_FORWARD : TopAbs_REVERSED));
-    }
-    this->Builder.Range(result, range[0], range[1]);
     this->CheckArc(*edge);
     this->Shapes.Extend(edge->Start);
     this->Shapes.Extend(edge->End);
     this->Shapes.Extend(edge->Curve->Evaluate(0.5 * (edge->First + edge->Last)));
-    this->Describe(result, edge->Id, edge->Name);
+    Describe(edge->Id, edge->Name, result->Data);
     return result;
   }
 
   /// Returns a face; null, with a row, if it is not made.
-  TopoDS_Shape TryFace(const CensusFace& census)
+  FaceUse TryFace(const CensusFace& census)
   {
-    TopoDS_Shape face;
+    FaceUse face;
     std::string failure;
     try
     {
@@ -368,27 +318,25 @@ private:
     if (!failure.empty())
     {
       this->Shared.AddRow(this->Entities.File.Find(census.Id), failure, "its solid lacks it");
-      face.Nullify();
+      face.Face = nullptr;
     }
     return face;
   }
 
-  TopoDS_Shape MakeFace(const CensusFace& census)
+  FaceUse MakeFace(const CensusFace& census)
   {
     const Index entity = this->Entities.File.Find(census.Id);
     const Index surfaceEntity = this->Entities.Follow(this->Entities.Get(entity, SurfaceOfFace));
-    const STEPKernelGeometry::Surface& surface = this->Shared.GetSurface(surfaceEntity);
-    if (surface.Kernel.IsNull())
+    const STEPBodyGeometry::Surface& surface = this->Shared.GetSurface(surfaceEntity);
+    if (!surface.Native)
     {
       return {};
     }
     const bool isForward = (this->Entities.Get(entity, SenseOfFace).Text != "F") != surface.IsFlipped;
-    const Handle(Geom_Surface) kernel = this->HasEdges(census)
-      ? surface.Kernel
-      : STEPKernelGeometry::TakeSelectedPart(*surface.Value, surface.Kernel);
-    TopoDS_Face face;
-    this->Builder.MakeFace(face, kernel, Precision::Confusion());
-    bool isBounded = false;
+    const auto face = std::make_shared<FaceShape>();
+    face->Surface = this->HasEdges(census) ? surface.Native : STEPBodyGeometry::TakeSelectedPart(surface);
+    std::copy(surface.Range, surface.Range + 2, face->Range);
+    face->Own = surface.Own;
     for (std::uint32_t b = 0; b < census.NumberOfBounds; ++b)
     {
       const Index bound = this->Entities.File.Find(this->Shapes.Census.Bounds[census.FirstBound + b]);
@@ -399,35 +347,31 @@ private:
       if (this->Entities.FindRecord(loop, VertexOfLoop.Record, record))
       {
         this->CheckApex(loop, census.Id, surfaceEntity, *surface.Value);
-        this->AddVertexLoop(loop, census.NumberOfBounds == 1, kernel, face);
+        this->AddVertexLoop(loop, census.NumberOfBounds == 1, *face);
       }
       else if (this->Entities.FindRecord(loop, PolygonOfLoop.Record, record))
       {
-        isBounded = this->Polygons.Add(this->ReadPolygon(loop), isSame, face) || isBounded;
+        face->Bounded = this->Polygons.Add(this->ReadPolygon(loop), isSame, *face) || face->Bounded;
       }
-      else if (!this->ReadLoop(loop, uses) || !this->AddEdgeLoop(uses, isSame, surfaceEntity, face))
+      else if (!this->ReadLoop(loop, uses) || !this->AddEdgeLoop(uses, isSame, surfaceEntity, *face))
       {
         this->Shared.AddRow(entity,
           "its loops have edges that are left out, or are of a kind that is not read", "its solid lacks it");
         return {};
       }
-      isBounded = isBounded || !uses.empty();
+      face->Bounded = face->Bounded || !uses.empty();
     }
-    if (census.NumberOfBounds == 0)
+    if (census.NumberOfBounds == 0 && HasNaturalBounds(*face->Surface))
     {
-      this->AddNaturalBounds(kernel, face);
+      AddNaturalWires(*face);
     }
     if (surface.Value->IsReversed())
     {
       this->Shapes.ReversedFaces.push_back(census.Id);
     }
-    this->CheckTorus(census.Id, surfaceEntity, *surface.Value, isBounded);
-    this->Describe(face, census.Id, this->Entities.Get(entity, NameOfItem).Text);
-    ShapeInfo& info = AddShapeInfo(this->Shapes.Table, face);
-    info.OwnSurface = surface.Own;
-    info.Bounded = isBounded;
-    face.Orientation(isForward ? TopAbs_FORWARD : TopAbs_REVERSED);
-    return face;
+    this->CheckTorus(census.Id, surfaceEntity, *surface.Value, face->Bounded);
+    Describe(census.Id, this->Entities.Get(entity, NameOfItem).Text, face->Data);
+    return { face, !isForward };
   }
 
   /// Returns false for a face that is bounded by nothing but vertices.
@@ -446,52 +390,35 @@ private:
     return false;
   }
 
-  static bool HasNaturalBounds(const Handle(Geom_Surface) & surface)
+  static bool HasNaturalBounds(const GeometricSurface& surface)
   {
-    return surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface)) ||
-      surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) ||
-      surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfRevolution));
-  }
-
-  void AddNaturalBounds(const Handle(Geom_Surface) & surface, TopoDS_Face& face)
-  {
-    if (HasNaturalBounds(surface))
-    {
-      BRepBuilderAPI_MakeFace natural(surface, Precision::Confusion());
-      for (TopoDS_Iterator it(natural.Face()); it.More(); it.Next())
-      {
-        this->Builder.Add(face, it.Value());
-      }
-    }
+    return FindElementary(surface, ElementarySurface::Type::Sphere) || surface.GetIf<SplineSurface>() ||
+      surface.GetIf<RevolvedSurface>();
   }
 
   /// A sphere, a closed spline surface or a surface of revolution without other bounds is whole; elsewhere
   /// the vertex is a pole, except on a torus.
-  void AddVertexLoop(Index loop, bool isOnlyBound, const Handle(Geom_Surface) & surface, TopoDS_Face& face)
+  void AddVertexLoop(Index loop, bool isOnlyBound, FaceShape& face)
   {
-    if (HasNaturalBounds(surface))
+    if (HasNaturalBounds(*face.Surface))
     {
       if (isOnlyBound)
       {
-        this->AddNaturalBounds(surface, face);
+        AddNaturalWires(face);
       }
       return;
     }
-    if (surface->IsKind(STANDARD_TYPE(Geom_ToroidalSurface)) || surface->IsKind(STANDARD_TYPE(Geom_Plane)))
+    if (FindElementary(*face.Surface, ElementarySurface::Type::Torus) ||
+      FindElementary(*face.Surface, ElementarySurface::Type::Plane))
     {
       return;
     }
     const Index entity = this->Entities.Follow(this->Entities.Get(loop, VertexOfLoop));
-    const TopoDS_Vertex vertex = this->GetVertex(entity, this->ReadVertex(entity));
-    TopoDS_Edge edge;
-    this->Builder.MakeEdge(edge);
-    this->Builder.Add(edge, vertex.Oriented(TopAbs_FORWARD));
-    this->Builder.Add(edge, vertex.Oriented(TopAbs_REVERSED));
-    this->Builder.Degenerated(edge, true);
-    TopoDS_Wire wire;
-    this->Builder.MakeWire(wire);
-    this->Builder.Add(wire, edge);
-    this->Builder.Add(face, wire);
+    CoedgeShape pole;
+    pole.Edge = std::make_shared<EdgeShape>();
+    pole.Edge->Degenerate = true;
+    pole.Edge->Start = pole.Edge->End = this->GetVertex(entity, this->ReadVertex(entity));
+    face.Wires.push_back({ { pole }, false });
   }
 
   double GetUnit() const
@@ -501,29 +428,29 @@ private:
     return factor > 0.0 ? factor : 1.0;
   }
 
-  bool AddEdgeLoop(const std::vector<LoopUse>& uses, bool isSame, Index surfaceEntity, TopoDS_Face& face)
+  bool AddEdgeLoop(const std::vector<LoopUse>& uses, bool isSame, Index surfaceEntity, FaceShape& face)
   {
     std::unordered_map<Index, int> counts;
     for (const LoopUse& use : uses)
     {
       ++counts[use.Edge];
     }
-    TopoDS_Wire wire;
-    this->Builder.MakeWire(wire);
+    WireShape wire;
+    wire.Reversed = !isSame;
     for (const LoopUse& use : uses)
     {
-      const TopoDS_Edge edge = this->GetEdge(use.Edge);
-      if (edge.IsNull())
+      CoedgeShape coedge;
+      coedge.Edge = this->GetEdge(use.Edge);
+      if (!coedge.Edge)
       {
         return false;
       }
       const bool isForward = use.IsForward == this->Shared.Edges.GetEdge(use.Edge)->IsForward;
-      this->Trims.Add(use.Edge, counts[use.Edge], surfaceEntity, edge, face);
-      this->Builder.Add(wire, edge.Oriented(isForward ? TopAbs_FORWARD : TopAbs_REVERSED));
+      coedge.Reversed = isForward != isSame;
+      this->Trims.Add(use.Edge, counts[use.Edge], surfaceEntity, coedge);
+      wire.Coedges.push_back(std::move(coedge));
     }
-    wire.Closed(BRep_Tool::IsClosed(wire));
-    wire.Orientation(isSame ? TopAbs_FORWARD : TopAbs_REVERSED);
-    this->Builder.Add(face, wire);
+    face.Wires.push_back(std::move(wire));
     return true;
   }
 
@@ -612,32 +539,29 @@ private:
   STEPShapes& Shapes;
   const STEPAttributes& Entities;
   const CensusBody& Body;
-  STEPKernelGeometry& Shared;
+  STEPBodyGeometry& Shared;
   const double Precision;
   STEPTrims Trims;
   int NumberOfLostFaces = 0;
-  BRep_Builder Builder;
   std::unordered_map<Index, Index> Joined;
-  std::unordered_map<Index, TopoDS_Vertex> Vertices;
-  std::unordered_map<Index, TopoDS_Edge> Edges;
+  std::unordered_map<Index, VertexPointer> Vertices;
+  std::unordered_map<Index, EdgePointer> Edges;
   STEPPolygons Polygons;
 };
 
-STEPShapes::STEPShapes(
-  const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger, ShapeTable& table)
+STEPShapes::STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger)
   : Entities(entities)
   , Census(census)
   , Ledger(ledger)
-  , Table(table)
   , Perils(entities.File, census)
 {
 }
 
 STEPShapes::~STEPShapes() = default;
 
-STEPKernelGeometry& STEPShapes::GetGeometry(int context)
+STEPBodyGeometry& STEPShapes::GetGeometry(int context)
 {
-  std::unique_ptr<STEPKernelGeometry>& geometry = this->Geometries[context];
+  std::unique_ptr<STEPBodyGeometry>& geometry = this->Geometries[context];
   if (!geometry)
   {
     STEPUnitSizes units;
@@ -647,7 +571,7 @@ STEPKernelGeometry& STEPShapes::GetGeometry(int context)
       units.Length = stated.Length.Factor > 0.0 ? stated.Length.Factor : 1.0;
       units.Angle = stated.Angle.Factor > 0.0 ? stated.Angle.Factor : 1.0;
     }
-    geometry = std::make_unique<STEPKernelGeometry>(this->Entities, units, this->Ledger);
+    geometry = std::make_unique<STEPBodyGeometry>(this->Entities, units, this->Ledger);
   }
   return *geometry;
 }
@@ -658,7 +582,7 @@ double STEPShapes::GetPrecision(const CensusBody& body) const
   return stated > 0.0 ? stated : DefaultPrecision;
 }
 
-TopoDS_Shape STEPShapes::MakeBody(const CensusBody& body)
+ShapeGroup STEPShapes::MakeBody(const CensusBody& body)
 {
   return BodyShaper(*this, body).Make();
 }
@@ -678,14 +602,5 @@ void STEPShapes::Report(std::vector<std::string>& messages, std::vector<std::str
   this->LostFaces.Report(messages);
   this->ShortArcs.Report(messages);
   ReportParameterCurves(this->ParameterCurves, Norm(Subtract(this->High, this->Low)), messages, defects);
-}
-
-std::string STEPShapes::GetLabel(const TopoDS_Shape& shape) const
-{
-  const auto info = this->Table.find(shape.TShape().get());
-  const bool isKnown = info != this->Table.end() && info->second.FileId > 0;
-  return isKnown
-    ? (shape.ShapeType() == TopAbs_FACE ? "face #" : "shell #") + std::to_string(info->second.FileId)
-    : "a shape";
 }
 }

@@ -1,20 +1,18 @@
 /**
  * @file smSTEPShapes.h
- * @brief Bodies of a STEP file as shapes of OpenCASCADE, from their entities alone
+ * @brief Bodies of a STEP file as shapes, from their entities
  */
 #ifndef smSTEPShapes_h
 #define smSTEPShapes_h
 
+#include "Shapes/smShape.h"
 #include "smFirstOfSeveral.h"
-#include "smOCCTBody.h"
 #include "smSTEPAttributes.h"
+#include "smSTEPBodyGeometry.h"
 #include "smSTEPCensus.h"
-#include "smSTEPKernelGeometry.h"
 #include "smSTEPLedger.h"
 #include "smSTEPParameterCurves.h"
 #include "smSTEPPerils.h"
-
-#include <TopoDS_Shape.hxx>
 
 #include <memory>
 #include <string>
@@ -35,34 +33,31 @@ namespace sm
 class STEPShapes
 {
 public:
-  /// Keeps references to all. Numbers, names and surfaces of shapes are added to `table`.
-  STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger, ShapeTable& table);
+  /// Keeps references to all.
+  STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger);
   ~STEPShapes();
 
-  /// Returns a solid, or a compound of the shells of a surface model; null if no face of it is made.
-  TopoDS_Shape MakeBody(const CensusBody& body);
+  /// Returns a solid, or the shells of a surface model; nothing if no face of it is made.
+  ShapeGroup MakeBody(const CensusBody& body);
   /// Numbers of the faces whose surface has the opposite normal (STEPSurface::IsReversed()).
   const std::vector<std::uint64_t>& GetReversedFaces() const { return this->ReversedFaces; }
   /// Reports contradictions within the file that the shapes made so far do not show.
   void Report(std::vector<std::string>& messages, std::vector<std::string>& defects) const;
-  /// Returns "face #12" for a shape that was made of entity #12, else "a shape".
-  std::string GetLabel(const TopoDS_Shape& shape) const;
   /// Returns the accuracy of coordinates that the file states for a body, in millimetres.
   double GetPrecision(const CensusBody& body) const;
 
 private:
   class BodyShaper;
 
-  STEPKernelGeometry& GetGeometry(int context);
+  STEPBodyGeometry& GetGeometry(int context);
   /// Extends the box of the file's edges.
   void Extend(const Vector3& point);
 
   const STEPAttributes& Entities;
   const STEPCensus& Census;
   STEPLedger& Ledger;
-  ShapeTable& Table;
   STEPPerils Perils;
-  std::unordered_map<int, std::unique_ptr<STEPKernelGeometry>> Geometries;
+  std::unordered_map<int, std::unique_ptr<STEPBodyGeometry>> Geometries;
   Vector3 Low{ 1e300, 1e300, 1e300 };
   Vector3 High{ -1e300, -1e300, -1e300 };
   /// Parameter curves that are farther from their edges than the file is accurate.

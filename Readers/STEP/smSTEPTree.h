@@ -6,7 +6,7 @@
 #ifndef smSTEPTree_h
 #define smSTEPTree_h
 
-#include "smOCCTDocument.h"
+#include "smDocument.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,15 +1,9 @@
 #include "smSTEPTrims.h"
 
-#include "smOCCTFailure.h"
-#include "smOCCTMakeGeometry.h"
+#include "smCatchFailure.h"
 #include "smSTEPGeometryReading.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPTopologyAttributes.h"
-
-#include <BRep_Tool.hxx>
-#include <Geom_Plane.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
 
@@ -29,19 +23,18 @@ constexpr int TrimSamples = 24;
 /// forward edge bounds.
 bool IsLeft(const STEPTrim& first, const STEPTrim& other)
 {
-  gp_Pnt2d from;
-  gp_Vec2d along;
-  first.Curve->D1(0.5 * (first.Range[0] + first.Range[1]), from, along);
-  const gp_Pnt2d to = other.Curve->Value(0.5 * (other.Range[0] + other.Range[1]));
-  return along.Crossed(gp_Vec2d(from, to)) > 0.0;
+  GeometricCurve<2>::Derivatives from;
+  first.Curve->Evaluate(0.5 * (first.Range[0] + first.Range[1]), 1, from);
+  const Point2 to = other.Curve->Evaluate(0.5 * (other.Range[0] + other.Range[1]));
+  return from[1][0] * (to[1] - from[0][1]) - from[1][1] * (to[0] - from[0][0]) > 0.0;
 }
 }
 
 /// Adds the parameter curves that the file has of an edge on a surface. An edge that a loop uses twice has
 /// two.
-void STEPTrims::Add(
-  Index entity, int count, Index surfaceEntity, const TopoDS_Edge& edge, const TopoDS_Face& face)
+void STEPTrims::Add(Index entity, int count, Index surfaceEntity, CoedgeShape& use)
 {
+  EdgeShape& edge = *use.Edge;
   const Index curve = this->Entities.Follow(this->Entities.Get(entity, CurveOfEdge));
   std::string_view record;
   if (!this->Entities.FindRecord(curve, AssociatedGeometry.Record, record) &&
@@ -51,8 +44,8 @@ void STEPTrims::Add(
     return;
   }
   std::vector<STEPTrim> trims;
-  const STEPKernelGeometry::Surface& surface = this->Shared.GetSurface(surfaceEntity);
-  bool isUsable = !surface.Kernel->IsKind(STANDARD_TYPE(Geom_Plane)) && !surface.IsFlipped;
+  const STEPBodyGeometry::Surface& surface = this->Shared.GetSurface(surfaceEntity);
+  bool isUsable = !FindElementary(*surface.Native, ElementarySurface::Type::Plane) && !surface.IsFlipped;
   Part21Values values(this->Entities.Get(curve, AssociatedGeometry).Text);
   for (Part21Value value; values.Next(value);)
   {
@@ -65,36 +58,29 @@ void STEPTrims::Add(
       trims.push_back(trim);
     }
   }
+  if (!isUsable || trims.size() > 2 || static_cast<int>(trims.size()) != count)
+  {
+    return;
+  }
   double tolerance = 0.0;
   for (const STEPTrim& trim : trims)
   {
     tolerance = std::max(tolerance, trim.Distance);
   }
-  if (isUsable && trims.size() == 2 && count == 2)
+  const bool isFirstForward = count == 1 || IsLeft(trims[0], trims[1]);
+  const STEPTrim& own = trims[count == 1 || use.Reversed != isFirstForward ? 0 : 1];
+  use.Trim = own.Curve;
+  use.First = own.Range[0];
+  use.Last = own.Range[1];
+  edge.Tolerance = std::max(edge.Tolerance, tolerance);
+  for (const VertexPointer& vertex : { edge.Start, edge.End })
   {
-    const bool isFirstForward = IsLeft(trims[0], trims[1]);
-    const STEPTrim& forward = trims[isFirstForward ? 0 : 1];
-    const STEPTrim& backward = trims[isFirstForward ? 1 : 0];
-    this->Builder.UpdateEdge(edge, forward.Curve, backward.Curve, face, tolerance);
-    this->Builder.Range(edge, face, forward.Range[0], forward.Range[1]);
-  }
-  else if (isUsable && trims.size() == 1 && count == 1)
-  {
-    this->Builder.UpdateEdge(edge, trims[0].Curve, face, tolerance);
-    this->Builder.Range(edge, face, trims[0].Range[0], trims[0].Range[1]);
-  }
-  else
-  {
-    return;
-  }
-  for (TopoDS_Iterator it(edge); it.More(); it.Next())
-  {
-    this->Builder.UpdateVertex(TopoDS::Vertex(it.Value()), tolerance);
+    vertex->Tolerance = std::max(vertex->Tolerance, tolerance);
   }
 }
 
 /// Reads a parameter curve; returns false if it is not that of the edge, as far as the file is accurate.
-bool STEPTrims::Read(Index pcurve, Index entity, Index surfaceEntity, const TopoDS_Edge& edge, STEPTrim& trim)
+bool STEPTrims::Read(Index pcurve, Index entity, Index surfaceEntity, const EdgeShape& edge, STEPTrim& trim)
 {
   const Index definition = this->Entities.Follow(this->Entities.Get(pcurve, DefinitionOfTrim));
   const std::vector<Index> items =
@@ -102,12 +88,12 @@ bool STEPTrims::Read(Index pcurve, Index entity, Index surfaceEntity, const Topo
   const Index spaceEntity = this->Entities.Follow(this->Entities.Get(entity, CurveOfEdge));
   const STEPCurve<2>* file = items.empty() ? nullptr : this->Shared.Values.GetPlaneCurve(items[0]);
   const STEPCurve<3>* space = this->Shared.Values.GetCurve(spaceEntity);
-  // A curve of several parts is joined with other parameters.
-  if (!file || !space || space->Value->GetIf<CompositeCurve<3>>())
+  // The parameters of curves of several parts are others.
+  if (!file || !space || space->Value->GetIf<CompositeCurve<3>>() || edge.Curve->GetIf<CompositeCurve<3>>())
   {
     return false;
   }
-  const STEPKernelGeometry::Surface& surface = this->Shared.GetSurface(surfaceEntity);
+  const STEPBodyGeometry::Surface& surface = this->Shared.GetSurface(surfaceEntity);
   std::string problem;
   STEPParameterCurve stated;
   stated.Curve = this->Shared.Values.MapToNatural(*file, *surface.Value, problem);
@@ -115,20 +101,19 @@ bool STEPTrims::Read(Index pcurve, Index entity, Index surfaceEntity, const Topo
   {
     return false;
   }
-  double ends[2] = { 0.0, 0.0 };
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, ends[0], ends[1]);
+  const double ends[2] = { edge.First, edge.Last };
   const auto toTrim = [&](double t)
   { return stated.Curve.Parameter((t - space->Parameter.Offset) / space->Parameter.Scale); };
   double atEnds = 0.0;
   const std::string failure = CatchFailure(
     [&]
     {
-      trim.Curve = MakeKernelCurve(*stated.Curve.Value);
+      trim.Curve = stated.Curve.Value;
       for (int i = 0; i <= TrimSamples; ++i)
       {
         const double t = i == TrimSamples ? ends[1] : ends[0] + (ends[1] - ends[0]) * i / TrimSamples;
-        const gp_Pnt2d uv = trim.Curve->Value(toTrim(t));
-        const double distance = surface.Kernel->Value(uv.X(), uv.Y()).Distance(curve->Value(t));
+        const Point2 uv = trim.Curve->Evaluate(toTrim(t));
+        const double distance = Norm(Subtract(surface.Native->Evaluate(uv[0], uv[1]), edge.Evaluate(t)));
         const bool isEnd = i == 0 || i == TrimSamples;
         atEnds = std::max(atEnds, isEnd ? distance : 0.0);
         trim.Distance = std::max(trim.Distance, distance);
@@ -146,8 +131,7 @@ bool STEPTrims::Read(Index pcurve, Index entity, Index surfaceEntity, const Topo
   for (std::size_t i = 0; i < stated.Points.size(); ++i)
   {
     const double t = ends[0] + STEPParameterCurve::Fractions[i] * (ends[1] - ends[0]);
-    const gp_Pnt point = curve->Value(t);
-    stated.Points[i] = { point.X(), point.Y(), point.Z() };
+    stated.Points[i] = edge.Evaluate(t);
     stated.Parameters[i] = toTrim(t);
   }
   if (!(stated.GetDistance() <= this->Precision))

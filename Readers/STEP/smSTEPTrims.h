@@ -1,17 +1,13 @@
 /**
  * @file smSTEPTrims.h
- * @brief Parameter curves of a STEP file on the edges of OpenCASCADE's faces
+ * @brief Parameter curves of a STEP file on the edges of its faces
  */
 #ifndef smSTEPTrims_h
 #define smSTEPTrims_h
 
-#include "smSTEPKernelGeometry.h"
+#include "Shapes/smShape.h"
+#include "smSTEPBodyGeometry.h"
 #include "smSTEPParameterCurves.h"
-
-#include <BRep_Builder.hxx>
-#include <Geom2d_Curve.hxx>
-#include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 
 #include <vector>
 
@@ -20,8 +16,8 @@ namespace sm
 /// A parameter curve of an edge on a surface.
 struct STEPTrim
 {
-  Handle(Geom2d_Curve) Curve;
-  double Range[2];
+  CurvePointer<2> Curve;
+  double Range[2] = { 0.0, 0.0 };
   /// Largest distance from the edge's curve at some points.
   double Distance = 0.0;
 };
@@ -35,7 +31,7 @@ public:
 
   /// Keeps references. `precision` is the file's accuracy in millimetres. Curves that do not agree are
   /// appended to `others`.
-  STEPTrims(const STEPAttributes& entities, STEPKernelGeometry& geometry, double precision,
+  STEPTrims(const STEPAttributes& entities, STEPBodyGeometry& geometry, double precision,
     std::vector<STEPParameterCurve>& others)
     : Entities(entities)
     , Shared(geometry)
@@ -44,18 +40,18 @@ public:
   {
   }
 
-  /// Adds those of an edge on the surface of a face. An edge that its loop uses twice, `count`, needs two.
-  void Add(Index entity, int count, Index surfaceEntity, const TopoDS_Edge& edge, const TopoDS_Face& face);
+  /// Adds that of the edge of `use` on the surface of its face. An edge that its loop uses twice, `count`,
+  /// needs two.
+  void Add(Index entity, int count, Index surfaceEntity, CoedgeShape& use);
 
 private:
-  bool Read(Index pcurve, Index entity, Index surfaceEntity, const TopoDS_Edge& edge, STEPTrim& trim);
+  bool Read(Index pcurve, Index entity, Index surfaceEntity, const EdgeShape& edge, STEPTrim& trim);
   Index FindSpaceCurve(Index curve) const;
 
   const STEPAttributes& Entities;
-  STEPKernelGeometry& Shared;
+  STEPBodyGeometry& Shared;
   double Precision;
   std::vector<STEPParameterCurve>& Others;
-  BRep_Builder Builder;
 };
 }
 

@@ -1,13 +1,13 @@
 #include "vtkCADReaderInternals.h"
 
 #include "smAbortFlag.h"
+#include "smCatchFailure.h"
+#include "smDocument.h"
 #include "smFailureReason.h"
+#include "smFile.h"
 #include "smFileState.h"
 #include "smFormat.h"
 #include "smLengthUnits.h"
-#include "smOCCTDocument.h"
-#include "smOCCTFailure.h"
-#include "smOCCTFile.h"
 #include "smSTEPLeaf.h"
 #include "smSTEPTree.h"
 
@@ -27,7 +27,7 @@
 
 namespace
 {
-/// Fraction of the progress for OpenCASCADE's reading.
+/// Fraction of the progress for reading.
 constexpr double ReadingShare = 0.5;
 
 /**
@@ -340,9 +340,7 @@ void vtkCADReader::ClearContent()
 
 void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
 {
-  const sm::KernelSession kernel;
   const double start = vtkTimerLog::GetUniversalTime();
-  // The time limit does not include the wait for another reader.
   this->Start = start;
   sm::Document document;
   std::string content;
@@ -414,11 +412,6 @@ std::string vtkCADReader::FindMistake() const
   {
     return "OutputUnit \"" + this->OutputUnit + "\" is not known; use mm, cm, m, um, inch, ft or file";
   }
-  if (sm::KernelSession::IsHeldHere())
-  {
-    return "another file is being read on this thread, and OpenCASCADE reads one at a time; do not update a "
-           "reader inside an observer of another one's progress";
-  }
   return this->FindMistakeOfFormat();
 }
 
@@ -457,8 +450,7 @@ bool vtkCADReader::MakeBodies(const sm::Document& document, const sm::LeafOption
     {
       return false;
     }
-    makers.emplace_back(
-      new sm::LeafMaker(document.Bodies[i], document.Table, document.Statements, options, report));
+    makers.emplace_back(new sm::LeafMaker(document.Bodies[i], document.Statements, options, report));
     if (makers.back()->IsAborted())
     {
       return false;

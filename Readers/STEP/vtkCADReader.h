@@ -38,12 +38,12 @@
  * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the
  * output is empty on all. If one rank has not enough memory for the tree, that is an error on all ranks.
  *
- * One file is read at a time in a process, and readers on other threads wait, because OpenCASCADE's settings
- * are global. A reader that is updated by an observer of another one's progress raises an error. Conversion
- * uses vtkSMPTools. No OpenGL context is needed.
+ * Readers on several threads read at the same time. OpenCASCADE, whose settings are global, works for one of
+ * them at a time; its library is loaded when a body needs a repair, and for a BREP file. Conversion uses
+ * vtkSMPTools. No OpenGL context is needed.
  *
- * OpenCASCADE crashes on some damaged files, and the process with it. With IsolatedOn() a crash ends a
- * process that only reads the file, and is an error.
+ * OpenCASCADE crashes on some damaged shapes, and the process with it. With IsolatedOn() a crash ends a
+ * process that only reads the file: a STEP file is read again without repairs, a BREP file is an error.
  *
  * The display mesh is made of the exact model: every edge is sampled once and its points are shared by its
  * faces with the same bits, so that a closed solid has a closed mesh; the field array MeshDeviation holds a
@@ -85,6 +85,7 @@ class ByteReader;
 class LeafMaker;
 struct Document;
 struct LeafOptions;
+struct ReadProgramOutcome;
 }
 
 class SMREADERSSTEP_EXPORT vtkCADReader : public vtkPartitionedDataSetCollectionAlgorithm
@@ -235,11 +236,11 @@ public:
   int GetNumberOfFreeFaces() const;
 
   ///@{
-  /** Wall-clock seconds of the last Update(): reading by OpenCASCADE, the meshes, and the conversion to NURBS
-   * models (with the making of the output). Reading is the sum of parsing, until the entities are in memory,
-   * the transfer, which makes shapes of them, and trims: the inspection of faces, which finds the trim curves
-   * that the file leaves out. Where the file was not read again, those of reading and conversion are of the
-   * run that read it. */
+  /** Wall-clock seconds of the last Update(): reading, the meshes, and the conversion to NURBS models (with
+   * the making of the output). Reading is the sum of parsing, until the entities are in memory, the transfer,
+   * which makes shapes of them, and trims: the inspection of faces, which finds the trim curves that the file
+   * leaves out. Where the file was not read again, those of reading and conversion are of the run that read
+   * it. */
   double GetReadSeconds() const;
   double GetParseSeconds() const;
   double GetTransferSeconds() const;
@@ -289,8 +290,8 @@ protected:
 
   /// "STEP" or "BREP".
   virtual const char* GetFormatName() const = 0;
-  /// Reads the bytes of a file with OpenCASCADE, whose KernelSession this thread holds. `progress` gets a
-  /// fraction in [0,1] and returns false to stop. Throws only std::bad_alloc.
+  /// Reads the bytes of a file. `progress` gets a fraction in [0,1] and returns false to stop. Throws only
+  /// std::bad_alloc.
   virtual sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) = 0;
   /// Returns the reason why bytes that begin with `head` are not file of this format; empty if they may be
   /// one.
@@ -303,8 +304,10 @@ protected:
   /// Returns the setting that only this format has, as a word for the process of an isolated reader.
   virtual std::string GetSettingOfFormat() const = 0;
   virtual void SetSettingOfFormat(const std::string& word) = 0;
+  /// Reads without repairs, or with them again; returns false for a format or setting without repairs.
+  virtual bool SkipRepair(bool isSkipped);
 
-  /// Called when a file has been read and the output is complete, while OpenCASCADE's shapes are still there:
+  /// Called when a file has been read and the output is complete, while the file's shapes are still there:
   /// for tests that compare both. Does nothing.
   virtual void InspectDocument(const sm::Document&) {}
 
@@ -328,6 +331,8 @@ private:
   /// Reads without throwing: an exception becomes an error, and the output is empty.
   void ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept;
   void Read(vtkPartitionedDataSetCollection* output);
+  /// Runs the program that reads for this one.
+  sm::ReadProgramOutcome RunProgram();
   /// Reads in a separate process. Returns false, with a message, if the program cannot be started.
   bool ReadIsolated(vtkPartitionedDataSetCollection* output);
   /// Gets the bytes of the file or of the content. Returns false, with the reason in `document` or after

@@ -157,7 +157,12 @@ bool vtkCADReader::UnpackReading(sm::ByteReader& from, vtkPartitionedDataSetColl
   return true;
 }
 
-bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
+bool vtkCADReader::SkipRepair(bool)
+{
+  return false;
+}
+
+sm::ReadProgramOutcome vtkCADReader::RunProgram()
 {
   const std::string program = sm::FindReadProgram();
   std::vector<std::string> arguments{ this->GetFormatName(), this->IsContentGiven ? "content" : "file" };
@@ -165,10 +170,22 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
   {
     arguments.push_back(word);
   }
-  const sm::ReadProgramOutcome outcome = program.empty()
-    ? sm::ReadProgramOutcome{ {}, "was not found", false, false }
+  return program.empty()
+    ? sm::ReadProgramOutcome{ {}, "was not found", false, false, false }
     : sm::RunReadProgram(program, arguments, this->IsContentGiven ? &this->Content : nullptr,
         [this](double x) { return this->Report(Reading::MeshStart * x); });
+}
+
+bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
+{
+  sm::ReadProgramOutcome outcome = this->RunProgram();
+  std::string crash;
+  if (!outcome.Problem.empty() && outcome.IsRepairing && this->SkipRepair(true))
+  {
+    crash = outcome.Problem;
+    outcome = this->RunProgram();
+    this->SkipRepair(false);
+  }
   if (outcome.IsStopped)
   {
     this->Stop();
@@ -189,6 +206,11 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
   sm::ByteReader from(outcome.Result);
   vtkNew<vtkPartitionedDataSetCollection> tree;
   this->Unpack(from.GetAll<unsigned char>(), tree);
+  if (!crash.empty())
+  {
+    this->Last->Defects.push_back("A repair by OpenCASCADE ended its process, which " + crash +
+      "; the file was read again without repairs.");
+  }
   const auto seconds = from.Get<std::array<double, 5>>();
   this->Last->ReadSeconds = seconds[0];
   this->Last->MeshSeconds = seconds[1];

@@ -1,7 +1,7 @@
 #include "vtkSTEPReader.h"
 
-#include "smOCCTDocument.h"
-#include "smOCCTFile.h"
+#include "smDocument.h"
+#include "smFile.h"
 #include "smSTEPExternalFiles.h"
 
 #include "vtkObjectFactory.h"
@@ -15,6 +15,11 @@ vtkStandardNewMacro(vtkSTEPReader);
 
 namespace
 {
+/// Words of the setting of the format, by vtkSTEPReader::RepairType.
+constexpr const char* RepairWords[] = { "always", "needed", "never" };
+constexpr sm::RepairMode RepairModes[] = { sm::RepairMode::Always, sm::RepairMode::OnNeed,
+  sm::RepairMode::Never };
+
 /// Between folders, and before the first one in the setting of the format.
 constexpr char FolderSeparator = ':';
 
@@ -68,7 +73,7 @@ sm::Document vtkSTEPReader::ReadDocument(std::string content, const sm::Progress
     ? sm::JoinSTEPFiles(content, this->GetFileName(), ListFolders(this->SearchFolders), messages)
     : std::string();
   sm::Document document = sm::ReadSTEP(joined.empty() ? std::move(content) : std::move(joined),
-    this->Repair == ON_NEED ? sm::RepairMode::OnNeed : sm::RepairMode::Always, progress);
+    RepairModes[this->IsRepairSkipped ? NEVER : this->Repair], progress);
   document.Messages.insert(document.Messages.begin(), messages.begin(), messages.end());
   return document;
 }
@@ -80,20 +85,32 @@ std::string vtkSTEPReader::FindMistakeOfHead(const std::string& head) const
 
 std::string vtkSTEPReader::GetSettingOfFormat() const
 {
-  return std::string(this->Repair == ON_NEED ? "needed" : "always") + FolderSeparator +
+  return std::string(RepairWords[this->IsRepairSkipped ? NEVER : this->Repair]) + FolderSeparator +
     (this->SearchFolders ? this->SearchFolders : "");
 }
 
 void vtkSTEPReader::SetSettingOfFormat(const std::string& word)
 {
   const std::size_t end = word.find(FolderSeparator);
-  this->SetRepair(word.compare(0, end, "needed") == 0 ? ON_NEED : ALWAYS);
+  for (int repair = ALWAYS; repair <= NEVER; ++repair)
+  {
+    if (word.compare(0, end, RepairWords[repair]) == 0)
+    {
+      this->SetRepair(repair);
+    }
+  }
   this->SetSearchFolders(end == std::string::npos ? "" : word.substr(end + 1).c_str());
+}
+
+bool vtkSTEPReader::SkipRepair(bool isSkipped)
+{
+  this->IsRepairSkipped = isSkipped;
+  return this->Repair != NEVER;
 }
 
 void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SearchFolders: " << (this->SearchFolders ? this->SearchFolders : "(none)") << "\n";
-  os << indent << "Repair: " << (this->Repair == ON_NEED ? "on need\n" : "always\n");
+  os << indent << "Repair: " << RepairWords[this->Repair] << "\n";
 }

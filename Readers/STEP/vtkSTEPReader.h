@@ -50,13 +50,16 @@ public:
    * ON_NEED (default): OpenCASCADE repairs only solids and shells with defects, whose entity numbers are in a
    * message; all others are converted without a repair, with missing trim curves in closed form, which is
    * faster and more accurate. ALWAYS: it repairs all shapes of the file and computes missing trim curves.
+   * NEVER: none is repaired; of a solid or shell with defects those faces are read that are sound, and the
+   * result is suspect. An isolated reader reads so, too, if a repair ends its process.
    */
   enum RepairType
   {
     ALWAYS = 0,
-    ON_NEED = 1
+    ON_NEED = 1,
+    NEVER = 2
   };
-  vtkSetClampMacro(Repair, int, ALWAYS, ON_NEED);
+  vtkSetClampMacro(Repair, int, ALWAYS, NEVER);
   vtkGetMacro(Repair, int);
   ///@}
 
@@ -80,12 +83,14 @@ protected:
   sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) override;
   std::string GetSettingOfFormat() const override;
   void SetSettingOfFormat(const std::string& word) override;
+  bool SkipRepair(bool isSkipped) override;
 
 private:
   vtkSTEPReader(const vtkSTEPReader&) = delete;
   void operator=(const vtkSTEPReader&) = delete;
 
   int Repair = ON_NEED;
+  bool IsRepairSkipped = false;
   char* SearchFolders = nullptr;
 };
 

@@ -16,7 +16,7 @@ from paraview import servermanager, simple  # noqa: E402
 # Group, proxy, label, Python module and class.
 PROXIES = (("sources", "STEPReader", "STEP Reader", "smReadersSTEP", "vtkSTEPReader"),
            ("sources", "BREPReader", "BREP Reader", "smReadersBREP", "vtkBREPReader"),
-           ("writers", "STEPWriter", "STEP (exact NURBS solids)", "smReadersSTEP", "vtkSTEPWriter"),
+           ("writers", "STEPWriter", "STEP (exact NURBS solids)", "smReadersKernel", "vtkSTEPWriter"),
            ("filters", "MassPropertiesGPU", "Mass Properties", "smFiltersMassProperties", "vtkMassPropertiesGPU"),
            ("filters", "SurfaceIntegralGPU", "Surface Integral", "smFiltersSurfaceIntegrals", "vtkSurfaceIntegralGPU"),
            ("filters", "SchemeMassProperties", "Mass Properties by Paper Schemes", "smFiltersMomentSchemes", "vtkSchemeMassPropertiesGPU"),

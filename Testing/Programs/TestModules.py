@@ -11,8 +11,9 @@ from smproduct import Assembly, Part, write_product  # noqa: E402
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
 from solidmoments.smFiltersNURBS import vtkNURBSDataSet, vtkTrimmedNURBSModel  # noqa: E402
 from solidmoments.smFiltersSurfaceIntegrals import vtkSurfaceIntegralGPU  # noqa: E402
-from solidmoments.smReadersBREP import vtkBREPReader, vtkBREPWriter  # noqa: E402
-from solidmoments.smReadersSTEP import vtkSTEPReader, vtkSTEPWriter  # noqa: E402
+from solidmoments.smReadersBREP import vtkBREPReader  # noqa: E402
+from solidmoments.smReadersKernel import vtkBREPWriter, vtkSTEPWriter  # noqa: E402
+from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
 from solidmoments.smRenderingCompute import vtkComputeContext  # noqa: E402
 from solidmoments.smRenderingNURBS import vtkNURBSPointEvaluatorGPU  # noqa: E402
 from vtkmodules.vtkCommonTransforms import vtkTransform  # noqa: E402

@@ -76,7 +76,7 @@ def check_same():
 
 def check_brep_and_memory():
     """BREP files, plain and compressed, and bytes in memory."""
-    from solidmoments.smReadersBREP import vtkBREPWriter
+    from solidmoments.smReadersKernel import vtkBREPWriter
     from solidmoments.smReadersSTEP import vtkSTEPReader
 
     with open(sample, "rb") as file:

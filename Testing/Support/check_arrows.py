@@ -35,6 +35,7 @@ ROOMS = {
     "ReadersPart21": ("Readers/Part21", ["FiltersCommon"]),
     "ReadersSTEP": ("Readers/STEP", ["ReadersFaces", "ReadersPart21", "FiltersTessellation", "FiltersNURBS"]),
     "ReadersBREP": ("Readers/BREP", ["ReadersSTEP"]),
+    "ReadersKernel": ("Readers/Kernel", ["ReadersBREP", "ReadersSTEP", "ReadersFaces", "FiltersNURBS"]),
 }
 
 
@@ -47,7 +48,8 @@ def below(room):
 
 
 def choose_header(source, room):
-    headers = sorted(glob.glob(os.path.join(source, ROOMS[room][0], "*.h")))
+    """The first class of VTK of a room, or else its first header."""
+    headers = sorted(glob.glob(os.path.join(source, ROOMS[room][0], "*.h")), key=lambda path: (not os.path.basename(path).startswith("vtk"), path))
     headers = [path for path in headers if not path.endswith("Internals.h")]
     return os.path.basename(headers[0]) if headers else None
 

@@ -35,7 +35,7 @@ using sm::Json;
 constexpr double Tolerances[] = { 1e-9, 1e-12 };
 constexpr std::size_t MaxMessages = 20;
 
-/// Compares while OpenCASCADE's shapes are there.
+/// Compares while the document's shapes are there.
 class ComparedReader : public vtkSTEPReader
 {
 public:

@@ -11,11 +11,11 @@
 //     --quick          the same without measures: only seconds, triangles and the bits of the mesh
 //     --triangles FILE.csv   writes the triangles of both, which MeshPictures.py draws
 //     --verbose        says so of every face
+#include "Shapes/smShapeBounds.h"
+#include "smBodySize.h"
+#include "smDocument.h"
 #include "smKernelMesh.h"
 #include "smMeshMeasures.h"
-#include "smOCCTBody.h"
-#include "smOCCTBounds.h"
-#include "smOCCTDocument.h"
 
 #include <vtkCellArray.h>
 #include <vtkFeatureEdges.h>
@@ -235,15 +235,17 @@ protected:
       {
         origin[d] = 0.5 * (bounds[2 * d] + bounds[2 * d + 1]);
       }
-      const double size = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-      sm::ConvertedBody body = sm::ConvertBody(part.Shape, gp_Trsf(), 1.0, origin, document.Table);
+      sm::ConvertedBody body = sm::ConvertBody(part.Shape, sm::Placement(), 1.0, origin);
       std::vector<sm::FacePointer> faces;
       for (const sm::ConvertedFace& face : body.Faces)
       {
         faces.push_back(face.Result);
       }
+      // The diagonal of a coarse mesh; edges alone would leave out what bulges between them.
+      const double size = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+      const auto box = sm::MeasureBody(sm::MeshFaces(faces, { 0.01 * size, sm::MeshLimits().Angle })).Bounds;
       sm::MeshLimits limits;
-      limits.Deflection = Deflection * size;
+      limits.Deflection = Deflection * std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
       double start = 0.0;
       double minimum = HUGE_VAL;
       double edges = HUGE_VAL;
@@ -267,13 +269,15 @@ protected:
       {
         continue;
       }
+      const smtest::KernelBody kernel = Alone ? smtest::KernelBody() : smtest::MakeKernelBody(part.Shape);
       start = GetSeconds();
       if (!Alone)
       {
-        smtest::MeshByKernel(part.Shape, limits.Deflection, limits.Angle);
+        smtest::MeshByKernel(kernel.Shape, limits.Deflection, limits.Angle);
       }
       All.Seconds[1] += GetSeconds() - start;
-      const std::vector<sm::FaceMesh> theirs = smtest::GetKernelMeshes(body, origin, limits.Deflection);
+      const std::vector<sm::FaceMesh> theirs =
+        smtest::GetKernelMeshes(body, kernel, origin, limits.Deflection);
       const smtest::MeshMeasures a = smtest::MeasureMesh(faces, ours);
       const smtest::MeshMeasures b = smtest::MeasureMesh(faces, theirs);
       Add(a, limits.Deflection, All.Mesh[0]);

@@ -1,8 +1,9 @@
 #include "smKernelComparison.h"
 
-#include "smOCCTBounds.h"
+#include "Shapes/smShapeBounds.h"
+#include "smBodyConversion.h"
+#include "smOCCTMakeGeometry.h"
 
-#include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_ElementarySurface.hxx>
 #include <Geom_Plane.hxx>
@@ -43,25 +44,49 @@ sm::Vector3 GetFootOnSphere(
   return { o[0] + stretch * (p[0] - o[0]), o[1] + stretch * (p[1] - o[1]), o[2] + stretch * (p[2] - o[2]) };
 }
 
-/// OpenCASCADE's trim curve of a coedge.
-struct NativeTrim
+/// A curve of the file in the parameters of a face, as OpenCASCADE evaluates it; one of several parts, of
+/// which OpenCASCADE has no kind, as its own value does.
+class StoredTrim
 {
-  Handle(Geom2d_Curve) Curve;
-  double First = 0.0;
-  double Last = 0.0;
-  /// True if the file has the curve; otherwise OpenCASCADE computes one, on a plane only, with another
-  /// parametrisation than the edge's.
-  Standard_Boolean Stored = false;
-
-  NativeTrim(const TopoDS_Edge& edge, const TopoDS_Face& face)
+public:
+  explicit StoredTrim(const sm::CoedgeShape& coedge)
+    : First(coedge.First)
+    , Last(coedge.Last)
+    , Value(coedge.Trim)
   {
-    this->Curve = BRep_Tool::CurveOnSurface(edge, face, this->First, this->Last, &this->Stored);
+    if (this->Value && !this->Value->GetIf<sm::CompositeCurve<2>>())
+    {
+      this->Curve = sm::MakeKernelCurve(*this->Value);
+    }
   }
+
+  /// False if the file has no such curve.
+  bool IsStored() const { return this->Value != nullptr; }
+
+  void Evaluate(double t, gp_Pnt2d& point, gp_Vec2d& slope) const
+  {
+    if (!this->Curve.IsNull())
+    {
+      this->Curve->D1(t, point, slope);
+      return;
+    }
+    sm::GeometricCurve<2>::Derivatives d;
+    this->Value->Evaluate(t, 1, d);
+    point.SetCoord(d[0][0], d[0][1]);
+    slope.SetCoord(d[1][0], d[1][1]);
+  }
+
+  double First;
+  double Last;
+
+private:
+  sm::CurvePointer<2> Value;
+  Handle(Geom2d_Curve) Curve;
 };
 
 /// The point of the trim curve that is nearest to `point`, near parameter t: a curve whose 2D and 3D
 /// parametrisations differ was given another parameter, and is to be the same curve.
-sm::Vector3 GetNearest(const NativeTrim& trim, const Handle(Geom_Surface) & surface, const sm::AffineMap& map,
+sm::Vector3 GetNearest(const StoredTrim& trim, const Handle(Geom_Surface) & surface, const sm::AffineMap& map,
   double t, const double* point)
 {
   sm::Vector3 nearest{};
@@ -69,7 +94,7 @@ sm::Vector3 GetNearest(const NativeTrim& trim, const Handle(Geom_Surface) & surf
   {
     gp_Pnt2d uv;
     gp_Vec2d slope;
-    trim.Curve->D1(t, uv, slope);
+    trim.Evaluate(t, uv, slope);
     gp_Pnt p;
     gp_Vec du;
     gp_Vec dv;
@@ -90,18 +115,61 @@ sm::Vector3 GetNearest(const NativeTrim& trim, const Handle(Geom_Surface) & surf
   return nearest;
 }
 
+/// The use in the file that a coedge was made of: that of the same edge, in the same direction if the face
+/// uses it in both, and over the same range if a repair has divided the edge. Null for edges of the reader's
+/// own.
+const sm::CoedgeShape* FindSource(const sm::FaceShape& face, const sm::Coedge& coedge)
+{
+  const sm::CoedgeShape* best = nullptr;
+  int bestScore = -1;
+  for (const sm::WireShape& wire : face.Wires)
+  {
+    for (const sm::CoedgeShape& source : wire.Coedges)
+    {
+      const bool isSame = coedge.Use->FileId != 0 && source.Edge->Data.FileId == coedge.Use->FileId;
+      const bool hasRange =
+        source.Edge->First == coedge.Use->Curve.GetStart() && source.Edge->Last == coedge.Use->Curve.GetEnd();
+      const int score = (hasRange ? 2 : 0) + (source.Reversed == coedge.Reversed ? 1 : 0);
+      if (isSame && score > bestScore)
+      {
+        best = &source;
+        bestScore = score;
+      }
+    }
+  }
+  return best;
+}
+
+/// The surface that a converted face was made of: that of the file, where the face is within one period of
+/// it, and otherwise the periodic one that was made of it.
+const sm::SurfacePointer& GetSurface(const sm::ConvertedFace& face)
+{
+  const sm::FaceShape& source = *face.Source;
+  if (!source.Own.Surface)
+  {
+    return source.Surface;
+  }
+  sm::NativeBox box;
+  for (int d = 0; d < 2; ++d)
+  {
+    box.Low[d] = face.Result->Surface.GetDomainStart(d);
+    box.High[d] = face.Result->Surface.GetDomainEnd(d);
+  }
+  return sm::CoverBox(source.Own, source.Surface, box) ? source.Own.Surface : source.Surface;
+}
+
 /// One body: its distances and messages go to the result of the file.
 class BodyComparison
 {
 public:
-  BodyComparison(const sm::PartBody& part, const sm::ShapeTable& table, KernelComparison& result)
-    : Trsf(part.Scale)
+  BodyComparison(const sm::PartBody& part, KernelComparison& result)
+    : Scale(part.Scale)
     , Result(result)
   {
-    double bounds[6] = { 0, 0, 0, 0, 0, 0 };
-    if (!sm::IsAsInFile(part.Shape, table) || !sm::GetEdgeBounds(part.Shape, bounds))
+    double bounds[6];
+    if (!sm::GetShapeBounds(part.Shape, bounds))
     {
-      sm::GetShapeBounds(part.Shape, bounds);
+      std::fill(bounds, bounds + 6, 0.0);
     }
     for (int d = 0; d < 3; ++d)
     {
@@ -109,7 +177,7 @@ public:
     }
     this->Size = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]) +
       std::hypot(this->Origin[0], this->Origin[1], this->Origin[2]);
-    this->Body = sm::ConvertBody(part.Shape, part.Scale, 1.0, this->Origin, table);
+    this->Body = sm::ConvertBody(part.Shape, part.Scale, 1.0, this->Origin);
     result.MissingFaces += this->Body.MissingFaces;
     result.Defects += this->Body.Defects;
     result.Messages.insert(result.Messages.end(), this->Body.Messages.begin(), this->Body.Messages.end());
@@ -119,22 +187,26 @@ public:
   {
     for (const sm::ConvertedFace& face : this->Body.Faces)
     {
-      TopLoc_Location location;
-      const Handle(Geom_Surface) surface = sm::GetBasisSurface(BRep_Tool::Surface(face.Source, location));
-      const sm::AffineMap map =
-        sm::AffineMap::Make(this->Trsf * location.Transformation(), 1.0, this->Origin);
+      const Handle(Geom_Surface) surface = sm::MakeKernelSurface(*GetSurface(face));
+      const sm::AffineMap map = this->MakeMap(face.Source->Location);
       FaceTally& tally = this->Result.Tallies[surface->DynamicType()->Name()];
       ++tally.Faces;
       for (int i = 0; i < 12; ++i)
       {
         this->CompareSurface(face, surface, map, random, tally);
       }
-      this->ForEachCoedge(face,
-        [&](const sm::Coedge& coedge, const TopoDS_Edge& edge)
+      for (const sm::Loop& loop : face.Result->Loops)
+      {
+        for (const sm::Coedge& coedge : loop.Coedges)
         {
-          this->CompareTrim(face, surface, map, coedge, edge, tally);
-          this->CompareEdge(face, coedge, edge);
-        });
+          // Poles and seams that the file leaves out are edges of the reader's own.
+          if (const sm::CoedgeShape* source = FindSource(*face.Source, coedge))
+          {
+            this->CompareTrim(face, surface, map, coedge, *source, tally);
+            this->CompareEdge(face, coedge, *source->Edge);
+          }
+        }
+      }
     }
   }
 
@@ -148,21 +220,15 @@ public:
   }
 
 private:
-  template <typename Function>
-  void ForEachCoedge(const sm::ConvertedFace& face, const Function& function)
+  /// From the coordinates of a shape with this location to those of the converted body.
+  sm::AffineMap MakeMap(const sm::Placement& location) const
   {
-    for (std::size_t l = 0; l < face.Result->Loops.size(); ++l)
+    sm::AffineMap map = sm::Compose(this->Scale, location);
+    for (int d = 0; d < 3; ++d)
     {
-      const sm::Loop& loop = face.Result->Loops[l];
-      for (std::size_t k = 0; k < loop.Coedges.size(); ++k)
-      {
-        // Poles and seams that the file leaves out are edges of the reader's own.
-        if (!face.SourceEdges[l][k].IsNull())
-        {
-          function(loop.Coedges[k], face.SourceEdges[l][k]);
-        }
-      }
+      map.Translation[d] -= this->Origin[d];
     }
+    return map;
   }
 
   void CompareSurface(const sm::ConvertedFace& face, const Handle(Geom_Surface) & surface,
@@ -211,12 +277,11 @@ private:
   }
 
   void CompareTrim(const sm::ConvertedFace& face, const Handle(Geom_Surface) & surface,
-    const sm::AffineMap& map, const sm::Coedge& coedge, const TopoDS_Edge& edge, FaceTally& tally)
+    const sm::AffineMap& map, const sm::Coedge& coedge, const sm::CoedgeShape& source, FaceTally& tally)
   {
     KernelComparison& result = this->Result;
     result.TrimPieces += coedge.Curve.GetNumberOfPieces();
     result.TrimResidual = std::max(result.TrimResidual, coedge.Curve.GetLargestResidual());
-    const NativeTrim native(edge, face.Source);
     for (const double x : { 0.0, 0.25, 0.5, 1.0 })
     {
       // Also where the file gives no curve, and none was made.
@@ -229,7 +294,8 @@ private:
         result.MaxGap = std::max(result.MaxGap, Distance(coedge.Use->Curve.Evaluate(t), actual));
       }
     }
-    if (native.Curve.IsNull())
+    const StoredTrim native(source);
+    if (!native.IsStored() && Handle(Geom_Plane)::DownCast(surface).IsNull())
     {
       return;
     }
@@ -237,10 +303,15 @@ private:
     {
       const double t = (1.0 - x) * coedge.Curve.GetStart() + x * coedge.Curve.GetEnd();
       const double nativeT = (1.0 - x) * native.First + x * native.Last;
-      const gp_Pnt2d uv = native.Curve->Value(nativeT);
+      gp_Pnt2d uv;
+      gp_Vec2d slope;
+      if (native.IsStored())
+      {
+        native.Evaluate(nativeT, uv, slope);
+      }
       // Without a stored curve the truth is the foot of the edge's point.
-      const sm::Vector3 expected = native.Stored ? map.MapPoint(surface->Value(uv.X(), uv.Y()).XYZ())
-                                                 : GetFoot(coedge.Use->Curve.Evaluate(t), surface, map);
+      const sm::Vector3 expected = native.IsStored() ? map.MapPoint(surface->Value(uv.X(), uv.Y()).XYZ())
+                                                     : GetFoot(coedge.Use->Curve.Evaluate(t), surface, map);
       const auto c = coedge.Curve.Evaluate(t);
       double actual[3];
       face.Result->Surface.Evaluate(c[0], c[1], actual);
@@ -249,7 +320,7 @@ private:
         result.MaxGap = std::max(result.MaxGap, Distance(coedge.Use->Curve.Evaluate(t), actual));
       }
       double error = Distance(expected, actual) / this->Size;
-      if (error > TrimLimit && native.Stored)
+      if (error > TrimLimit && native.IsStored())
       {
         error = Distance(GetNearest(native, surface, map, nativeT, actual), actual) / this->Size;
       }
@@ -269,7 +340,7 @@ private:
   }
 
   /// Compares every edge once, and adds up the signs of its uses.
-  void CompareEdge(const sm::ConvertedFace& face, const sm::Coedge& coedge, const TopoDS_Edge& edge)
+  void CompareEdge(const sm::ConvertedFace& face, const sm::Coedge& coedge, const sm::EdgeShape& edge)
   {
     if (coedge.Use->Degenerate)
     {
@@ -278,36 +349,38 @@ private:
     KernelComparison& result = this->Result;
     const bool known = this->Uses.count(coedge.Use.get()) > 0;
     this->Uses[coedge.Use.get()] += coedge.Reversed != face.Result->Reversed ? -1 : 1;
-    TopLoc_Location location;
-    double first;
-    double last;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, first, last);
-    if (known || curve.IsNull())
+    if (known || !edge.Curve)
     {
       return;
     }
+    // A curve of several parts, or on a surface, of which OpenCASCADE has no kind, by its own evaluation.
+    const bool isOwn = edge.Curve->GetIf<sm::CompositeCurve<3>>() || edge.Curve->GetIf<sm::CurveOnSurface>();
+    const Handle(Geom_Curve) curve = isOwn ? Handle(Geom_Curve)() : sm::MakeKernelCurve(*edge.Curve);
+    const double first = edge.First;
+    const double last = edge.Last;
     result.EdgePieces += coedge.Use->Curve.GetNumberOfPieces();
-    const sm::AffineMap map = sm::AffineMap::Make(this->Trsf * location.Transformation(), 1.0, this->Origin);
+    const sm::AffineMap map = this->MakeMap(edge.Location);
     for (const double x : { 0.0, 0.137, 0.333, 0.5, 0.811, 1.0 })
     {
       const double t = (1.0 - x) * first + x * last;
-      const sm::Vector3 expected = map.MapPoint(curve->Value(t).XYZ());
+      const sm::Vector3 expected =
+        isOwn ? map.MapPoint(edge.Curve->Evaluate(t)) : map.MapPoint(curve->Value(t).XYZ());
       const double error = Distance(expected, coedge.Use->Curve.Evaluate(t).data()) /
         std::max(this->Size, 4.0 * std::abs(first));
       result.Edge = std::max(result.Edge, error);
       if (!(error <= EdgeLimit))
       {
         std::ostringstream line;
-        line << "edge #" << coedge.Use->FileId << " (" << curve->DynamicType()->Name() << "), x=" << x << ": "
-             << error << ", range " << first << " " << last << ", residual "
-             << coedge.Use->Curve.GetLargestResidual();
+        line << "edge #" << coedge.Use->FileId << " ("
+             << (isOwn ? "of several parts" : curve->DynamicType()->Name()) << "), x=" << x << ": " << error
+             << ", range " << first << " " << last << ", residual " << coedge.Use->Curve.GetLargestResidual();
         result.Messages.push_back(line.str());
         ++result.AboveLimits;
       }
     }
   }
 
-  gp_Trsf Trsf;
+  sm::Placement Scale;
   double Origin[3];
   /// Size of the body, plus its distance from the part's origin.
   double Size = 0.0;
@@ -324,7 +397,7 @@ KernelComparison CompareWithKernel(const sm::Document& document)
   std::vector<std::array<int, 2>> counts;
   for (const sm::PartBody& part : document.Bodies)
   {
-    BodyComparison body(part, document.Table, result);
+    BodyComparison body(part, result);
     body.Compare(random);
     counts.push_back({ body.GetNumberOfFaces(), body.GetNumberOfOpenEdges() });
   }

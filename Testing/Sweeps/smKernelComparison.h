@@ -6,7 +6,7 @@
 #ifndef smKernelComparison_h
 #define smKernelComparison_h
 
-#include "smOCCTDocument.h"
+#include "smDocument.h"
 
 #include <cstddef>
 #include <map>

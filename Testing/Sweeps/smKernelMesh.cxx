@@ -1,6 +1,6 @@
 #include "smKernelMesh.h"
 
-#include "smOCCTSurface.h"
+#include "smOCCTMakeShape.h"
 #include "smVector.h"
 
 #include "vtkMath.h"
@@ -12,9 +12,13 @@
 #include <Poly_Triangulation.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
 
 namespace smtest
 {
@@ -54,8 +58,34 @@ double MapParameter(const ConvertedFace& face, int direction, double native)
 
 }
 
+KernelBody MakeKernelBody(const sm::BodyShape& body)
+{
+  KernelBody result;
+  std::string reason;
+  try
+  {
+    sm::MadeShapes made;
+    result.Shape = sm::MakeKernelShape(body, made, result.Faces);
+    return result;
+  }
+  catch (const Standard_Failure& failure)
+  {
+    reason = failure.GetMessageString();
+  }
+  catch (const std::runtime_error& error)
+  {
+    reason = error.what();
+  }
+  std::printf("    OpenCASCADE has no such shape: %s\n", reason.c_str());
+  return {};
+}
+
 bool MeshByKernel(const TopoDS_Shape& shape, double deflection, double angle)
 {
+  if (shape.IsNull())
+  {
+    return false;
+  }
   try
   {
     BRepTools::Clean(shape);
@@ -75,7 +105,7 @@ bool MeshByKernel(const TopoDS_Shape& shape, double deflection, double angle)
 }
 
 std::vector<sm::FaceMesh> GetKernelMeshes(
-  const sm::ConvertedBody& body, const double origin[3], double deflection)
+  const sm::ConvertedBody& body, const KernelBody& kernel, const double origin[3], double deflection)
 {
   std::vector<sm::FaceMesh> meshes(body.Faces.size());
   for (std::size_t f = 0; f < body.Faces.size(); ++f)
@@ -83,8 +113,14 @@ std::vector<sm::FaceMesh> GetKernelMeshes(
     const ConvertedFace& face = body.Faces[f];
     meshes[f].Deviation = deflection;
     meshes[f].NormalTurn = vtkMath::Pi();
+    const auto made = kernel.Faces.find(face.Source);
+    if (made == kernel.Faces.end())
+    {
+      continue;
+    }
     TopLoc_Location location;
-    const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face.Source, location);
+    const Handle(Poly_Triangulation) triangles =
+      BRep_Tool::Triangulation(TopoDS::Face(made->second), location);
     if (triangles.IsNull() || !triangles->HasUVNodes())
     {
       continue;

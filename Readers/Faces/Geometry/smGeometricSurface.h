@@ -147,6 +147,13 @@ private:
   double Period[2] = { 0.0, 0.0 };
   int LargestOrder = 2;
 };
+
+/// Returns an elementary surface of this kind; null for any other surface.
+inline const ElementarySurface* FindElementary(const GeometricSurface& surface, ElementarySurface::Type kind)
+{
+  const auto* elementary = surface.GetIf<ElementarySurface>();
+  return elementary && elementary->Kind == kind ? elementary : nullptr;
+}
 }
 
 #endif

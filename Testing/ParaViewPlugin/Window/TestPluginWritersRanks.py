@@ -58,7 +58,8 @@ def drive(pvpython, mpirun, pvbatch):
 
 def check_pieces():
     """A rank that is not the first updates its piece and writes nothing."""
-    from solidmoments.smReadersSTEP import vtkSTEPReader, vtkSTEPWriter
+    from solidmoments.smReadersKernel import vtkSTEPWriter
+    from solidmoments.smReadersSTEP import vtkSTEPReader
     source = vtkSTEPReader()
     source.SetFileName(part)
     writer = vtkSTEPWriter()

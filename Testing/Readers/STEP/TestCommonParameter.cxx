@@ -2,9 +2,9 @@
 // what they were, and where there is no such parameter the curve is left alone. Residuals cover what is
 // between trim curves and edges.
 #include "Geometry/smChebyshevFit.h"
-#include "smCommonParameter.h"
+#include "Trims/smCommonParameter.h"
+#include "Trims/smTrimResidual.h"
 #include "smTesting.h"
-#include "smTrimResidual.h"
 
 #include <cmath>
 #include <functional>

@@ -4,8 +4,8 @@
  *
  * Usage: TestSTEPReader FOLDER [commas], a folder for the files it writes; in a locale with a decimal comma.
  */
+#include "smBodyConversion.h"
 #include "smDisplayMesh.h"
-#include "smOCCTBody.h"
 #include "smReaderTesting.h"
 
 #include "vtkCallbackCommand.h"
@@ -20,26 +20,16 @@
 #include "vtkTrimmedNURBSModel.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepPrimAPI_MakeSphere.hxx>
-#include <BRep_Builder.hxx>
-#include <Geom_CylindricalSurface.hxx>
-#include <Geom_Line.hxx>
-#include <Geom_Plane.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Iterator.hxx>
-#include <TopoDS_Wire.hxx>
-#include <gp_Pln.hxx>
 
 #include <clocale>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <regex>
 #include <set>
 #include <string>
@@ -187,38 +177,62 @@ void CheckMesh(const std::string& path)
   }
 }
 
+template <class Value>
+sm::SurfacePointer MakeSurface(const Value& value)
+{
+  std::string problem;
+  return sm::GeometricSurface::Make(value, problem);
+}
+
+/// An edge along the x axis, or one that is moved from it.
+sm::CoedgeShape MakeEdge(const sm::Vector3& from, const sm::Vector3& along, double first, double last)
+{
+  std::string problem;
+  sm::CoedgeShape use;
+  use.Edge = std::make_shared<sm::EdgeShape>();
+  use.Edge->Curve = sm::GeometricCurve<3>::Make(sm::LineCurve<3>{ from, along }, problem);
+  use.Edge->First = first;
+  use.Edge->Last = last;
+  return use;
+}
+
+sm::ConvertedBody Convert(const std::shared_ptr<sm::FaceShape>& face)
+{
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  sm::BodyShape body;
+  body.Faces.push_back({ face, false });
+  return sm::ConvertBody(body, sm::Placement(), 1.0, origin);
+}
+
 /// Bodies that are not what their file says, made without a file.
 void CheckBrokenBodies()
 {
-  const BRep_Builder builder;
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  TopoDS_Edge edge;
-  builder.MakeEdge(edge, new Geom_Line(gp_Pnt(), gp_Dir(1, 0, 0)), 1e-7);
-  builder.Range(edge, 1.0, 1.0);
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  builder.Add(wire, edge);
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln()), 1e-7);
-  builder.Add(face, wire);
-  sm::ConvertedBody body = sm::ConvertBody(face, gp_Trsf(), 1.0, origin, {});
+  const sm::CoedgeShape empty = MakeEdge({}, { 1.0, 0.0, 0.0 }, 1.0, 1.0);
+  const auto face = std::make_shared<sm::FaceShape>();
+  face->Surface = MakeSurface(sm::ElementarySurface());
+  face->Wires.push_back({ { empty }, false });
+  sm::ConvertedBody body = Convert(face);
   CheckEqual(
     "a face whose edges are empty is not the whole plane", 0, static_cast<long long>(body.Faces.size()));
   CheckEqual("  but missing", 1, body.MissingFaces);
 
-  const TopoDS_Face rectangle = BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 7.0, 0.0, 8.0).Face();
-  wire = TopoDS::Wire(TopoDS_Iterator(rectangle).Value());
-  wire.Free(true);
-  builder.Add(wire, edge);
-  body = sm::ConvertBody(rectangle, gp_Trsf(), 1.0, origin, {});
+  face->Wires = { { { MakeEdge({}, { 1.0, 0.0, 0.0 }, 0.0, 7.0),
+                      MakeEdge({ 7.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, 0.0, 8.0),
+                      MakeEdge({ 7.0, 8.0, 0.0 }, { -1.0, 0.0, 0.0 }, 0.0, 7.0),
+                      MakeEdge({ 0.0, 8.0, 0.0 }, { 0.0, -1.0, 0.0 }, 0.0, 8.0), empty },
+    false } };
+  body = Convert(face);
   CheckEqual("an edge that is left out leaves its face", 1, static_cast<long long>(body.Faces.size()));
   CheckTrue("  and is a defect", body.Defects > 0 && !body.Messages.empty());
 
-  const Handle(Geom_Surface) tube =
-    new Geom_RectangularTrimmedSurface(new Geom_CylindricalSurface(gp_Ax3(), 2.0), 0.0, 1.0, 3.0, 5.0);
-  TopoDS_Face patch;
-  builder.MakeFace(patch, tube, 1e-7);
-  body = sm::ConvertBody(patch, gp_Trsf(), 1.0, origin, {});
+  sm::ElementarySurface tube;
+  tube.Kind = sm::ElementarySurface::Type::Cylinder;
+  tube.Radii[0] = 2.0;
+  const auto patch = std::make_shared<sm::FaceShape>();
+  patch->Surface = MakeSurface(tube);
+  patch->Range[0] = { 0.0, 1.0 };
+  patch->Range[1] = { 3.0, 5.0 };
+  body = Convert(patch);
   CheckEqual("a face without loops", 1, static_cast<long long>(body.Faces.size()));
   CheckEqual("  has no defect", 0, body.Defects);
   const sm::NURBSSurface& surface = body.Faces.at(0).Result->Surface;

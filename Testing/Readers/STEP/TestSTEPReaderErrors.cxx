@@ -294,7 +294,7 @@ void CheckUnreadParts()
   CheckDeclared("the quantity that is placed", quantity("1."), false, "");
 }
 
-/// A reader inside an observer of another one's progress fails with a sentence, and the other one goes on.
+/// A reader inside an observer of another one's progress reads, and the other one goes on.
 void CheckNested(const std::string& path)
 {
   struct Client
@@ -302,6 +302,7 @@ void CheckNested(const std::string& path)
     std::string Path;
     ErrorLog Log;
     int Runs = 0;
+    int Instances = 0;
   } client;
   client.Path = path;
   vtkNew<vtkCallbackCommand> callback;
@@ -317,19 +318,18 @@ void CheckNested(const std::string& path)
       }
       ++c->Runs;
       vtkNew<vtkSTEPReader> inner;
-      ErrorLog ignored;
       c->Log.Watch(inner);
-      ignored.Watch(inner->GetExecutive());
       inner->SetFileName(c->Path.c_str());
       inner->Update();
+      c->Instances = inner->GetNumberOfInstances();
     });
   vtkNew<vtkSTEPReader> reader;
   reader->AddObserver(vtkCommand::ProgressEvent, callback);
   reader->SetFileName(path.c_str());
   reader->Update();
   CheckEqual("a nested reader ran", 1, client.Runs);
-  CheckEqual("and failed", 1, client.Log.Count);
-  CheckTrue("with a sentence", client.Log.Text.find("another file is being read") != std::string::npos);
+  CheckEqual("without an error", 0, client.Log.Count);
+  CheckEqual("the whole file", 3, client.Instances);
   CheckEqual("the outer one goes on", 3, reader->GetNumberOfInstances());
 }
 

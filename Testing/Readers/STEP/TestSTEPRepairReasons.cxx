@@ -3,8 +3,9 @@
 // connected are none, and these are parted all the same. One face that lies off its edges is repaired by
 // itself. FOLDER takes the file.
 #include "smIntegralNames.h"
-#include "smOCCTRepair.h"
+#include "smOCCTImport.h"
 #include "smReaderTesting.h"
+#include "smRepair.h"
 
 #include "vtkMassPropertiesGPU.h"
 #include "vtkMath.h"
@@ -18,16 +19,9 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <Geom_CylindricalSurface.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 
 #include <cmath>
@@ -63,41 +57,33 @@ std::string GetRepairs(vtkSTEPReader* reader)
 
 /// Gives the rim of the bore at height 10 another trim curve on the bore: a parabola through (pole, 10 +
 /// bump) half way.
-void SetTrim(const TopoDS_Shape& bored, double pole, double bump)
+void SetTrim(const sm::BodyShape& bored, double pole, double bump)
 {
-  for (TopExp_Explorer face(bored, TopAbs_FACE); face.More(); face.Next())
-  {
-    const TopoDS_Face cylinder = TopoDS::Face(face.Current().Oriented(TopAbs_FORWARD));
-    TopLoc_Location location;
-    if (Handle(Geom_CylindricalSurface)::DownCast(BRep_Tool::Surface(cylinder, location)).IsNull())
+  bool isDone = false;
+  bored.VisitFaces(
+    [&](const sm::FaceUse& face)
     {
-      continue;
-    }
-    for (TopExp_Explorer it(cylinder, TopAbs_EDGE); it.More(); it.Next())
-    {
-      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-      double first = 0.0;
-      double last = 0.0;
-      const Handle(Geom2d_Curve) trim = BRep_Tool::CurveOnSurface(edge, cylinder, first, last);
-      const gp_Pnt2d a = trim->Value(first);
-      const gp_Pnt2d b = trim->Value(last);
-      if (std::abs(a.Y() - 10.0) < 1e-9 && std::abs(b.Y() - 10.0) < 1e-9)
+      const bool isBore = sm::FindElementary(*face.Face->Surface, sm::ElementarySurface::Type::Cylinder);
+      for (std::size_t i = 0; isBore && i < face.Face->Wires.size(); ++i)
       {
-        TColgp_Array1OfPnt2d poles(1, 3);
-        poles(1) = a;
-        poles(2) = gp_Pnt2d((1.0 - pole) * a.X() + pole * b.X(), 10.0 + bump);
-        poles(3) = b;
-        TColStd_Array1OfReal knots(1, 2);
-        knots(1) = first;
-        knots(2) = last;
-        TColStd_Array1OfInteger multiplicities(1, 2);
-        multiplicities.Init(3);
-        BRep_Builder().UpdateEdge(
-          edge, new Geom2d_BSplineCurve(poles, knots, multiplicities, 2), cylinder, 1e-7);
-        return;
+        for (sm::CoedgeShape& use : face.Face->Wires[i].Coedges)
+        {
+          const sm::Point2 a = use.Trim->Evaluate(use.First);
+          const sm::Point2 b = use.Trim->Evaluate(use.Last);
+          if (!isDone && std::abs(a[1] - 10.0) < 1e-9 && std::abs(b[1] - 10.0) < 1e-9)
+          {
+            sm::SplineCurve<2> parabola;
+            parabola.Basis.Degree = 2;
+            parabola.Basis.Knots = { use.First, use.Last };
+            parabola.Basis.Multiplicities = { 3, 3 };
+            parabola.Poles = { a, { (1.0 - pole) * a[0] + pole * b[0], 10.0 + bump }, b };
+            std::string problem;
+            use.Trim = sm::GeometricCurve<2>::Make(parabola, problem);
+            isDone = true;
+          }
+        }
       }
-    }
-  }
+    });
 }
 
 TopoDS_Shape MakeBoredBox()
@@ -109,18 +95,17 @@ TopoDS_Shape MakeBoredBox()
 }
 
 /// Trim curves that leave their edges between the ends, where the loops close all the same, and one at
-/// another speed. From a file OpenCASCADE takes none that are off: it projects edges instead.
+/// another speed.
 void CheckTrimReasons()
 {
-  TopoDS_Shape solid = MakeBoredBox();
-  const auto label = [](const TopoDS_Shape&) { return std::string("face"); };
+  sm::ShapeImport import;
+  sm::BodyShape solid = sm::MakeBody(import.MakeGroup(MakeBoredBox()).Solids.at(0));
   sm::SoundFaceTable faces;
   const auto check = [&](const char* name, double pole, double bump, bool isSound)
   {
     SetTrim(solid, pole, bump);
     faces.clear();
-    CheckEqual(
-      name, isSound ? "" : "face: an edge lies off it", sm::FindShapeDamage(solid, label, faces).Problem);
+    CheckEqual(name, isSound ? "" : "a face: an edge lies off it", sm::FindShapeDamage(solid, faces).Problem);
     CheckEqual("  faces taken as they are", isSound ? 7 : 0, static_cast<int>(faces.size()));
   };
   check("trim on its edge", 0.5, 0.0, true);

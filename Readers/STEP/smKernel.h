@@ -1,0 +1,61 @@
+/**
+ * @file smKernel.h
+ * @brief What the reader asks of OpenCASCADE: to repair bodies, and to read BREP files
+ */
+#ifndef smKernel_h
+#define smKernel_h
+
+#include "smDocument.h"
+#include "smReadersSTEPModule.h"
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace sm
+{
+struct RepairLimits
+{
+  /// Accuracy of coordinates that the file states, in millimetres.
+  double Precision = DefaultTolerance;
+  /// Largest tolerance that edges and vertices may get, in millimetres.
+  double Maximum = 1.0;
+};
+
+/// OpenCASCADE. One thread of the process uses it at a time; others wait. The functions throw only
+/// std::bad_alloc: a shape of which the repair fails is returned as it is.
+class SMREADERSSTEP_EXPORT Kernel
+{
+public:
+  virtual ~Kernel();
+
+  /// Repairs a solid or shell. `data` is that of the solid. Faces, edges and shells of the result have the
+  /// data of those that they come from, and faces their Source.
+  virtual ShapeGroup RepairBody(
+    const BodyShape& body, const ShapeData& data, const RepairLimits& limits) const = 0;
+  /// Repairs some faces of a body as the repair of the whole body would. `repaired` gets what became of them.
+  virtual BodyShape RepairFaces(const BodyShape& body, const std::vector<const FaceShape*>& faces,
+    const RepairLimits& limits, std::vector<const FaceShape*>& repaired) const = 0;
+  /// Reads the bytes of a BREP file. `progress` gets a fraction in [0,1] and returns false to stop.
+  virtual Document ReadBREP(std::string_view bytes, const ProgressCallback& progress) const = 0;
+};
+
+/// Returns the kernel, which is loaded when it is needed first; null if it cannot be loaded.
+SMREADERSSTEP_EXPORT const Kernel* GetKernel();
+
+/// Sets a function that is called when a repair begins and when it has ended, so that another process knows
+/// what this one was doing if it crashes. Not thread safe; empty: none.
+SMREADERSSTEP_EXPORT void SetRepairObserver(std::function<void(bool isBeginning)> observer);
+
+/// Calls the observer.
+class RepairNotice
+{
+public:
+  RepairNotice();
+  ~RepairNotice();
+  RepairNotice(const RepairNotice&) = delete;
+  void operator=(const RepairNotice&) = delete;
+};
+}
+
+#endif

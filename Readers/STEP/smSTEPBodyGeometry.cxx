@@ -1,0 +1,115 @@
+#include "smSTEPBodyGeometry.h"
+
+#include "Loops/smAxialProfile.h"
+#include "smCatchFailure.h"
+#include "smSTEPRevolvedConics.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace sm
+{
+namespace
+{
+/// A trim that is closer to an end of its domain than this, relative to the domain, is there.
+constexpr double EndRounding = 1e-12;
+
+SurfacePointer Require(const SurfacePointer& surface, const std::string& problem)
+{
+  return surface ? surface : throw std::runtime_error(problem);
+}
+}
+
+STEPBodyGeometry::STEPBodyGeometry(
+  const STEPAttributes& entities, const STEPUnitSizes& units, STEPLedger& ledger)
+  : Values(entities, units, ledger)
+  , Edges(entities, units, this->Values, ledger)
+  , Units(units)
+  , Entities(entities)
+  , Ledger(ledger)
+{
+}
+
+const STEPBodyGeometry::Surface& STEPBodyGeometry::GetSurface(Index entity)
+{
+  const auto [found, isNew] = this->Surfaces.try_emplace(entity);
+  Surface& surface = found->second;
+  surface.Value = isNew ? this->Values.GetSurface(entity) : surface.Value;
+  if (isNew && surface.Value)
+  {
+    const std::string failure = CatchFailure([&] { this->MakeNative(entity, surface); });
+    if (!failure.empty())
+    {
+      surface.Native = nullptr;
+      this->AddRow(entity, failure, "faces on it are missing");
+    }
+  }
+  return surface;
+}
+
+std::shared_ptr<const FootPointFinder> STEPBodyGeometry::GetFinder(Index entity)
+{
+  Surface& surface = this->Surfaces[entity];
+  if (!surface.Finder)
+  {
+    CatchFailure([&] { surface.Finder = FootPointFinder::Make(surface.Native); });
+  }
+  return surface.Finder;
+}
+
+void STEPBodyGeometry::AddRow(Index entity, const std::string& reason, const char* consequence)
+{
+  const Part21File& file = this->Entities.File;
+  this->Ledger.Rows.push_back(
+    { file.GetId(entity), file.GetTypeNames()[file.GetType(entity)], reason, consequence });
+}
+
+SurfacePointer STEPBodyGeometry::TakeSelectedPart(const Surface& surface)
+{
+  const ElementarySurface* torus = FindElementary(*surface.Value->Value, ElementarySurface::Type::Torus);
+  const bool isPart = torus && torus->Selected != ElementarySurface::Part::Whole &&
+    torus->Radii[1] > torus->Radii[0] && torus->Radii[0] >= 0.0;
+  return isPart ? RevolveTorus(*torus, surface.Value->Value->GetDomain(1)) : surface.Native;
+}
+
+void STEPBodyGeometry::MakeNative(Index entity, Surface& surface)
+{
+  const STEPSurface& value = *surface.Value;
+  std::string problem;
+  if (const ElementarySurface* torus = FindElementary(*value.Value, ElementarySurface::Type::Torus))
+  {
+    // Edges decide which part of a torus that crosses itself a face is on.
+    ElementarySurface whole = *torus;
+    whole.Selected = ElementarySurface::Part::Whole;
+    whole.Radii[0] = std::abs(torus->Radii[0]);
+    surface.IsFlipped = (torus->Radii[0] < 0.0) != value.IsReversed();
+    surface.Native = Require(GeometricSurface::Make(whole, problem), problem);
+  }
+  else
+  {
+    surface.IsFlipped = value.IsReversed();
+    surface.Native = value.Value;
+  }
+  ParameterRange turn;
+  if (FindRevolvedRange(this->Entities, this->Values, entity, value, turn))
+  {
+    RevolvedSurface part = *value.Value->GetIf<RevolvedSurface>();
+    part.Range = turn;
+    surface.Native = Require(GeometricSurface::Make(std::move(part), problem), problem);
+    return;
+  }
+  surface.Native = MakePeriodic(surface.Native, surface.Own);
+  for (int d = 0; d < 2; ++d)
+  {
+    const ParameterRange& domain = value.Value->GetDomain(d);
+    const ParameterRange& stated = value.Range[d];
+    // The numbers of the file may lie beyond the ends by their rounding.
+    const double width = domain.High - domain.Low;
+    const double slack = std::isfinite(width) ? EndRounding * width : 0.0;
+    if (std::abs(stated.Low - domain.Low) > slack || std::abs(stated.High - domain.High) > slack)
+    {
+      surface.Range[d] = stated;
+    }
+  }
+}
+}

@@ -1,0 +1,128 @@
+#include "smTurnedShells.h"
+
+#include "smFormat.h"
+
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+/// A shell of a repaired solid by what the repair did with the sides of all its faces.
+struct RepairedShell
+{
+  bool IsTurned = false;
+  bool IsKept = false;
+  /// Entity number of a face.
+  int Face = 0;
+  /// The file's shells that its faces come from.
+  std::unordered_set<const ShellShape*> Sources;
+};
+
+struct TurnedShells
+{
+  int Turned = 0;
+  int Kept = 0;
+  /// Reversed shells that the file has as such, so that it says which is the outer one and which are voids.
+  /// Others were parts of one shell.
+  int Declared = 0;
+  /// Entity number of a face of the first reversed shell that is not declared, else of the first one.
+  int Face = 0;
+};
+
+RepairedShell ExamineShell(const RepairLog& log, const ShellUse& shell)
+{
+  RepairedShell result;
+  int turned = 0;
+  int kept = 0;
+  for (const FaceUse& use : shell.Shell->Faces)
+  {
+    const auto before = log.Sides.find(use.Face->Source.get());
+    if (before == log.Sides.end())
+    {
+      continue;
+    }
+    const bool isTurned = before->second.Reversed != (use.Reversed != shell.Reversed);
+    result.Face = result.Face == 0 ? use.Face->Data.FileId : result.Face;
+    result.Sources.insert(before->second.Shell.get());
+    ++(isTurned ? turned : kept);
+  }
+  result.IsTurned = turned > 0 && kept == 0;
+  result.IsKept = kept > 0 && turned == 0;
+  return result;
+}
+
+TurnedShells FindTurnedShells(const RepairLog& log, const BodyShape& solid)
+{
+  std::vector<RepairedShell> shells;
+  std::unordered_map<const ShellShape*, int> parts;
+  for (const ShellUse& shell : solid.Shells)
+  {
+    shells.push_back(ExamineShell(log, shell));
+    for (const ShellShape* source : shells.back().Sources)
+    {
+      ++parts[source];
+    }
+  }
+  TurnedShells result;
+  for (const RepairedShell& shell : shells)
+  {
+    result.Kept += shell.IsKept ? 1 : 0;
+    if (!shell.IsTurned)
+    {
+      continue;
+    }
+    const bool isDeclared = shell.Sources.size() == 1 && parts[*shell.Sources.begin()] == 1;
+    const bool isFirst = isDeclared ? result.Turned == 0 : result.Turned == result.Declared;
+    result.Face = isFirst ? shell.Face : result.Face;
+    ++result.Turned;
+    result.Declared += isDeclared ? 1 : 0;
+  }
+  return result;
+}
+}
+
+void ReportTurnedShells(const RepairLog& log, Document& document)
+{
+  std::unordered_set<const ShellShape*> sound;
+  for (const ShellPointer& shell : log.ReversedShells)
+  {
+    sound.insert(shell.get());
+  }
+  std::set<int> whole;
+  for (const PartBody& body : document.Bodies)
+  {
+    if (!body.Solid || (log.Sides.empty() && sound.empty()))
+    {
+      continue;
+    }
+    const TurnedShells shells = FindTurnedShells(log, body.Shape);
+    if (shells.Declared > 0 && shells.Turned == shells.Declared && shells.Kept > 0)
+    {
+      document.Messages.push_back(FormatCount(shells.Turned, "shell of solid", "shells of solid") + " #" +
+        std::to_string(body.FileId) + (shells.Turned > 1 ? " are" : " is") +
+        " inside out in the file, and reversed, that with face #" + std::to_string(shells.Face) +
+        (shells.Turned > 1 ? " first." : "."));
+    }
+    else if (shells.Turned > 0 && shells.Kept > 0)
+    {
+      document.Defects.push_back("In solid #" + std::to_string(body.FileId) +
+        " of the file a shell is inside out, that with face #" + std::to_string(shells.Face) +
+        ": OpenCASCADE reversed it, against what the file states. Correct the file.");
+    }
+    else if (shells.Turned > 0 || sound.count(body.Shape.Shells.front().Shell.get()) > 0)
+    {
+      whole.insert(body.FileId);
+    }
+  }
+  if (!whole.empty())
+  {
+    document.Messages.push_back(FormatCount(whole.size(), "solid is", "solids are") +
+      " inside out in the file, and reversed: #" + std::to_string(*whole.begin()) +
+      (whole.size() > 1 ? ", .." : "") + ".");
+  }
+}
+}

@@ -1,0 +1,85 @@
+"""TestRepairShop.py --program SOLIDMOMENTS --solids FOLDER --libraries FOLDER --broken LIBRARY --output FOLDER
+
+The library that repairs bodies is loaded when a body needs it. Without it, if it ends its process, and with --repair never, such a
+body is read as far as its faces are sound, the result is suspect with the reason, and all other bodies keep their numbers.
+"""
+import argparse
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import check_equal, check_true, finish  # noqa: E402
+
+parser = argparse.ArgumentParser()
+for option in ("--program", "--solids", "--libraries", "--broken", "--output"):
+    parser.add_argument(option, required=True)
+options = parser.parse_args()
+KERNEL = "libsmReadersKernel.so"
+
+
+def make_file(name):
+    """A file with two solids; an edge of the first one runs against the loop that uses it."""
+    with open(os.path.join(options.solids, "two_solids.step"), encoding="utf-8") as file:
+        text = file.read()
+    use = re.search(r"(ORIENTED_EDGE\('',\*,\*,#\d+,)\.([TF])\.", text)
+    other = {"T": ".F.", "F": ".T."}[use[2]]
+    path = os.path.join(options.output, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text[:use.start()] + use[1] + other + text[use.end():])
+    return path
+
+
+def make_libraries(name):
+    """A folder with all libraries but the one that repairs."""
+    folder = os.path.join(options.output, name)
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    for library in os.listdir(options.libraries):
+        if library.startswith("libsm") and not library.startswith(KERNEL):
+            os.symlink(os.path.join(options.libraries, library), os.path.join(folder, library))
+    return folder
+
+
+def run(path, libraries=None, *arguments):
+    environment = dict(os.environ)
+    if libraries:
+        environment["LD_LIBRARY_PATH"] = libraries + ":" + environment.get("LD_LIBRARY_PATH", "")
+    result = subprocess.run([options.program, "--json", "-", "--backend", "cpu", *arguments, path], stdout=subprocess.PIPE,
+                            stderr=subprocess.DEVNULL, env=environment, check=False, timeout=300)
+    return json.loads(result.stdout)["files"][0]
+
+
+def find(file, part):
+    return [message for message in file["messages"] if part in message]
+
+
+def check_unrepaired(what, file, reason, sound):
+    check_equal(f"{what}: status", "suspect", file["status"])
+    check_equal(f"{what}: solids", 2, len(file["solids"]))
+    check_true(f"{what}: the reason", find(file, reason) != [], str(file["messages"]))
+    check_true(f"{what}: the body", find(file, "needs a repair (") != [], str(file["messages"]))
+    check_equal(f"{what}: the sound body", [sound["volume"], sound["area"]], [file["solids"][1]["volume"], file["solids"][1]["area"]])
+
+
+damaged = make_file("repair_shop.step")
+repaired = run(damaged)
+check_equal("repaired: status", "ok", repaired["status"])
+check_true("repaired: a message", find(repaired, "repaired by OpenCASCADE") != [], str(repaired["messages"]))
+whole = run(os.path.join(options.solids, "two_solids.step"))
+check_equal("a sound file: status", "ok", whole["status"])
+check_equal("the other body", whole["solids"][1]["volume"], repaired["solids"][1]["volume"])
+
+check_unrepaired("never", run(damaged, None, "--repair", "never"), "and got none", whole["solids"][1])
+missing = make_libraries("repair_shop_missing")
+check_unrepaired("missing", run(damaged, missing), "is not installed", whole["solids"][1])
+alone = run(os.path.join(options.solids, "two_solids.step"), missing)
+check_equal("a sound file needs no such library", ["ok", whole["total"]["volume"]], [alone["status"], alone["total"]["volume"]])
+broken = make_libraries("repair_shop_broken")
+shutil.copy(options.broken, os.path.join(broken, KERNEL))
+check_unrepaired("broken", run(damaged, broken), "ended its process", whole["solids"][1])
+check_true("broken: the signal", find(run(damaged, broken), "signal 6") != [])
+finish()
