@@ -24,7 +24,7 @@ constexpr double MeetingShare = 1e-2;
 constexpr double WidestAngle = 1.2;
 
 /// Steps of a grid around a whole sphere.
-constexpr int SphereSteps = 16;
+constexpr int SphereSteps = 8;
 
 FaceMesh MeshSphere(const Face& face, const WholeSphere& sphere)
 {

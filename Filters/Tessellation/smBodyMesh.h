@@ -32,7 +32,7 @@ SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshFaces(
 
 /**
  * The same for the meshes that a body is measured and its shells are compared by. Whole spheres (FaceMesh::
- * Sphere) are measured and compared as spheres, so that a grid of some two hundred triangles is enough; its
+ * Sphere) are measured and compared as spheres, so that a grid of 48 triangles is enough; its
  * Deviation, which is proved, may exceed the deflection.
  */
 SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshForScales(

@@ -234,7 +234,7 @@ int PrintTable(const std::string& only, const std::string& folder, const std::st
 }
 
 /// Triangles that a ball may have for its scales: spheres are measured by formulas.
-constexpr double MaxTrianglesOfBall = 300.0;
+constexpr double MaxTrianglesOfBall = 100.0;
 
 /// Counts of the small models: `maximum` is how much a count may grow faster than the model, which has a part
 /// that does not grow.
