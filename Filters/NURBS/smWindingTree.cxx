@@ -1,9 +1,13 @@
 #include "smWindingTree.h"
 
+#include "smUnitRoundoff.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -105,6 +109,47 @@ double EstimateDeviation(const std::array<Vector3, 3>& corners, const std::array
     sine = std::max(sine, area > 0.0 ? Norm(Cross(own, normals[i])) / area : 1.0);
   }
   return 0.5 * longest * std::min(sine, 1.0);
+}
+
+bool IsClosed(const std::vector<MeshTriangle>& triangles)
+{
+  // The sum of a hash of every side, negative in one of both directions, modulo 2^64.
+  const auto mix = [](std::uint64_t x)
+  {
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return x ^ (x >> 31);
+  };
+  const auto getHash = [&mix](const Vector3& p)
+  {
+    std::uint64_t hash = 0;
+    for (const double x : p)
+    {
+      // -0 and 0 are one number.
+      const double value = x + 0.0;
+      std::uint64_t bits;
+      std::memcpy(&bits, &value, sizeof(bits));
+      hash = mix(hash + bits + 0x9E3779B97F4A7C15u);
+    }
+    return hash;
+  };
+  std::uint64_t sum = 0;
+  for (const MeshTriangle& triangle : triangles)
+  {
+    std::uint64_t hashes[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      hashes[k] = getHash(triangle.Corners[k]);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::uint64_t from = hashes[k];
+      const std::uint64_t to = hashes[(k + 1) % 3];
+      const std::uint64_t side = mix(std::min(from, to) ^ mix(std::max(from, to)));
+      sum += from < to ? side : from > to ? std::uint64_t{ 0 } - side : 0;
+    }
+  }
+  return sum == 0;
 }
 
 double GetSolidAngle(const Vector3& p, const std::array<Vector3, 3>& t)
@@ -389,6 +434,138 @@ double WindingTree::Evaluate(const Vector3& p, std::size_t without, double farRa
     }
   }
   return sum / (4.0 * vtkMath::Pi());
+}
+
+/// Decides for the triangles of a leaf by the signs of three determinants, the projected areas of p with the
+/// sides of a triangle. All of them have one sign if the ray's line crosses it, and that of the sum is the
+/// side from which. No determinant, nor the height of the crossing over p, may be below its rounding.
+bool WindingTree::CountInLeaf(
+  const Vector3& p, const Node& node, int axis, double direction, std::size_t without, int& number) const
+{
+  // Differences of coordinates round once, products and their difference three times.
+  constexpr double roundings = 8.0 * UnitRoundoff;
+  const int b = (axis + 1) % 3;
+  const int c = (axis + 2) % 3;
+  double area[3][LeafSize];
+  double limit[3][LeafSize];
+  // Triangles behind the leaf fill up the lanes.
+  for (int k = 0; k < 3; ++k)
+  {
+    const int from = 3 * ((k + 1) % 3);
+    const int to = 3 * ((k + 2) % 3);
+    const double* const x0 = this->Coordinates[from + b].data() + node.Begin;
+    const double* const y0 = this->Coordinates[from + c].data() + node.Begin;
+    const double* const x1 = this->Coordinates[to + b].data() + node.Begin;
+    const double* const y1 = this->Coordinates[to + c].data() + node.Begin;
+    for (std::size_t i = 0; i < LeafSize; ++i)
+    {
+      const double first = (x0[i] - p[b]) * (y1[i] - p[c]);
+      const double second = (x1[i] - p[b]) * (y0[i] - p[c]);
+      area[k][i] = first - second;
+      limit[k][i] = roundings * (std::abs(first) + std::abs(second));
+    }
+  }
+  for (std::size_t i = 0; i < node.End - node.Begin; ++i)
+  {
+    bool mayBePositive = true;
+    bool mayBeNegative = true;
+    bool isCertain = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      mayBePositive = mayBePositive && area[k][i] >= -limit[k][i];
+      mayBeNegative = mayBeNegative && area[k][i] <= limit[k][i];
+      isCertain = isCertain && std::abs(area[k][i]) > limit[k][i];
+    }
+    if ((!mayBePositive && !mayBeNegative) || this->Order[node.Begin + i] == without)
+    {
+      continue;
+    }
+    // The height of the crossing over p, times the area.
+    double sum = 0.0;
+    double size = 0.0;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double height = direction * (this->Coordinates[3 * k + axis][node.Begin + i] - p[axis]);
+      low = std::min(low, height);
+      high = std::max(high, height);
+      sum += area[k][i] * height;
+      size += (std::abs(area[k][i]) + limit[k][i]) * std::abs(height);
+    }
+    if (high < 0.0)
+    {
+      continue;
+    }
+    const bool isAhead = low > 0.0;
+    if (!isCertain || (!isAhead && !(std::abs(sum) > 4.0 * roundings * size)))
+    {
+      return false;
+    }
+    const bool isPositive = area[0][i] > 0.0;
+    if (isAhead || (sum > 0.0) == isPositive)
+    {
+      // The triangle's normal has the sign of the area along the axis.
+      number += (direction > 0.0) == isPositive ? 1 : -1;
+    }
+  }
+  return true;
+}
+
+bool WindingTree::CountCrossings(
+  const Vector3& p, int axis, bool upwards, std::size_t without, int& number) const
+{
+  const int b = (axis + 1) % 3;
+  const int c = (axis + 2) % 3;
+  number = 0;
+  std::size_t stack[MaximumStack];
+  int size = 0;
+  if (!this->Nodes.empty())
+  {
+    stack[size++] = 0;
+  }
+  while (size > 0)
+  {
+    const std::size_t index = stack[--size];
+    const Node& node = this->Nodes[index];
+    if (node.Low[b] > p[b] || node.High[b] < p[b] || node.Low[c] > p[c] || node.High[c] < p[c] ||
+      (upwards ? node.High[axis] < p[axis] : node.Low[axis] > p[axis]))
+    {
+      continue;
+    }
+    if (node.Second > 0)
+    {
+      stack[size++] = node.Second;
+      stack[size++] = index + 1;
+    }
+    else if (!this->CountInLeaf(p, node, axis, upwards ? 1.0 : -1.0, without, number))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool WindingTree::CountCrossings(const Vector3& p, int& number) const
+{
+  number = 0;
+  int axis = 0;
+  bool upwards = true;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < 3 && !this->Nodes.empty(); ++d)
+  {
+    for (const bool isUp : { true, false })
+    {
+      const double distance = isUp ? this->Nodes[0].High[d] - p[d] : p[d] - this->Nodes[0].Low[d];
+      if (distance < nearest)
+      {
+        nearest = distance;
+        axis = d;
+        upwards = isUp;
+      }
+    }
+  }
+  return this->CountCrossings(p, axis, upwards, None, number);
 }
 
 bool WindingTree::IsFarFrom(const Vector3& p, double slack) const
