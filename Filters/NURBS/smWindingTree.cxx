@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <numeric>
 
 namespace sm
 {
@@ -175,23 +174,24 @@ double GetDistance(const Vector3& p, const std::array<Vector3, 3>& t)
 }
 
 WindingTree::WindingTree(const std::vector<MeshTriangle>& triangles)
-  : Order(triangles.size())
 {
-  std::iota(this->Order.begin(), this->Order.end(), std::size_t{ 0 });
   if (triangles.empty())
   {
     return;
   }
-  Input input{ triangles, {}, {} };
-  input.Centroids.reserve(triangles.size());
-  input.Extents.reserve(triangles.size());
-  for (const MeshTriangle& triangle : triangles)
+  Input input{ triangles, {} };
+  input.Items.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    input.Centroids.push_back(GetCentroid(triangle.Corners));
-    input.Extents.push_back(GetExtent(triangle.Corners));
+    input.Items.push_back({ GetCentroid(triangles[i].Corners), GetExtent(triangles[i].Corners), i });
   }
   this->Nodes.reserve(4 * triangles.size() / LeafSize + 1);
   this->Build(input, 0, triangles.size());
+  this->Order.reserve(triangles.size());
+  for (const Item& item : input.Items)
+  {
+    this->Order.push_back(item.Index);
+  }
   for (std::size_t c = 0; c < this->Coordinates.size(); ++c)
   {
     this->Coordinates[c].resize(triangles.size() + LeafSize);
@@ -207,7 +207,7 @@ WindingTree::WindingTree(const std::vector<MeshTriangle>& triangles)
   }
 }
 
-std::size_t WindingTree::Build(const Input& input, std::size_t begin, std::size_t end)
+std::size_t WindingTree::Build(Input& input, std::size_t begin, std::size_t end)
 {
   const std::size_t index = this->Nodes.size();
   this->Nodes.emplace_back();
@@ -220,11 +220,11 @@ std::size_t WindingTree::Build(const Input& input, std::size_t begin, std::size_
   }
   else
   {
-    Vector3 low = input.Centroids[this->Order[begin]];
+    Vector3 low = input.Items[begin].Centroid;
     Vector3 high = low;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const Vector3& c = input.Centroids[this->Order[i]];
+      const Vector3& c = input.Items[i].Centroid;
       for (int d = 0; d < 3; ++d)
       {
         low[d] = std::min(low[d], c[d]);
@@ -236,21 +236,20 @@ std::size_t WindingTree::Build(const Input& input, std::size_t begin, std::size_
     {
       axis = high[d] - low[d] > high[axis] - low[axis] ? d : axis;
     }
-    const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = this->Order.begin() + static_cast<std::ptrdiff_t>(end);
+    const auto first = input.Items.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = input.Items.begin() + static_cast<std::ptrdiff_t>(end);
     // Among large triangles no part of the cluster would be far away from anything.
     auto middle = std::stable_partition(first, last,
-      [&input, extent = LargeShare * (high[axis] - low[axis])](std::size_t i)
-      { return input.Extents[i] > extent; });
+      [extent = LargeShare * (high[axis] - low[axis])](const Item& item) { return item.Extent > extent; });
     if (std::min(middle - first, last - middle) <= (last - first) / MinShare)
     {
       middle = first + (last - first) / 2;
       std::nth_element(first, middle, last,
-        [&input, axis](std::size_t a, std::size_t b)
+        [axis](const Item& a, const Item& b)
         {
-          const double x = input.Centroids[a][axis];
-          const double y = input.Centroids[b][axis];
-          return x < y || (x == y && a < b);
+          const double x = a.Centroid[axis];
+          const double y = b.Centroid[axis];
+          return x < y || (x == y && a.Index < b.Index);
         });
     }
     const std::size_t second = begin + static_cast<std::size_t>(middle - first);
@@ -281,7 +280,7 @@ void WindingTree::SumTriangles(const Input& input, Node& node) const
   Vector3 mean{};
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
-    const MeshTriangle& triangle = input.Triangles[this->Order[i]];
+    const MeshTriangle& triangle = input.Triangles[input.Items[i].Index];
     const Vector3 vector = GetAreaVector(triangle.Corners);
     areas[i - node.Begin] = vector;
     const double area = Norm(vector);
@@ -294,15 +293,15 @@ void WindingTree::SumTriangles(const Input& input, Node& node) const
         node.Low[d] = std::min(node.Low[d], corner[d]);
         node.High[d] = std::max(node.High[d], corner[d]);
       }
-      mean[d] += area * input.Centroids[this->Order[i]][d];
+      mean[d] += area * input.Items[i].Centroid[d];
       node.Area[d] += vector[d];
     }
   }
   node.SetCenter(mean);
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
-    node.AddMoment(areas[i - node.Begin], input.Centroids[this->Order[i]]);
-    for (const Vector3& corner : input.Triangles[this->Order[i]].Corners)
+    node.AddMoment(areas[i - node.Begin], input.Items[i].Centroid);
+    for (const Vector3& corner : input.Triangles[input.Items[i].Index].Corners)
     {
       node.Radius = std::max(node.Radius, Norm(Subtract(corner, node.Center)));
     }

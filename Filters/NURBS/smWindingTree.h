@@ -108,19 +108,23 @@ private:
 
   /// Largest number of triangles of a leaf.
   static constexpr std::size_t LeafSize = 8;
-  /// What Build() reads.
+  /// What Build() sorts: a triangle's centroid, the longest side of its box, and its index.
+  struct Item
+  {
+    Vector3 Centroid;
+    double Extent;
+    std::size_t Index;
+  };
   struct Input
   {
     const std::vector<MeshTriangle>& Triangles;
-    std::vector<Vector3> Centroids;
-    /// The longest side of the box of each.
-    std::vector<double> Extents;
+    std::vector<Item> Items;
   };
 
   /// Distance of a cluster, in its radii, from which on its expansion is used.
   static constexpr double FarRatio = 2.0;
 
-  std::size_t Build(const Input& input, std::size_t begin, std::size_t end);
+  std::size_t Build(Input& input, std::size_t begin, std::size_t end);
   void SumTriangles(const Input& input, Node& node) const;
   std::array<Vector3, 3> GetTriangle(std::size_t i) const;
   static void SumChildren(const Node& first, const Node& second, Node& node);
