@@ -244,10 +244,12 @@ std::string Checker::OrientBalls()
   {
     const FaceExtent& extent = this->Extents[ball.Face];
     const BodyIntegrals& body = *this->Parts[extent.Part];
-    const std::vector<double>& exact = (*body.Faces)[extent.Index].Face;
+    const FaceIntegrals& face = (*body.Faces)[extent.Index];
+    const std::vector<double>& exact = face.Face;
     WholeSphere sphere;
     sphere.Radius = ball.Radius;
-    if (!Covers(sphere, exact[MassArea], exact[MassVolume]))
+    const double bound = face.GetBound(MassArea);
+    if (!Covers(sphere, exact[MassArea], std::isnan(bound) ? 0.0 : bound, exact[MassVolume]))
     {
       return "face #" + std::to_string(body.Model->GetFaces()[extent.Index]->FileId) +
         " does not cover its sphere once";

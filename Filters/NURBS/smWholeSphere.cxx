@@ -17,8 +17,10 @@ constexpr double LargestError = 1e-10;
 /// Largest distance of a trim curve from the border of the domain, and of the region within the loops from
 /// the domain, relative to the domain.
 constexpr double BorderShare = 1e-9;
-/// Numbers of sheets are whole; so far from a whole number they are not.
-constexpr double LargestRemainder = 1e-3;
+/// Largest error of the area without its bound, and of the area and the volume, relative to those of the
+/// sphere.
+constexpr double LargestAreaError = 1e-3;
+constexpr double LargestMismatch = 0.25;
 /// The square of a patch has twice its degree.
 constexpr int LargestDegree = MaximumDegree / 2;
 
@@ -291,10 +293,11 @@ std::vector<WholeSphere> FindWholeSpheres(const std::vector<FacePointer>& faces)
   return spheres;
 }
 
-bool Covers(const WholeSphere& sphere, double area, double volume)
+bool Covers(const WholeSphere& sphere, double area, double areaBound, double volume)
 {
-  return std::abs(area / sphere.GetArea() - 1.0) <= LargestRemainder &&
-    std::abs(std::abs(volume / sphere.GetSignedVolume()) - 1.0) <= LargestRemainder;
+  const double whole = sphere.GetArea();
+  return std::abs(area - whole) <= std::min(LargestAreaError * whole + areaBound, LargestMismatch * whole) &&
+    std::abs(std::abs(volume / sphere.GetSignedVolume()) - 1.0) <= LargestMismatch;
 }
 
 SphereGrid MakeSphereGrid(const Face& face, const WholeSphere& sphere, int steps)

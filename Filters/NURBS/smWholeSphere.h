@@ -53,10 +53,11 @@ SMFILTERSNURBS_EXPORT std::vector<WholeSphere> FindWholeSpheres(const std::vecto
 
 /**
  * Returns true if the integrals of area and volume of a face on the sphere prove that it covers the sphere
- * once: the signed number of sheets is the volume, and the number of all the area, each over that of the
- * sphere, and both are whole numbers.
+ * once. The number of sheets with their signs is whole, and is the volume over that of the sphere; it may be
+ * 1/4 off, as loose tolerances leave it. The area is that of the sphere to a thousandth and `areaBound`, but
+ * at most to 1/4: a part that runs back over itself adds to it.
  */
-SMFILTERSNURBS_EXPORT bool Covers(const WholeSphere& sphere, double area, double volume);
+SMFILTERSNURBS_EXPORT bool Covers(const WholeSphere& sphere, double area, double areaBound, double volume);
 
 /// A grid of triangles on a whole sphere, with normals that leave the body; without triangles at the poles
 /// that have no area.

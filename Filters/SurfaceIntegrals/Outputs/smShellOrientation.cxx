@@ -135,7 +135,7 @@ std::vector<bool> SetSpheres(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
   for (std::size_t f = 0; f < spheres.size(); ++f)
   {
     const auto faces = std::count(shellOfFace.begin(), shellOfFace.end(), shellOfFace[f]);
-    if (spheres[f] && faces == 1 && Covers(spheres[f], spheres[f].GetArea(), volume[f]))
+    if (spheres[f] && faces == 1 && Covers(spheres[f], spheres[f].GetArea(), 0.0, volume[f]))
     {
       const double* const m = leaf->GetPlacementData();
       const double* const origin = model.GetOrigin();

@@ -163,7 +163,10 @@ sm::BodyIntegrals MakeBallIntegrals(vtkNURBSDataSet* leaf, double boxArea = 0.0)
   {
     const sm::WholeSphere sphere = sm::FindWholeSphere(*face);
     faces.emplace_back();
-    faces.back().Face.assign(sm::NumberOfMassIntegrands, 0.0);
+    for (std::size_t i = 0; i < sm::NumberOfMassIntegrands; ++i)
+    {
+      faces.back().Append(0.0);
+    }
     faces.back().Face[sm::MassArea] = sphere.GetArea();
     faces.back().Face[sm::MassVolume] = sphere.GetSignedVolume();
     body.Value[sm::MassArea] += sphere.GetArea();

@@ -135,11 +135,14 @@ void CheckOthers()
   CheckTrue("twice around: on a sphere", static_cast<bool>(twice));
   const double area = twice.GetArea();
   const double volume = twice.GetSignedVolume();
-  CheckTrue("covered once", sm::Covers(twice, area, volume) && sm::Covers(twice, area, -volume));
-  CheckTrue("covered twice", !sm::Covers(twice, 2.0 * area, 2.0 * volume));
-  CheckTrue("covered three times, once back", !sm::Covers(twice, 3.0 * area, volume));
-  CheckTrue("covered and removed", !sm::Covers(twice, 2.0 * area, 0.0));
-  CheckTrue("not known", !sm::Covers(twice, std::nan(""), volume));
+  CheckTrue("covered once", sm::Covers(twice, area, 0.0, volume) && sm::Covers(twice, area, 0.0, -volume));
+  CheckTrue("covered twice", !sm::Covers(twice, 2.0 * area, 0.0, 2.0 * volume));
+  CheckTrue("covered three times, once back", !sm::Covers(twice, 3.0 * area, 0.0, volume));
+  CheckTrue("covered and removed", !sm::Covers(twice, 2.0 * area, 0.0, 0.0));
+  CheckTrue("a hundredth is folded", !sm::Covers(twice, 1.02 * area, 0.0, volume));
+  CheckTrue("a loose tolerance", sm::Covers(twice, 1.02 * area, 0.05 * area, 0.9 * volume));
+  CheckTrue("bounds that say nothing", !sm::Covers(twice, 1.5 * area, HUGE_VAL, volume));
+  CheckTrue("not known", !sm::Covers(twice, std::nan(""), 0.0, volume));
 
   const std::vector<sm::WholeSphere> all =
     sm::FindWholeSpheres({ MakeTorus(Center, 3.0, 1.0), MakeBall(Center, Radius) });
