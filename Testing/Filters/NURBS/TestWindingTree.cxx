@@ -107,7 +107,7 @@ void CheckCounts(const char* name, double ring, double tube)
   CheckEqual("wrong counts", 0, wrong);
   CheckEqual("counts refused at points of no symmetry", 0, refused);
   // On triangles, without them: just outside and just inside.
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  for (std::size_t t = 0; t < triangles.size(); t += 7)
   {
     const auto& c = triangles[t].Corners;
     if (c[0][0] * c[1][0] + c[0][1] * c[1][1] < 0.0 || c[0][0] * c[2][0] + c[0][1] * c[2][1] < 0.0)
@@ -137,7 +137,7 @@ void CheckCounts(const char* name, double ring, double tube)
     }
   }
   CheckEqual("wrong counts on triangles", 0, wrong);
-  CheckRange("refused", 0.0, refused, 0.1 * 6.0 * static_cast<double>(triangles.size()));
+  CheckRange("refused", 0.0, refused, 0.01 * static_cast<double>(triangles.size()));
 
   // A triangle less, one inverted, and a corner that is moved by a bit.
   Triangles open(triangles.begin() + 1, triangles.end());
