@@ -1,11 +1,14 @@
 #include "smWindingTree.h"
 
+#include "smUnitRoundoff.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
-#include <numeric>
 
 namespace sm
 {
@@ -107,6 +110,47 @@ double EstimateDeviation(const std::array<Vector3, 3>& corners, const std::array
   return 0.5 * longest * std::min(sine, 1.0);
 }
 
+bool IsClosed(const std::vector<MeshTriangle>& triangles)
+{
+  // The sum of a hash of every side, negative in one of both directions, modulo 2^64.
+  const auto mix = [](std::uint64_t x)
+  {
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return x ^ (x >> 31);
+  };
+  const auto getHash = [&mix](const Vector3& p)
+  {
+    std::uint64_t hash = 0;
+    for (const double x : p)
+    {
+      // -0 and 0 are one number.
+      const double value = x + 0.0;
+      std::uint64_t bits;
+      std::memcpy(&bits, &value, sizeof(bits));
+      hash = mix(hash + bits + 0x9E3779B97F4A7C15u);
+    }
+    return hash;
+  };
+  std::uint64_t sum = 0;
+  for (const MeshTriangle& triangle : triangles)
+  {
+    std::uint64_t hashes[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      hashes[k] = getHash(triangle.Corners[k]);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::uint64_t from = hashes[k];
+      const std::uint64_t to = hashes[(k + 1) % 3];
+      const std::uint64_t side = mix(std::min(from, to) ^ mix(std::max(from, to)));
+      sum += from < to ? side : from > to ? std::uint64_t{ 0 } - side : 0;
+    }
+  }
+  return sum == 0;
+}
+
 double GetSolidAngle(const Vector3& p, const std::array<Vector3, 3>& t)
 {
   const HalfAngle angle(p, t[0], t[1], t[2]);
@@ -130,23 +174,24 @@ double GetDistance(const Vector3& p, const std::array<Vector3, 3>& t)
 }
 
 WindingTree::WindingTree(const std::vector<MeshTriangle>& triangles)
-  : Order(triangles.size())
 {
-  std::iota(this->Order.begin(), this->Order.end(), std::size_t{ 0 });
   if (triangles.empty())
   {
     return;
   }
-  Input input{ triangles, {}, {} };
-  input.Centroids.reserve(triangles.size());
-  input.Extents.reserve(triangles.size());
-  for (const MeshTriangle& triangle : triangles)
+  Input input{ triangles, {} };
+  input.Items.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    input.Centroids.push_back(GetCentroid(triangle.Corners));
-    input.Extents.push_back(GetExtent(triangle.Corners));
+    input.Items.push_back({ GetCentroid(triangles[i].Corners), GetExtent(triangles[i].Corners), i });
   }
   this->Nodes.reserve(4 * triangles.size() / LeafSize + 1);
   this->Build(input, 0, triangles.size());
+  this->Order.reserve(triangles.size());
+  for (const Item& item : input.Items)
+  {
+    this->Order.push_back(item.Index);
+  }
   for (std::size_t c = 0; c < this->Coordinates.size(); ++c)
   {
     this->Coordinates[c].resize(triangles.size() + LeafSize);
@@ -162,7 +207,7 @@ WindingTree::WindingTree(const std::vector<MeshTriangle>& triangles)
   }
 }
 
-std::size_t WindingTree::Build(const Input& input, std::size_t begin, std::size_t end)
+std::size_t WindingTree::Build(Input& input, std::size_t begin, std::size_t end)
 {
   const std::size_t index = this->Nodes.size();
   this->Nodes.emplace_back();
@@ -175,11 +220,11 @@ std::size_t WindingTree::Build(const Input& input, std::size_t begin, std::size_
   }
   else
   {
-    Vector3 low = input.Centroids[this->Order[begin]];
+    Vector3 low = input.Items[begin].Centroid;
     Vector3 high = low;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const Vector3& c = input.Centroids[this->Order[i]];
+      const Vector3& c = input.Items[i].Centroid;
       for (int d = 0; d < 3; ++d)
       {
         low[d] = std::min(low[d], c[d]);
@@ -191,21 +236,20 @@ std::size_t WindingTree::Build(const Input& input, std::size_t begin, std::size_
     {
       axis = high[d] - low[d] > high[axis] - low[axis] ? d : axis;
     }
-    const auto first = this->Order.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = this->Order.begin() + static_cast<std::ptrdiff_t>(end);
+    const auto first = input.Items.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = input.Items.begin() + static_cast<std::ptrdiff_t>(end);
     // Among large triangles no part of the cluster would be far away from anything.
     auto middle = std::stable_partition(first, last,
-      [&input, extent = LargeShare * (high[axis] - low[axis])](std::size_t i)
-      { return input.Extents[i] > extent; });
+      [extent = LargeShare * (high[axis] - low[axis])](const Item& item) { return item.Extent > extent; });
     if (std::min(middle - first, last - middle) <= (last - first) / MinShare)
     {
       middle = first + (last - first) / 2;
       std::nth_element(first, middle, last,
-        [&input, axis](std::size_t a, std::size_t b)
+        [axis](const Item& a, const Item& b)
         {
-          const double x = input.Centroids[a][axis];
-          const double y = input.Centroids[b][axis];
-          return x < y || (x == y && a < b);
+          const double x = a.Centroid[axis];
+          const double y = b.Centroid[axis];
+          return x < y || (x == y && a.Index < b.Index);
         });
     }
     const std::size_t second = begin + static_cast<std::size_t>(middle - first);
@@ -236,7 +280,7 @@ void WindingTree::SumTriangles(const Input& input, Node& node) const
   Vector3 mean{};
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
-    const MeshTriangle& triangle = input.Triangles[this->Order[i]];
+    const MeshTriangle& triangle = input.Triangles[input.Items[i].Index];
     const Vector3 vector = GetAreaVector(triangle.Corners);
     areas[i - node.Begin] = vector;
     const double area = Norm(vector);
@@ -249,15 +293,15 @@ void WindingTree::SumTriangles(const Input& input, Node& node) const
         node.Low[d] = std::min(node.Low[d], corner[d]);
         node.High[d] = std::max(node.High[d], corner[d]);
       }
-      mean[d] += area * input.Centroids[this->Order[i]][d];
+      mean[d] += area * input.Items[i].Centroid[d];
       node.Area[d] += vector[d];
     }
   }
   node.SetCenter(mean);
   for (std::size_t i = node.Begin; i < node.End; ++i)
   {
-    node.AddMoment(areas[i - node.Begin], input.Centroids[this->Order[i]]);
-    for (const Vector3& corner : input.Triangles[this->Order[i]].Corners)
+    node.AddMoment(areas[i - node.Begin], input.Items[i].Centroid);
+    for (const Vector3& corner : input.Triangles[input.Items[i].Index].Corners)
     {
       node.Radius = std::max(node.Radius, Norm(Subtract(corner, node.Center)));
     }
@@ -389,6 +433,138 @@ double WindingTree::Evaluate(const Vector3& p, std::size_t without, double farRa
     }
   }
   return sum / (4.0 * vtkMath::Pi());
+}
+
+/// Decides for the triangles of a leaf by the signs of three determinants, the projected areas of p with the
+/// sides of a triangle. All of them have one sign if the ray's line crosses it, and that of the sum is the
+/// side from which. No determinant, nor the height of the crossing over p, may be below its rounding.
+bool WindingTree::CountInLeaf(
+  const Vector3& p, const Node& node, int axis, double direction, std::size_t without, int& number) const
+{
+  // Differences of coordinates round once, products and their difference three times.
+  constexpr double roundings = 8.0 * UnitRoundoff;
+  const int b = (axis + 1) % 3;
+  const int c = (axis + 2) % 3;
+  double area[3][LeafSize];
+  double limit[3][LeafSize];
+  // Triangles behind the leaf fill up the lanes.
+  for (int k = 0; k < 3; ++k)
+  {
+    const int from = 3 * ((k + 1) % 3);
+    const int to = 3 * ((k + 2) % 3);
+    const double* const x0 = this->Coordinates[from + b].data() + node.Begin;
+    const double* const y0 = this->Coordinates[from + c].data() + node.Begin;
+    const double* const x1 = this->Coordinates[to + b].data() + node.Begin;
+    const double* const y1 = this->Coordinates[to + c].data() + node.Begin;
+    for (std::size_t i = 0; i < LeafSize; ++i)
+    {
+      const double first = (x0[i] - p[b]) * (y1[i] - p[c]);
+      const double second = (x1[i] - p[b]) * (y0[i] - p[c]);
+      area[k][i] = first - second;
+      limit[k][i] = roundings * (std::abs(first) + std::abs(second));
+    }
+  }
+  for (std::size_t i = 0; i < node.End - node.Begin; ++i)
+  {
+    bool mayBePositive = true;
+    bool mayBeNegative = true;
+    bool isCertain = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      mayBePositive = mayBePositive && area[k][i] >= -limit[k][i];
+      mayBeNegative = mayBeNegative && area[k][i] <= limit[k][i];
+      isCertain = isCertain && std::abs(area[k][i]) > limit[k][i];
+    }
+    if ((!mayBePositive && !mayBeNegative) || this->Order[node.Begin + i] == without)
+    {
+      continue;
+    }
+    // The height of the crossing over p, times the area.
+    double sum = 0.0;
+    double size = 0.0;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double height = direction * (this->Coordinates[3 * k + axis][node.Begin + i] - p[axis]);
+      low = std::min(low, height);
+      high = std::max(high, height);
+      sum += area[k][i] * height;
+      size += (std::abs(area[k][i]) + limit[k][i]) * std::abs(height);
+    }
+    if (high < 0.0)
+    {
+      continue;
+    }
+    const bool isAhead = low > 0.0;
+    if (!isCertain || (!isAhead && !(std::abs(sum) > 4.0 * roundings * size)))
+    {
+      return false;
+    }
+    const bool isPositive = area[0][i] > 0.0;
+    if (isAhead || (sum > 0.0) == isPositive)
+    {
+      // The triangle's normal has the sign of the area along the axis.
+      number += (direction > 0.0) == isPositive ? 1 : -1;
+    }
+  }
+  return true;
+}
+
+bool WindingTree::CountCrossings(
+  const Vector3& p, int axis, bool upwards, std::size_t without, int& number) const
+{
+  const int b = (axis + 1) % 3;
+  const int c = (axis + 2) % 3;
+  number = 0;
+  std::size_t stack[MaximumStack];
+  int size = 0;
+  if (!this->Nodes.empty())
+  {
+    stack[size++] = 0;
+  }
+  while (size > 0)
+  {
+    const std::size_t index = stack[--size];
+    const Node& node = this->Nodes[index];
+    if (node.Low[b] > p[b] || node.High[b] < p[b] || node.Low[c] > p[c] || node.High[c] < p[c] ||
+      (upwards ? node.High[axis] < p[axis] : node.Low[axis] > p[axis]))
+    {
+      continue;
+    }
+    if (node.Second > 0)
+    {
+      stack[size++] = node.Second;
+      stack[size++] = index + 1;
+    }
+    else if (!this->CountInLeaf(p, node, axis, upwards ? 1.0 : -1.0, without, number))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool WindingTree::CountCrossings(const Vector3& p, int& number) const
+{
+  number = 0;
+  int axis = 0;
+  bool upwards = true;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < 3 && !this->Nodes.empty(); ++d)
+  {
+    for (const bool isUp : { true, false })
+    {
+      const double distance = isUp ? this->Nodes[0].High[d] - p[d] : p[d] - this->Nodes[0].Low[d];
+      if (distance < nearest)
+      {
+        nearest = distance;
+        axis = d;
+        upwards = isUp;
+      }
+    }
+  }
+  return this->CountCrossings(p, axis, upwards, None, number);
 }
 
 bool WindingTree::IsFarFrom(const Vector3& p, double slack) const

@@ -1,5 +1,7 @@
 #include "vtkNURBSDataSet.h"
 
+#include "smWholeSphere.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -266,6 +268,25 @@ bool vtkNURBSDataSet::GetBodyBounds(double bounds[6])
       q[r] = m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
     }
     box.AddPoint(q);
+  }
+  // Whole spheres have few triangles.
+  const double* origin = model->GetOrigin();
+  for (const sm::WholeSphere& sphere : sm::FindWholeSpheres(model->GetFaces()))
+  {
+    for (int r = 0; r < 3 && sphere; ++r)
+    {
+      double middle = m[4 * r + 3];
+      for (int c = 0; c < 3; ++c)
+      {
+        middle += m[4 * r + c] * (origin[c] + sphere.Center[c]);
+      }
+      // A placement is rigid or mirrors: its rows are unit vectors.
+      double ends[6];
+      box.GetBounds(ends);
+      ends[2 * r] = std::min(ends[2 * r], middle - sphere.Radius);
+      ends[2 * r + 1] = std::max(ends[2 * r + 1], middle + sphere.Radius);
+      box.SetBounds(ends);
+    }
   }
   box.GetBounds(bounds);
   return true;

@@ -23,6 +23,23 @@ constexpr double MeetingShare = 1e-2;
 /// Wider angles would leave too few chords to a circle.
 constexpr double WidestAngle = 1.2;
 
+/// Steps of a grid around a whole sphere.
+constexpr int SphereSteps = 8;
+
+FaceMesh MeshSphere(const Face& face, const WholeSphere& sphere)
+{
+  SphereGrid grid = MakeSphereGrid(face, sphere, SphereSteps);
+  FaceMesh mesh;
+  mesh.Points = std::move(grid.Points);
+  mesh.Normals = std::move(grid.Normals);
+  mesh.Parameters = std::move(grid.Parameters);
+  mesh.Triangles = std::move(grid.Triangles);
+  mesh.Deviation = grid.Deviation;
+  mesh.NormalTurn = grid.NormalTurn;
+  mesh.Sphere = sphere;
+  return mesh;
+}
+
 bool IsUsable(const Coedge& coedge)
 {
   return coedge.Use && coedge.Curve.GetNumberOfPieces() > 0 && coedge.Use->Curve.GetNumberOfPieces() > 0;
@@ -444,5 +461,31 @@ std::vector<FaceMesh> MeshFaces(
   const std::vector<FacePointer>& faces, const MeshLimits& limits, const ProgressCallback& progress)
 {
   return BodyMesher(faces, limits, progress).Run();
+}
+
+std::vector<FaceMesh> MeshForScales(
+  const std::vector<FacePointer>& faces, const MeshLimits& limits, const ProgressCallback& progress)
+{
+  const std::vector<WholeSphere> spheres = FindWholeSpheres(faces);
+  if (spheres.empty())
+  {
+    return MeshFaces(faces, limits, progress);
+  }
+  std::vector<FacePointer> others;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (!spheres[f])
+    {
+      others.push_back(faces[f]);
+    }
+  }
+  std::vector<FaceMesh> meshed = MeshFaces(others, limits, progress);
+  std::vector<FaceMesh> meshes;
+  std::size_t next = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    meshes.push_back(spheres[f] ? MeshSphere(*faces[f], spheres[f]) : std::move(meshed[next++]));
+  }
+  return meshes;
 }
 }

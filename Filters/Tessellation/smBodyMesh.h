@@ -29,6 +29,14 @@ namespace sm
  */
 SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshFaces(
   const std::vector<FacePointer>& faces, const MeshLimits& limits, const ProgressCallback& progress = {});
+
+/**
+ * The same for the meshes that a body is measured and its shells are compared by. Whole spheres (FaceMesh::
+ * Sphere) are measured and compared as spheres, so that a grid of 48 triangles is enough; its
+ * Deviation, which is proved, may exceed the deflection.
+ */
+SMFILTERSTESSELLATION_EXPORT std::vector<FaceMesh> MeshForScales(
+  const std::vector<FacePointer>& faces, const MeshLimits& limits, const ProgressCallback& progress = {});
 }
 
 #endif

@@ -30,7 +30,8 @@ struct BodySize
   bool IsKnown = false;
 };
 
-/// The meshes should not depend on what is shown: scales fix the accuracy that is asked of each face.
+/// Measures whole spheres (FaceMesh::Sphere) by formulas and other faces by their meshes. These should not
+/// depend on what is shown: scales fix the accuracy that is asked of each face.
 SMFILTERSTESSELLATION_EXPORT BodySize MeasureBody(const std::vector<FaceMesh>& meshes);
 }
 

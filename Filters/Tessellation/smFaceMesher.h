@@ -10,6 +10,7 @@
 #include "Detail/smSurfaceBlocks.h"
 #include "smFace.h"
 #include "smFiltersTessellationModule.h"
+#include "smWholeSphere.h"
 
 #include <array>
 #include <string>
@@ -37,6 +38,8 @@ struct FaceMesh
   int InvertedTriangles = 0;
   /// A sentence where the face has no triangles, or not those that its boundary asks for.
   std::string Reason;
+  /// The sphere that the face covers, of which the triangles are a coarse picture; see MeshForScales().
+  WholeSphere Sphere;
 };
 
 /**

@@ -111,6 +111,15 @@ MeshLimits GetScaleLimits(double diagonal)
   return { UsualDeflection * diagonal, UsualAngle };
 }
 
+double GetReachedDeflection(const std::vector<FaceMesh>& meshes, double deflection)
+{
+  for (const FaceMesh& mesh : meshes)
+  {
+    deflection = mesh.Sphere ? std::max(deflection, mesh.Deviation) : deflection;
+  }
+  return deflection;
+}
+
 bool DoesSuit(vtkPolyData* scaleMesh, const MeshLimits& limits)
 {
   vtkDataArray* array = scaleMesh ? scaleMesh->GetFieldData()->GetArray(DeflectionName) : nullptr;

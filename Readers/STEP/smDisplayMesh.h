@@ -26,6 +26,10 @@ SMREADERSSTEP_EXPORT double LimitDeflection(double deflection, double diagonal);
 /// tenth larger than the body.
 MeshLimits GetScaleLimits(double diagonal);
 
+/// Returns the deflection that meshes of MeshForScales() have reached: above `deflection` where a whole
+/// sphere has only a few triangles.
+double GetReachedDeflection(const std::vector<FaceMesh>& meshes, double deflection);
+
 /// Joins the meshes of all faces to one of the body in part coordinates, faces moved by `origin`, with
 /// normals and the arrays of vtkNURBSDataSet. Every face has its own points; triangles are wound outward. It
 /// remembers the deflection it was made for. Reports in a sentence each what faces have no triangles, and

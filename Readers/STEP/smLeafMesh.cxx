@@ -2,6 +2,7 @@
 
 #include "smBodyMesh.h"
 #include "smDisplayMesh.h"
+#include "smWholeSphere.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
@@ -35,6 +36,30 @@ double GetDiagonal(vtkTrimmedNURBSModel* model)
 {
   const double* b = model->GetLocalBounds();
   return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+}
+
+/// Estimates the number of triangles of a display mesh, which for curved faces is inverse to the deflection.
+double EstimateTriangles(vtkTrimmedNURBSModel* model, double deflection)
+{
+  // Some triangles of a whole sphere for each radius over the deflection, as counted on balls.
+  constexpr double trianglesOfSphere = 33.0;
+  vtkPolyData* mesh = model->GetScaleMesh();
+  const std::vector<WholeSphere> spheres = FindWholeSpheres(model->GetFaces());
+  auto others = static_cast<double>(mesh->GetNumberOfCells());
+  double count = 0.0;
+  if (!spheres.empty())
+  {
+    vtkDataArray* faceOfCell = mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+    {
+      others -= spheres[static_cast<std::size_t>(faceOfCell->GetComponent(i, 0))] ? 1.0 : 0.0;
+    }
+    for (const WholeSphere& sphere : spheres)
+    {
+      count += trianglesOfSphere * sphere.Radius / deflection;
+    }
+  }
+  return count + others * std::max(1.0, GetScaleLimits(GetDiagonal(model)).Deflection / deflection);
 }
 
 void AddPlacedBox(const LeafSource& source, vtkBoundingBox& box)
@@ -167,10 +192,7 @@ void LeafMesher::ChooseCoarseness(const std::vector<LeafSource>& sources)
       continue;
     }
     AddPlacedBox(source, box);
-    const double finer =
-      GetScaleLimits(GetDiagonal(source.Model)).Deflection / this->GetLimits(source.Model).Deflection;
-    // The number of triangles of a curved surface grows with the inverse of the deflection.
-    triangles += static_cast<double>(mesh->GetNumberOfCells()) * std::max(1.0, finer);
+    triangles += EstimateTriangles(source.Model, this->GetLimits(source.Model).Deflection);
   }
   if (triangles > static_cast<double>(this->Wanted.CoarseAbove) && box.IsValid())
   {

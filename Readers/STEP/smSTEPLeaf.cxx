@@ -132,7 +132,7 @@ void LeafMaker::Triangulate(
   std::vector<FaceMesh> meshes;
   if (limits.Deflection > 0.0 && std::isfinite(limits.Deflection))
   {
-    meshes = MeshFaces(faces, limits, report);
+    meshes = MeshForScales(faces, limits, report);
   }
   size = MeasureBody(meshes);
   if (!size.IsKnown)
@@ -142,8 +142,8 @@ void LeafMaker::Triangulate(
   }
   if (!this->Aborted)
   {
-    this->Mesh =
-      JoinMeshes(faces, std::move(meshes), this->Model->GetOrigin(), limits.Deflection, body.Messages);
+    const double deflection = GetReachedDeflection(meshes, limits.Deflection);
+    this->Mesh = JoinMeshes(faces, std::move(meshes), this->Model->GetOrigin(), deflection, body.Messages);
   }
 }
 

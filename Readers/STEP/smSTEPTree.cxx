@@ -57,10 +57,9 @@ void AddProduct(vtkDataAssembly* assembly, int parent, const ProductNode& produc
   {
     assembly->SetAttribute(node, "layer", product.Layer.c_str());
   }
-  for (const int instance : product.Instances)
-  {
-    assembly->AddDataSetIndex(node, static_cast<unsigned int>(instance));
-  }
+  // All at once: every call reads the indices that the node has.
+  assembly->AddDataSetIndices(
+    node, std::vector<unsigned int>(product.Instances.begin(), product.Instances.end()));
   AddProducts(assembly, node, product.Children, taken);
 }
 

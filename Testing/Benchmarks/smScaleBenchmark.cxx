@@ -1,10 +1,11 @@
 // Benchmark scale: how time and memory grow with a model.
 //
-// Plates of 900, 3,600, 10,000 and 30,000 holes, lattices of 9,000 to 100,000 different faces, assemblies of
-// 900, 3,600 and 10,000 instances (smScaleModels.h). Each is written as a STEP file, read, and integrated to
-// 1e-9 on the CPU backend in a process of its own, by one thread. Printed are the processor's seconds of
-// every stage, the growth exponents from each model of a family to the next and from the smallest to the
-// largest, log(time ratio) / log(size ratio), and the growth of the peak memory per face or instance.
+// Plates of 900, 3,600, 10,000 and 30,000 holes, lattices of 9,000 to 100,000 different faces, 196, 784 and
+// 3,136 balls, assemblies of 900, 3,600 and 10,000 instances (smScaleModels.h). Each is written as a STEP
+// file, read, and integrated to 1e-9 on the CPU backend in a process of its own, by one thread. Printed are
+// the processor's seconds of every stage, the growth exponents from each model of a family to the next and
+// from the smallest to the largest, log(time ratio) / log(size ratio), and the growth of the peak memory per
+// face or instance.
 #include "smAllocatedBytes.h"
 #include "smBenchmark.h"
 #include "smHelperProcess.h"
@@ -52,6 +53,7 @@ const std::vector<Family>& GetFamilies()
   static const std::vector<Family> families = {
     { "plate", "face", smtest::MakePlate, { 900, 3600, 10000, 30000 }, { 36, 144, 576 }, CountFaces },
     { "lattice", "face", smtest::MakeLattice, { 10, 16, 23 }, { 4, 6, 9 }, CountFaces },
+    { "balls", "ball", smtest::MakeBalls, { 196, 784, 3136 }, { 16, 64, 256 }, CountInstances },
     { "assembly", "instance",
       [](int instances) { return smtest::MakeAssembly(instances, smtest::Placing::InOrder); },
       { 900, 3600, 10000 }, { 30, 120, 480 }, CountInstances },
@@ -231,6 +233,9 @@ int PrintTable(const std::string& only, const std::string& folder, const std::st
   return right ? 0 : 1;
 }
 
+/// Triangles that a ball may have for its scales: spheres are measured by formulas.
+constexpr double MaxTrianglesOfBall = 100.0;
+
 /// Counts of the small models: `maximum` is how much a count may grow faster than the model, which has a part
 /// that does not grow.
 int CheckCounts(const std::string& folder)
@@ -249,6 +254,11 @@ int CheckCounts(const std::string& folder)
       Check(name + ": volume", result["expected_volume"], result.value("volume", std::nan("")),
         result.value("volume_bound", 0.0) + FileDigits * result["expected_volume"].get<double>(),
         "the bound, and the digits of the file");
+      if (std::string(family.Name) == "balls")
+      {
+        CheckRange(name + ": triangles of a ball", 1.0,
+          result.value("triangles", std::nan("")) / result["size"].get<double>(), MaxTrianglesOfBall);
+      }
       const Json& center = result["expected_center"];
       const double reach =
         std::hypot(center[0].get<double>(), center[1].get<double>(), center[2].get<double>());
@@ -300,7 +310,7 @@ void Add(CLI::App& app, int& status)
     "a check of --counts failed");
   command->add_option("--json", json, "file for the numbers");
   command->add_option("--folder", folder, "folder of the temporary STEP files");
-  command->add_option("--only", only, "plate, lattice or assembly");
+  command->add_option("--only", only, "plate, lattice, balls or assembly");
   command->add_option("--counts", counts,
     "folder for small models; checks status, volumes, faces, and that evaluations, triangles and allocated "
     "bytes per "

@@ -360,6 +360,33 @@ void AddPart(Writer& writer, const Context& context, int solid, const char* name
 }
 }
 
+ScaleModel MakeBalls(int balls)
+{
+  const double radius = 0.3;
+  const double pitch = 0.8;
+  const auto side = static_cast<int>(std::lround(std::sqrt(balls)));
+  ScaleModel model;
+  Writer writer(model.Text);
+  const Context context(writer);
+  const Product product(writer, context, "balls");
+  std::vector<int> items;
+  for (int i = 0; i < side * side; ++i)
+  {
+    const Vector center = { pitch * (i % side), pitch * (i / side), radius };
+    const int vertex = writer.AddVertex({ center[0], center[1], center[2] - radius });
+    const int bound = writer.Format("FACE_BOUND('',#%d,.T.)", writer.Format("VERTEX_LOOP('',#%d)", vertex));
+    const int sphere = writer.Format(
+      "SPHERICAL_SURFACE('',#%d,%#.17g)", writer.AddPlacement(center, Axes[2], Axes[0]), radius);
+    items.push_back(AddSolid(writer, { writer.AddFace({ bound }, sphere, true) }));
+  }
+  product.Represent(writer, context, "ADVANCED_BREP_SHAPE_REPRESENTATION", items);
+  writer.Finish();
+  model.Faces = model.Instances = side * side;
+  model.Volume = side * side * 4.0 / 3.0 * Pi * radius * radius * radius;
+  model.Center = { 0.5 * pitch * (side - 1), 0.5 * pitch * (side - 1), radius };
+  return model;
+}
+
 ScaleModel MakePlate(int holes)
 {
   ScaleModel model;

@@ -32,6 +32,10 @@ ScaleModel MakePlate(int holes);
 /// side^3 faces.
 ScaleModel MakeLattice(int side);
 
+/// A square grid of `balls` (a square number) balls of one radius, each a solid of one face, as the solder
+/// under a chip.
+ScaleModel MakeBalls(int balls);
+
 /// The order of the two placements that an instance names: first that of the part, as the format asks; first
 /// that of the assembly, an error of some CAD systems that OpenCASCADE corrects; or by turns, two instances
 /// in one place with the same placements.

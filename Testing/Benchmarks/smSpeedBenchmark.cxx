@@ -1,5 +1,5 @@
-// Benchmark speed FILE.step...: seconds of the processor from file to numbers, compared with OpenCASCADE's,
-// in one run.
+// Benchmark speed [--balls N]... FILE.step...: seconds of the processor from file to numbers, compared with
+// OpenCASCADE's, in one run.
 //
 // Per file: OpenCASCADE's default reader (parse, transfer); its BRepGProp, volume and area, by its default
 // rule and with Eps = 1e-6; our reader and our mass properties on the CPU backend at a tolerance of 1e-9, by
@@ -13,6 +13,7 @@
 #include "smBenchmark.h"
 #include "smJson.h"
 #include "smProcessorTime.h"
+#include "smScaleModels.h"
 #include "smStageSeconds.h"
 
 #include <vtkSMPTools.h>
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -198,6 +200,9 @@ void PrintRow(const std::string& name, const Json& seconds, double evaluations, 
 struct Options
 {
   std::vector<std::string> Files;
+  /// Numbers of balls of files that are written.
+  std::vector<int> Balls;
+  std::string Folder = ".";
   std::string Json;
   bool OnlyRead = false;
   bool OnlyOurs = false;
@@ -304,7 +309,13 @@ int Run(const Options& options)
     { "kernel_evaluations_per_second", kernel.Widest },
     { "plain_kernel_evaluations_per_second", kernel.Plain }, { "files", Json::array() } };
   bool same = true;
-  for (const std::string& path : options.Files)
+  std::vector<std::string> paths = options.Files;
+  for (const int balls : options.Balls)
+  {
+    paths.push_back(options.Folder + "/balls_" + std::to_string(balls) + ".step");
+    std::ofstream(paths.back(), std::ios::binary) << smtest::MakeBalls(balls).Text;
+  }
+  for (const std::string& path : paths)
   {
     document["files"].push_back(MeasureFile(path, options));
     const Json& file = document["files"].back();
@@ -316,10 +327,12 @@ int Run(const Options& options)
       same = false;
     }
   }
+  std::for_each(paths.begin() + static_cast<std::ptrdiff_t>(options.Files.size()), paths.end(),
+    [](const std::string& path) { std::remove(path.c_str()); });
   document["sum"] = AddUp(document["files"], options.OnlyOurs);
   const Json& sum = document["sum"];
   const auto summed = sum["files"].get<std::size_t>();
-  PrintRow(summed < options.Files.size() ? "sum of those that OpenCASCADE reads" : "sum", sum["seconds"],
+  PrintRow(summed < paths.size() ? "sum of those that OpenCASCADE reads" : "sum", sum["seconds"],
     sum["evaluations"], kernel);
   std::printf(
     "\ncut, plan, upload and integrate over BRepGProp: %.2f; integrate alone: %.2f; read and convert over "
@@ -343,7 +356,13 @@ void Add(CLI::App& app, int& status)
     "Seconds of the processor from file to numbers, compared with OpenCASCADE's. Exit status 1: a volume is "
     "not "
     "OpenCASCADE's to a thousandth");
-  command->add_option("FILE", options.Files, "STEP files")->required();
+  command->add_option("FILE", options.Files, "STEP files");
+  command
+    ->add_option("--balls", options.Balls,
+      "a file with so many balls, a square number, in addition; may be given several times")
+    ->check(CLI::PositiveNumber)
+    ->allow_extra_args(false);
+  command->add_option("--folder", options.Folder, "folder of the temporary STEP files");
   command->add_option("--json", options.Json, "file for the numbers");
   command->add_flag("--read", options.OnlyRead, "reading alone");
   command->add_flag("--ours", options.OnlyOurs, "without OpenCASCADE");

@@ -47,7 +47,8 @@ void Count(vtkPartitionedDataSetCollection* parts, sm::Json& result)
     if (leaf && leaf->GetModel() && models.insert(leaf->GetModel()).second)
     {
       faces += leaf->GetModel()->GetNumberOfFaces();
-      triangles += leaf->GetNumberOfPolys();
+      vtkPolyData* mesh = leaf->GetModel()->GetScaleMesh();
+      triangles += mesh ? mesh->GetNumberOfPolys() : 0;
     }
   }
   result["faces"] = faces;
@@ -111,6 +112,8 @@ void MeasureStages(const std::string& path, int repeats, sm::Json& seconds, sm::
 {
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(path.c_str());
+  // As in the program, where nothing is shown.
+  reader->SetDisplayMeshToNever();
   UpdateCost read;
   reader->Update();
   read.Stop();

@@ -46,6 +46,10 @@ struct SelfCrossing
  * about such a point mesh and surface have the same winding number. Crossings that are narrower than that, or
  * lie between the points, are not found.
  *
+ * Whole spheres (smWholeSphere.h) are not meshed. That a point lies in one of them is decided by its distance
+ * from the centre, pairs that cross are found by their radii, and one that meets nothing has the same winding
+ * number all over. Spheres that touch do not cross.
+ *
  * The bodies are closed, and have the integrals of GetMassIntegrands(). Unchecked has a reason if the mesh
  * lacks a face, or the area or vector area of a face on it differs from the exact one by more than a quarter
  * of the area. Runs on the threads of vtkSMPTools, with the same result for any number of them.

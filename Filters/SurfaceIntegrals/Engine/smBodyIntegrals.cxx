@@ -9,6 +9,7 @@
 #include "smInstanceNames.h"
 #include "smMeshTriangles.h"
 #include "smVector.h"
+#include "smWholeSphere.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -448,12 +449,18 @@ void CheckShells(BodyIntegrals& body)
     center[d] = m[4 * d] * origin[0] + m[4 * d + 1] * origin[1] + m[4 * d + 2] * origin[2] + m[4 * d + 3];
   }
   const double side = vtkMatrix4x4::Determinant(m.data()) < 0.0 ? -1.0 : 1.0;
+  const std::vector<WholeSphere> spheres = FindWholeSpheres(body.Model->GetFaces());
+  const auto isSphere = [&spheres](std::size_t face) { return !spheres.empty() && spheres[face]; };
   VisitTriangles(body.Mesh, faces,
     [&](std::size_t face, const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>&)
     {
       const Vector3 twice = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
-      volumes[face] += side * Dot(Subtract(corners[0], center), twice) / 6.0;
+      volumes[face] += isSphere(face) ? 0.0 : side * Dot(Subtract(corners[0], center), twice) / 6.0;
     });
+  for (std::size_t face = 0; face < faces; ++face)
+  {
+    volumes[face] = isSphere(face) ? spheres[face].GetSignedVolume() : volumes[face];
+  }
   const ShellOrientation found =
     OrientShells(*body.Model, body.Mesh, volumes, std::vector<double>(faces, 0.0));
   FlagUncertainty(found, body);

@@ -101,10 +101,13 @@ void KeepAssembly(
   {
     const std::vector<unsigned int> before = assembly->GetDataSetIndices(node, false);
     assembly->RemoveAllDataSetIndices(node, false);
+    // All at once: every call reads the indices that the node has.
+    std::vector<unsigned int> after;
     for (const unsigned int index : before)
     {
-      assembly->AddDataSetIndices(node, renumbered[index]);
+      after.insert(after.end(), renumbered[index].begin(), renumbered[index].end());
     }
+    assembly->AddDataSetIndices(node, after);
   }
   output->SetDataAssembly(assembly);
 }

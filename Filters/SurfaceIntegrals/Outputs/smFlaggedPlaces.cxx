@@ -6,6 +6,7 @@
 #include "smIntegralNames.h"
 #include "smMeshTriangles.h"
 #include "smVector.h"
+#include "smWholeSphere.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -179,6 +180,17 @@ void AddFaces(const BodyIntegrals& body, std::size_t index, std::vector<FlaggedP
       extents[face].Area += 0.5 * Norm(twice);
       extents[face].Volume += Dot(Subtract(corners[0], origin), twice) / 6.0;
     });
+  // Whole spheres have few triangles. The sign of the volume is that of the mesh.
+  const std::vector<WholeSphere> spheres =
+    body.FaceDefects.empty() ? std::vector<WholeSphere>() : FindWholeSpheres(body.Model->GetFaces());
+  for (std::size_t face = 0; face < spheres.size(); ++face)
+  {
+    if (spheres[face])
+    {
+      extents[face] = { spheres[face].GetArea(),
+        std::copysign(spheres[face].GetSignedVolume(), extents[face].Volume) };
+    }
+  }
   for (const FaceDefect& defect : body.FaceDefects)
   {
     if (defect.Faces.empty())

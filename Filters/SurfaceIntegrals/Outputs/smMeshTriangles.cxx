@@ -6,6 +6,9 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNURBSDataSet.h"
 #include "vtkPointData.h"
@@ -29,6 +32,44 @@ vtkPolyData* FindScaleMesh(vtkNURBSDataSet* instance)
 }
 }
 
+namespace
+{
+/// Visits triangles whose points, normals and faces `getPoint`, `getNormal` and `getFace` return by the ids
+/// of points and cells.
+template <class GetPoint, class GetNormal, class GetFace>
+void VisitCells(vtkPolyData* mesh, std::size_t faces, const TriangleVisitor& visit, const GetPoint& getPoint,
+  const GetNormal& getNormal, const GetFace& getFace)
+{
+  // In the cell data of a polydata, polygons follow vertices and lines.
+  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  const auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCurrentCell(size, ids);
+    const auto face = static_cast<std::int64_t>(getFace(cell));
+    if (face < 0 || face >= static_cast<std::int64_t>(faces))
+    {
+      continue;
+    }
+    for (vtkIdType i = 2; i < size; ++i)
+    {
+      visit(static_cast<std::size_t>(face), { getPoint(ids[0]), getPoint(ids[i - 1]), getPoint(ids[i]) },
+        { getNormal(ids[0]), getNormal(ids[i - 1]), getNormal(ids[i]) });
+    }
+  }
+}
+
+/// Returns the values of an array of these types; null for another array.
+template <class Value, class Array>
+const Value* GetValues(vtkDataArray* array)
+{
+  Array* typed = Array::SafeDownCast(array);
+  return typed ? typed->GetPointer(0) : nullptr;
+}
+}
+
 void VisitShownTriangles(vtkPolyData* mesh, std::size_t faces, const TriangleVisitor& visit)
 {
   vtkDataArray* faceOfCell =
@@ -38,42 +79,44 @@ void VisitShownTriangles(vtkPolyData* mesh, std::size_t faces, const TriangleVis
     return;
   }
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
-  const auto corner = [mesh](vtkIdType id)
+  // The arrays of our own meshes are read directly.
+  const auto* const points = GetValues<double, vtkDoubleArray>(mesh->GetPoints()->GetData());
+  const auto* const directions = GetValues<float, vtkFloatArray>(normals);
+  const auto* const indices = GetValues<int, vtkIntArray>(faceOfCell);
+  if (points && directions && indices)
   {
-    Point3 p;
-    mesh->GetPoints()->GetPoint(id, p.data());
-    return p;
-  };
-  const auto normal = [normals](vtkIdType id)
-  {
-    // Without normals the triangles are assumed to be flat.
-    Point3 n{ 0.0, 0.0, 0.0 };
-    if (normals)
-    {
-      normals->GetTuple(id, n.data());
-    }
-    return n;
-  };
-  // In the cell data of a polydata, polygons follow vertices and lines.
-  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  const auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++cell)
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    cells->GetCurrentCell(size, ids);
-    const auto face = static_cast<std::int64_t>(faceOfCell->GetComponent(cell, 0));
-    if (face < 0 || face >= static_cast<std::int64_t>(faces))
-    {
-      continue;
-    }
-    for (vtkIdType i = 2; i < size; ++i)
-    {
-      visit(static_cast<std::size_t>(face), { corner(ids[0]), corner(ids[i - 1]), corner(ids[i]) },
-        { normal(ids[0]), normal(ids[i - 1]), normal(ids[i]) });
-    }
+    VisitCells(
+      mesh, faces, visit,
+      [points](vtkIdType id) {
+        return Point3{ points[3 * id], points[3 * id + 1], points[3 * id + 2] };
+      },
+      [directions](vtkIdType id) {
+        return Point3{ directions[3 * id], directions[3 * id + 1], directions[3 * id + 2] };
+      },
+      [indices](vtkIdType cell) { return indices[cell]; });
+    return;
   }
+  VisitCells(
+    mesh, faces, visit,
+    [mesh](vtkIdType id)
+    {
+      Point3 p;
+      mesh->GetPoints()->GetPoint(id, p.data());
+      return p;
+    },
+    [normals](vtkIdType id)
+    {
+      // Without normals the triangles are assumed to be flat.
+      Point3 n{ 0.0, 0.0, 0.0 };
+      if (normals)
+      {
+        normals->GetTuple(id, n.data());
+      }
+      return n;
+    },
+    [faceOfCell](vtkIdType cell) { return faceOfCell->GetComponent(cell, 0); });
 }
+
 void VisitTriangles(vtkPolyData* instance, std::size_t faces, const TriangleVisitor& visit)
 {
   auto* leaf = vtkNURBSDataSet::SafeDownCast(instance);

@@ -46,6 +46,21 @@ void ShellMesh::AddTriangle(const std::array<Point, 3>& corners, const std::arra
   this->Triangles.push_back({ corners, EstimateDeviation(corners, normals) });
 }
 
+void ShellMesh::SetSphere(const Point& center, double radius)
+{
+  this->Center = center;
+  this->Radius = radius;
+  this->Triangles.clear();
+  for (int d = 0; d < 3; ++d)
+  {
+    Point p = center;
+    p[d] = center[d] - radius;
+    this->Box.AddPoint(p.data());
+    p[d] = center[d] + radius;
+    this->Box.AddPoint(p.data());
+  }
+}
+
 void ShellMesh::AddSamples(const std::array<Point, 3>& corners, double deviation,
   const vtkBoundingBox& region, int depth, std::vector<Sample>& samples)
 {
@@ -111,12 +126,97 @@ double ShellMesh::GetWindingNumber(const Point& p) const
   return sum / (4.0 * vtkMath::Pi());
 }
 
+double ShellMesh::GetRounding() const
+{
+  return 1e-9 * GetLength(this->Box);
+}
+
 bool ShellMesh::IsFarFrom(const Sample& sample) const
 {
-  const double rounding = 1e-9 * GetLength(this->Box);
+  const double rounding = this->GetRounding();
   return std::none_of(this->Triangles.begin(), this->Triangles.end(),
     [&](const Triangle& t)
     { return GetDistance(sample.Position, t.Corners) <= sample.Deviation + t.Deviation + rounding; });
+}
+
+ShellMesh::Place ShellMesh::FindSphereInSphere(const ShellMesh& other) const
+{
+  const double slack = this->GetRounding() + other.GetRounding();
+  const double distance = GetDistance(this->Center, other.Center);
+  const bool isInside = distance + this->Radius <= other.Radius + slack;
+  const bool isAround = distance + other.Radius <= this->Radius + slack;
+  const bool isApart = distance >= this->Radius + other.Radius - slack;
+  return isInside && isAround ? Place::Unknown
+    : isInside                ? Place::Inside
+    : isAround || isApart     ? Place::Outside
+                              : Place::Crossing;
+}
+
+ShellMesh::Place ShellMesh::FindMeshInSphere(const ShellMesh& other) const
+{
+  const double rounding = other.GetRounding();
+  int inside = 0;
+  int outside = 0;
+  // Corners are on the surface up to gaps. If they disagree, only those count that are farther from the
+  // sphere than the triangle may be from its surface.
+  for (const bool isStrict : { false, true })
+  {
+    inside = outside = 0;
+    for (const Triangle& triangle : this->Triangles)
+    {
+      const double slack = rounding + (isStrict ? triangle.Deviation : 0.0);
+      for (const Point& corner : triangle.Corners)
+      {
+        const double height = GetDistance(corner, other.Center) - other.Radius;
+        inside += height < -slack ? 1 : 0;
+        outside += height > slack ? 1 : 0;
+      }
+    }
+    if (inside == 0 || outside == 0)
+    {
+      break;
+    }
+  }
+  return inside > 0 && outside > 0 ? Place::Crossing
+    : inside > 0                   ? Place::Inside
+    : outside > 0                  ? Place::Outside
+                                   : Place::Unknown;
+}
+
+ShellMesh::Place ShellMesh::FindSphereInMesh(const ShellMesh& other) const
+{
+  const double rounding = this->GetRounding() + other.GetRounding();
+  // Distances of the centre from the nearest triangle, from the surface next to it at most, and from the
+  // farthest corner.
+  double nearest = HUGE_VAL;
+  double reached = HUGE_VAL;
+  double farthest = 0.0;
+  bool hasLeft = false;
+  for (const Triangle& triangle : other.Triangles)
+  {
+    const double distance = GetDistance(this->Center, triangle.Corners);
+    nearest = std::min(nearest, distance);
+    reached = std::min(reached, distance + triangle.Deviation);
+    for (const Point& corner : triangle.Corners)
+    {
+      const double height = GetDistance(this->Center, corner) - this->Radius;
+      farthest = std::max(farthest, height + this->Radius);
+      hasLeft = hasLeft || height > triangle.Deviation + rounding;
+    }
+  }
+  if (farthest <= this->Radius + rounding || (!hasLeft && nearest < this->Radius))
+  {
+    return Place::Outside;
+  }
+  if (hasLeft && reached + rounding < this->Radius)
+  {
+    return Place::Crossing;
+  }
+  // The sphere touches the surface at most: it is where its centre is.
+  const double winding = std::abs(other.GetWindingNumber(this->Center));
+  return winding < WholeNumber              ? Place::Outside
+    : std::abs(winding - 1.0) < WholeNumber ? Place::Inside
+                                            : Place::Unknown;
 }
 
 ShellMesh::Place ShellMesh::Find(const ShellMesh& other) const
@@ -124,6 +224,12 @@ ShellMesh::Place ShellMesh::Find(const ShellMesh& other) const
   if (this->Box.Intersects(other.Box) == 0)
   {
     return Place::Outside;
+  }
+  if (this->Radius > 0.0 || other.Radius > 0.0)
+  {
+    return !(other.Radius > 0.0) ? this->FindSphereInMesh(other)
+      : this->Radius > 0.0       ? this->FindSphereInSphere(other)
+                                 : this->FindMeshInSphere(other);
   }
   // A corner outside the other's box by more than the deviation of the other's surface is outside the shell.
   double bulge = 1e-9 * GetLength(other.Box);

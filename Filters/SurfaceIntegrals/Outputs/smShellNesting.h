@@ -12,7 +12,7 @@
 
 namespace sm
 {
-/// Triangles of one closed shell.
+/// Triangles of one closed shell, or the sphere that it is.
 class ShellMesh
 {
 public:
@@ -22,7 +22,10 @@ public:
   /// from the flat triangle.
   void AddTriangle(const std::array<Point, 3>& corners, const std::array<Point, 3>& normals);
 
-  bool IsEmpty() const { return this->Triangles.empty(); }
+  /// Makes the shell a sphere, which needs no triangles.
+  void SetSphere(const Point& center, double radius);
+
+  bool IsEmpty() const { return this->Triangles.empty() && !(this->Radius > 0.0); }
   const vtkBoundingBox& GetBox() const { return this->Box; }
 
   /// Position of a shell with respect to another one.
@@ -43,6 +46,11 @@ public:
    * triangles of two faces have little effect. If points disagree, only those count whose distance from the
    * other mesh exceeds the possible distance of both meshes from their surfaces. A crossing smaller than the
    * distance between the points is not detected.
+   *
+   * Spheres are compared by formulas. Two of them that touch do not cross. The place of a shell with respect
+   * to a sphere follows from the distances of its corners from the centre, and the place of a sphere from the
+   * distance of its centre from all triangles, and from the winding number there: every crossing of a sphere
+   * that is deeper than the triangles may be from their surfaces is detected.
    */
   Place Find(const ShellMesh& other) const;
 
@@ -63,8 +71,15 @@ private:
   std::vector<Sample> TakeSamples(const vtkBoundingBox& box) const;
   double GetWindingNumber(const Point& p) const;
   bool IsFarFrom(const Sample& sample) const;
+  double GetRounding() const;
+  Place FindSphereInSphere(const ShellMesh& other) const;
+  Place FindMeshInSphere(const ShellMesh& other) const;
+  Place FindSphereInMesh(const ShellMesh& other) const;
 
   std::vector<Triangle> Triangles;
+  /// The sphere; Radius 0: there are triangles.
+  Point Center{};
+  double Radius = 0.0;
   vtkBoundingBox Box;
 };
 }

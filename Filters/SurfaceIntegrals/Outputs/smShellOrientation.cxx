@@ -2,6 +2,9 @@
 
 #include "smMeshTriangles.h"
 #include "smShellNesting.h"
+#include "smWholeSphere.h"
+
+#include "vtkNURBSDataSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,12 +123,51 @@ int FindShells(vtkTrimmedNURBSModel& model, std::vector<int>& shellOfFace)
   return count;
 }
 
-std::vector<ShellMesh> MakeMeshes(vtkPolyData* mesh, const std::vector<int>& shellOfFace, int count)
+/// Makes the shells that are one whole sphere each spheres, and says of which faces. `volume` is that of each
+/// face.
+std::vector<bool> SetSpheres(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
+  const std::vector<int>& shellOfFace, const std::vector<double>& volume, std::vector<ShellMesh>& meshes)
+{
+  std::vector<bool> isSphere(shellOfFace.size());
+  const auto* const leaf = vtkNURBSDataSet::SafeDownCast(mesh);
+  const std::vector<WholeSphere> spheres =
+    leaf ? FindWholeSpheres(model.GetFaces()) : std::vector<WholeSphere>();
+  for (std::size_t f = 0; f < spheres.size(); ++f)
+  {
+    const auto faces = std::count(shellOfFace.begin(), shellOfFace.end(), shellOfFace[f]);
+    if (spheres[f] && faces == 1 && Covers(spheres[f], spheres[f].GetArea(), 0.0, volume[f]))
+    {
+      const double* const m = leaf->GetPlacementData();
+      const double* const origin = model.GetOrigin();
+      ShellMesh::Point center;
+      for (int r = 0; r < 3; ++r)
+      {
+        center[r] = m[4 * r + 3];
+        for (int c = 0; c < 3; ++c)
+        {
+          center[r] += m[4 * r + c] * (origin[c] + spheres[f].Center[c]);
+        }
+      }
+      meshes[shellOfFace[f]].SetSphere(center, spheres[f].Radius);
+      isSphere[f] = true;
+    }
+  }
+  return isSphere;
+}
+
+std::vector<ShellMesh> MakeMeshes(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
+  const std::vector<int>& shellOfFace, const std::vector<double>& volume, int count)
 {
   std::vector<ShellMesh> meshes(count);
+  const std::vector<bool> isSphere = SetSpheres(model, mesh, shellOfFace, volume, meshes);
   VisitTriangles(mesh, shellOfFace.size(),
-    [&meshes, &shellOfFace](std::size_t face, const auto& corners, const auto& normals)
-    { meshes[shellOfFace[face]].AddTriangle(corners, normals); });
+    [&](std::size_t face, const auto& corners, const auto& normals)
+    {
+      if (!isSphere[face])
+      {
+        meshes[shellOfFace[face]].AddTriangle(corners, normals);
+      }
+    });
   return meshes;
 }
 
@@ -211,7 +253,7 @@ ShellOrientation OrientShells(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
   std::vector<int> depths;
   std::set<std::size_t> uncertain;
   const std::string reason =
-    FindDepths(MakeMeshes(mesh, shellOfFace, result.Shells), volumes, depths, uncertain);
+    FindDepths(MakeMeshes(model, mesh, shellOfFace, volume, result.Shells), volumes, depths, uncertain);
   if (!reason.empty())
   {
     setUncertain(reason, uncertain);

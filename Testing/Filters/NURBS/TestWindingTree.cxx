@@ -70,6 +70,115 @@ void CheckTorus(const char* name, double ring, double tube)
   CheckRange("points far from the mesh", 200.0, far, 990.0);
 }
 
+/// Counts along rays against the sums of solid angles, where they do not refuse.
+void CheckCounts(const char* name, double ring, double tube)
+{
+  std::printf("--- counts about %s\n", name);
+  Triangles triangles;
+  AddTorus(ring, tube, 40, triangles);
+  // Corners of the first and the last ring are the same up to rounding.
+  CheckTrue("corners differ in bits", !sm::IsClosed(triangles));
+  for (sm::MeshTriangle& triangle : triangles)
+  {
+    for (sm::Vector3& corner : triangle.Corners)
+    {
+      for (double& x : corner)
+      {
+        x = std::round(x * 1e9) * 1e-9;
+      }
+    }
+  }
+  CheckTrue("is closed", sm::IsClosed(triangles));
+  const sm::WindingTree tree(triangles);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform(-4.0, 4.0);
+  int wrong = 0;
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const sm::Vector3 p{ uniform(random), uniform(random), 0.5 * uniform(random) };
+    int number = 99;
+    const bool isCounted = tree.CountCrossings(p, i % 3, i % 2 == 0, sm::WindingTree::None, number);
+    refused += isCounted ? 0 : 1;
+    int nearest = 99;
+    refused += tree.CountCrossings(p, nearest) ? 0 : 1;
+    wrong += (isCounted && number != std::round(tree.EvaluateExactWindingNumber(p))) || nearest != number;
+  }
+  CheckEqual("wrong counts", 0, wrong);
+  CheckEqual("counts refused at points of no symmetry", 0, refused);
+  // On triangles, without them: just outside and just inside.
+  for (std::size_t t = 0; t < triangles.size(); t += 7)
+  {
+    const auto& c = triangles[t].Corners;
+    if (c[0][0] * c[1][0] + c[0][1] * c[1][1] < 0.0 || c[0][0] * c[2][0] + c[0][1] * c[2][1] < 0.0)
+    {
+      // Cells that the axis crosses lie on themselves.
+      continue;
+    }
+    const sm::Vector3 n = sm::Cross(sm::Subtract(c[1], c[0]), sm::Subtract(c[2], c[0]));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const bool isOutward : { true, false })
+      {
+        sm::Vector3 p;
+        sm::Vector3 off;
+        for (int d = 0; d < 3; ++d)
+        {
+          p[d] = 0.21 * c[0][d] + 0.32 * c[1][d] + 0.47 * c[2][d];
+          off[d] = p[d] + (isOutward ? 1e-7 : -1e-7) * n[d] / sm::Norm(n);
+        }
+        int number = 99;
+        const bool isUp = (n[axis] > 0.0) == isOutward;
+        const bool isCounted =
+          std::abs(n[axis]) > 1e-3 * sm::Norm(n) && tree.CountCrossings(p, axis, isUp, t, number);
+        refused += isCounted ? 0 : 1;
+        wrong += isCounted && number != std::round(tree.EvaluateExactWindingNumber(off)) ? 1 : 0;
+      }
+    }
+  }
+  CheckEqual("wrong counts on triangles", 0, wrong);
+  CheckRange("refused", 0.0, refused, 0.01 * static_cast<double>(triangles.size()));
+
+  // A triangle less, one inverted, and a corner that is moved by a bit.
+  Triangles open(triangles.begin() + 1, triangles.end());
+  CheckTrue("a triangle is missing", !sm::IsClosed(open));
+  open = triangles;
+  std::swap(open[7].Corners[0], open[7].Corners[1]);
+  CheckTrue("a triangle is inverted", !sm::IsClosed(open));
+  open = triangles;
+  open[7].Corners[0][0] = std::nextafter(open[7].Corners[0][0], 9.0);
+  CheckTrue("a corner is moved", !sm::IsClosed(open));
+}
+
+void CheckRefusals()
+{
+  std::printf("--- rays that meet sides\n");
+  const sm::Vector3 o{ 0, 0, 1 };
+  const sm::Vector3 x{ 1, 0, 1 };
+  const sm::Vector3 y{ 0, 1, 1 };
+  const sm::WindingTree tree(Triangles{ { { o, x, y }, 0.0 } });
+  int number = 99;
+  const auto count = [&](const sm::Vector3& p, bool upwards)
+  { return tree.CountCrossings(p, 2, upwards, sm::WindingTree::None, number); };
+  CheckTrue("from below, left through", count({ 0.3, 0.3, 0 }, true) && number == 1);
+  CheckTrue("from above, entered through", count({ 0.3, 0.3, 2 }, false) && number == -1);
+  CheckTrue("behind the ray", count({ 0.3, 0.3, 2 }, true) && number == 0);
+  CheckTrue("off the triangle", count({ 0.7, 0.7, 0 }, true) && number == 0);
+  CheckTrue("at a side: refused", !count({ 0.5, 0.5, 0 }, true));
+  CheckTrue("at a corner: refused", !count({ 0, 0, 0 }, true));
+  CheckTrue("at a side within rounding: refused", !count({ 0.3, 0.7, 0 }, true));
+  CheckTrue("next to a side", count({ 1e-12, 0.5, 0 }, true) && number == 1);
+  CheckTrue("next to a side, outside", count({ -1e-12, 0.5, 0 }, true) && number == 0);
+  CheckTrue("on the triangle: refused", !count({ 0.3, 0.3, 1 }, true));
+  CheckTrue("just below it", count({ 0.3, 0.3, 1 - 1e-12 }, true) && number == 1);
+  CheckTrue("on it, without it", tree.CountCrossings({ 0.3, 0.3, 1 }, 2, true, 0, number) && number == 0);
+  // A wall along the ray.
+  CheckTrue("in the plane of a triangle: refused",
+    !tree.CountCrossings({ -1, 0.3, 1 }, 0, true, sm::WindingTree::None, number));
+  CheckTrue(
+    "far away", tree.CountCrossings({ 5, 5, 5 }, 0, true, sm::WindingTree::None, number) && number == 0);
+}
+
 void CheckSmall()
 {
   std::printf("--- small meshes\n");
@@ -97,6 +206,9 @@ int TestWindingTree(int, char*[])
 {
   CheckTorus("a ring", 2.5, 1.0);
   CheckTorus("a spindle", 1.0, 1.8);
+  CheckCounts("a ring", 2.5, 1.0);
+  CheckCounts("a spindle", 1.0, 1.8);
+  CheckRefusals();
   CheckSmall();
   return Finish();
 }

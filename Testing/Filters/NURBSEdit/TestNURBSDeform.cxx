@@ -2,6 +2,8 @@
 // points opens.
 #include "smFilterTesting.h"
 #include "smMessageTrap.h"
+#include "smRoundFaces.h"
+#include "smWholeSphere.h"
 
 #include <vtkNURBSDeform.h>
 #include <vtkNURBSPointEvaluator.h>
@@ -273,8 +275,58 @@ void CheckOutOfMemory()
 }
 }
 
+/// A whole sphere has few triangles, because it is compared by formulas; what an edit makes of it has many.
+void CheckSphere()
+{
+  std::printf("--- a ball\n");
+  const sm::FacePointer ball = MakeBall({ 1.0, 2.0, 3.0 }, 2.0);
+  const auto leaf = MakeRoundBody({ ball });
+  const vtkSmartPointer<vtkTrimmedNURBSModel> model = leaf->GetModel();
+  // The scale mesh has the arrays of a display mesh.
+  AddGrids(leaf, { ball }, 16);
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetName(vtkNURBSDataSet::ParametersArrayName());
+  parameters->SetNumberOfComponents(2);
+  vtkNew<vtkIntArray> faces;
+  faces->SetName(vtkNURBSDataSet::FaceIndexArrayName());
+  for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); ++i)
+  {
+    const double whole = 2.0 * vtkMath::Pi();
+    parameters->InsertNextTuple2(
+      whole * static_cast<double>(i % 17) / 16.0, 0.5 * whole * (static_cast<double>(i / 17) / 16.0 - 0.5));
+    faces->InsertNextValue(0);
+  }
+  leaf->GetPointData()->AddArray(parameters);
+  leaf->GetPointData()->AddArray(faces);
+  vtkNew<vtkPolyData> mesh;
+  mesh->vtkPolyData::ShallowCopy(leaf);
+  model->SetScaleMesh(mesh);
+  leaf->SetModel(model);
+  vtkNew<vtkNURBSDeform> filter;
+  filter->SetInputData(leaf);
+  filter->SetCenter(1.0, 2.0, 5.0);
+  filter->SetDisplacement(0.0, 0.0, 0.5);
+  // The whole ball, and then a part of it.
+  for (const double radius : { 0.0, 2.5 })
+  {
+    filter->SetRadius(radius);
+    filter->Update();
+    auto* edited = vtkNURBSDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    vtkPolyData* scales = edited->GetModel()->GetScaleMesh();
+    const bool isSphere = static_cast<bool>(sm::FindWholeSphere(*edited->GetModel()->GetFaces()[0]));
+    CheckTrue("a sphere as before, or none", isSphere == (radius == 0.0));
+    CheckRange("triangles", isSphere ? 1.0 : 5000.0, static_cast<double>(scales->GetNumberOfPolys()),
+      isSphere ? 600.0 : 20000.0);
+    vtkNew<vtkNURBSDataSet> placed;
+    placed->ShallowCopy(scales);
+    placed->SetModel(edited->GetModel());
+    Check("points are on the face", 0.0, GetDistanceFromFaces(placed), 1e-13, "rounding of about 5");
+  }
+}
+
 int TestNURBSDeform(int, char*[])
 {
+  CheckSphere();
   CheckDisplacement();
   CheckLattice();
   CheckGap();
