@@ -22,6 +22,8 @@ namespace
 {
 /// Largest stated tolerance that counts, relative to the diagonal of the body.
 constexpr double LargestTolerance = 1e-3;
+/// Volumes are measured coarsely up to this part of the cube of the diagonal.
+constexpr double NegligibleVolume = 1e-15;
 /// Number of edges that a thread measures at a time.
 constexpr std::size_t EdgeGrain = 16;
 
@@ -53,6 +55,33 @@ Vector3 EvaluateTrim(const Face& face, const std::array<double, 2>& at)
   Vector3 point;
   face.Surface.Evaluate(at[0], at[1], point.data());
   return point;
+}
+
+/// Returns true if a curve can be evaluated.
+template <int Dimension>
+bool IsUsable(const PolynomialCurve<Dimension>& curve)
+{
+  const int pieces = curve.GetNumberOfPieces();
+  if (pieces < 1 || static_cast<int>(curve.Breaks.size()) != pieces + 1 ||
+    curve.Coefficients.size() < curve.Offsets.back())
+  {
+    return false;
+  }
+  for (int i = 0; i < pieces; ++i)
+  {
+    const double width = curve.Breaks[i + 1] - curve.Breaks[i];
+    if (curve.GetDegree(i) < 0 || curve.GetDegree(i) > MaximumDegree ||
+      !(width > 0.0 && std::isfinite(width)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsUsable(const Coedge& coedge)
+{
+  return !coedge.Use->Degenerate && IsUsable(coedge.Use->Curve) && IsUsable(coedge.Curve);
 }
 
 /// Returns the corner between two coedges that follow each other in a loop of a face.
@@ -95,7 +124,7 @@ std::shared_ptr<const CornerList> MakeCorners(const Face& face)
     {
       const Coedge& before = loop.Coedges[i];
       const Coedge& after = loop.Coedges[(i + 1) % loop.Coedges.size()];
-      if (!before.Use->Degenerate && !after.Use->Degenerate)
+      if (IsUsable(before) && IsUsable(after))
       {
         const Corner corner = MakeCorner(face, before, after);
         if (corner.Unsigned > 0.0)
@@ -129,12 +158,13 @@ struct UsedEdge
   std::vector<std::size_t> Faces;
   std::vector<EdgeUse> Uses;
 
+  /// Returns true if the signed uses cancel, and all curves can be evaluated.
   bool IsClosed() const
   {
     double sum = 0.0;
     for (const EdgeUse& use : this->Uses)
     {
-      sum += use.GetSign();
+      sum += IsUsable(*use.Boundary) ? use.GetSign() : std::numeric_limits<double>::quiet_NaN();
     }
     return sum == 0.0;
   }
@@ -276,7 +306,9 @@ ClosingSpreads::~ClosingSpreads() = default;
 std::shared_ptr<const ClosingSpread> ClosingSpreads::Measure(vtkTrimmedNURBSModel& model)
 {
   Internals& self = *this->Implementation;
-  const double largest = LargestTolerance * 2.0 * GetRadius(model);
+  const double diagonal = 2.0 * GetRadius(model);
+  const double largest = LargestTolerance * diagonal;
+  const double negligible = NegligibleVolume * diagonal * diagonal * diagonal;
   auto spread = std::make_shared<ClosingSpread>();
   const std::vector<UsedEdge> edges = CollectEdges(model);
   std::vector<std::size_t> unknown;
@@ -306,7 +338,7 @@ std::shared_ptr<const ClosingSpread> ClosingSpreads::Measure(vtkTrimmedNURBSMode
       for (std::size_t i = begin; i < end; ++i)
       {
         const std::size_t k = unknown[i];
-        (*spread)[k].Spread = MeasureEdge(*edges[k].Source, edges[k].Uses, tolerances[k]);
+        (*spread)[k].Spread = MeasureEdge(*edges[k].Source, edges[k].Uses, tolerances[k], negligible);
       }
     });
   for (const std::size_t k : unknown)

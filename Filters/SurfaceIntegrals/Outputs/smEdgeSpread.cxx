@@ -14,6 +14,12 @@ namespace
 /// tolerance.
 constexpr double PlaneTolerance = 1e-6;
 constexpr int MaxSteps = 20;
+/// Weight of the first and last point of the rule of four of the points of two such rules on the halves of
+/// [0,1], exact for polynomials of degree 3.
+constexpr double OuterWeight = 0.20696685170880647;
+/// Largest error of a rule relative to its value, as far as so many halvings of an interval lead.
+constexpr double RuleTolerance = 0.02;
+constexpr int MaxHalvings = 5;
 /// Cosine of the largest angle between a surface and its edge at which sections are curves across the edge.
 constexpr double SmallestCosine = 0.5;
 /// Nodes and weights of the Gauss rule of three points on [0,1].
@@ -359,9 +365,10 @@ SpreadSample AddUpSections(const NormalPlane& plane, const std::vector<Section>&
 class EdgeMeasurement
 {
 public:
-  EdgeMeasurement(const Edge& edge, const std::vector<EdgeUse>& uses, double tolerance)
+  EdgeMeasurement(const Edge& edge, const std::vector<EdgeUse>& uses, double tolerance, double negligible)
     : Curve(edge.Curve)
     , Tolerance(tolerance)
+    , Negligible(negligible)
     , Sections(uses.size())
   {
     this->Finders.reserve(uses.size());
@@ -386,7 +393,7 @@ public:
     {
       if (end - start > smallest && end <= high)
       {
-        this->AddInterval(start, end, *result);
+        this->AddInterval(start, end, 0, *result);
         start = end;
       }
     }
@@ -394,9 +401,9 @@ public:
   }
 
 private:
-  /// Integrates by two Gauss rules of three points. Their difference from the rule of both middle points
-  /// counts as their error.
-  void AddInterval(double start, double end, EdgeSpread& result)
+  /// Integrates by two Gauss rules of three points. Twice their difference from the rule of the four outer
+  /// points counts as their error; the interval is halved while that is not small.
+  void AddInterval(double start, double end, int depth, EdgeSpread& result)
   {
     const std::size_t first = result.Samples.size();
     double coarse[4] = { 0.0, 0.0, 0.0, 0.0 };
@@ -407,13 +414,15 @@ private:
       for (const int node : { 1, 0, 2 })
       {
         double area = 0.0;
+        const bool isOuter = (node == 0) == (from == start);
         const NormalPlane plane(this->Curve, from + width * GaussNodes[node]);
         SpreadSample sample = this->Measure(plane, node == 1 ? 1e-3 * width * plane.Speed : 0.0, area);
         const double values[4] = { sample.Added, sample.Removed, sample.Swept, area };
         for (int i = 0; i < 4; ++i)
         {
           fine[i] += width * GaussWeights[node] * values[i];
-          coarse[i] += node == 1 ? width * values[i] : 0.0;
+          coarse[i] +=
+            node == 1 ? 0.0 : 2.0 * width * (isOuter ? OuterWeight : 0.5 - OuterWeight) * values[i];
         }
         sample.Added *= width * GaussWeights[node];
         sample.Removed *= width * GaussWeights[node];
@@ -424,18 +433,28 @@ private:
         }
       }
     }
-    double factors[4];
+    double errors[4];
+    bool isFine = depth == MaxHalvings || fine[2] <= this->Negligible;
     for (int i = 0; i < 4; ++i)
     {
-      factors[i] = fine[i] > 0.0 ? 1.0 + std::abs(fine[i] - coarse[i]) / fine[i] : 1.0;
+      errors[i] = fine[i] > 0.0 ? 2.0 * std::abs(fine[i] - coarse[i]) / fine[i] : 0.0;
+    }
+    isFine =
+      isFine || (errors[0] <= RuleTolerance && errors[1] <= RuleTolerance && errors[3] <= RuleTolerance);
+    if (!isFine)
+    {
+      result.Samples.resize(first);
+      this->AddInterval(start, start + width, depth + 1, result);
+      this->AddInterval(start + width, end, depth + 1, result);
+      return;
     }
     for (std::size_t i = first; i < result.Samples.size(); ++i)
     {
-      result.Samples[i].Added *= factors[0];
-      result.Samples[i].Removed *= factors[1];
-      result.Samples[i].Swept *= factors[2];
+      result.Samples[i].Added *= 1.0 + errors[0];
+      result.Samples[i].Removed *= 1.0 + errors[1];
+      result.Samples[i].Swept *= 1.0 + errors[2];
     }
-    result.Area += factors[3] * fine[3];
+    result.Area += (1.0 + errors[3]) * fine[3];
   }
 
   SpreadSample Measure(const NormalPlane& plane, double step, double& area)
@@ -480,6 +499,7 @@ private:
 
   const EdgeCurve& Curve;
   double Tolerance;
+  double Negligible;
   std::vector<SectionFinder> Finders;
   std::vector<Section> Sections;
   std::vector<double> Breaks;
@@ -492,8 +512,8 @@ double EdgeUse::GetSign() const
 }
 
 std::shared_ptr<const EdgeSpread> MeasureEdge(
-  const Edge& edge, const std::vector<EdgeUse>& uses, double tolerance)
+  const Edge& edge, const std::vector<EdgeUse>& uses, double tolerance, double negligible)
 {
-  return EdgeMeasurement(edge, uses, tolerance).Run();
+  return EdgeMeasurement(edge, uses, tolerance, negligible).Run();
 }
 }

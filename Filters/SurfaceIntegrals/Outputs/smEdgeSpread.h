@@ -22,9 +22,10 @@ struct EdgeUse
   double GetSign() const;
 };
 
-/// Measures an edge whose signed uses cancel, with a stated tolerance.
+/// Measures an edge whose signed uses cancel, with a stated tolerance. Volumes up to `negligible` are
+/// measured coarsely.
 std::shared_ptr<const EdgeSpread> MeasureEdge(
-  const Edge& edge, const std::vector<EdgeUse>& uses, double tolerance);
+  const Edge& edge, const std::vector<EdgeUse>& uses, double tolerance, double negligible);
 }
 
 #endif
