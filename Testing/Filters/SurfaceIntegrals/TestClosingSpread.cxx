@@ -24,7 +24,7 @@ using sm::Vector3;
 
 /// Planes across an edge with one piece, points on the section of a surface, and pieces of the way between
 /// two of them.
-constexpr int Planes = 80;
+constexpr int Planes = 48;
 constexpr int Grid = 33;
 constexpr int Pieces = 6;
 /// Closings of bilinear pieces between planes differ from the smooth ones that they stand for.
@@ -497,7 +497,7 @@ int CheckSolid(const std::string& name, vtkTrimmedNURBSModel* source, double tol
 int TestClosingSpread(int argc, char* argv[])
 {
   RequireUsage(argc >= 2, "TestClosingSpread FOLDER [MOVES]");
-  const int moves = argc > 2 ? std::atoi(argv[2]) : 150;
+  const int moves = argc > 2 ? std::atoi(argv[2]) : 260;
   const Manifest manifest(argv[1]);
   int tried = 0;
   int solids = 0;
@@ -521,6 +521,6 @@ int TestClosingSpread(int argc, char* argv[])
     }
   }
   CheckRange("solids", 20, solids, 100);
-  CheckRange("moves", moves >= 150 ? 1e5 : 1, tried, 1e9);
+  CheckRange("moves", moves >= 260 ? 1e5 : 1, tried, 1e9);
   return Finish();
 }
