@@ -32,6 +32,14 @@ std::string DefectRows(const FileResult& file)
         "; closing them changed the volume by " + Short(total.ClosureCorrection) + " " + file.FormatUnit(3),
       "");
   }
+  if (total.Spread.Volume > 0.0)
+  {
+    text += Row("closed otherwise",
+      "volume +/- " + ShortBound(total.Spread.Volume) + " " + file.FormatUnit(3) + ", area +/- " +
+        ShortBound(total.Spread.Area) + " " + file.FormatUnit(2) + ", centre +/- " +
+        ShortBound(total.Spread.Center) + " " + file.FormatUnit(1),
+      "");
+  }
   return text;
 }
 

@@ -16,7 +16,7 @@ constexpr double MinDensity = 25.0;
 /// Largest number of characters of a line of a summary; longer lines are broken, because narrow views would
 /// cut them off.
 constexpr std::size_t LongestLine = 66;
-/// Relative uncertainty of a mass from which the summary states it.
+/// Relative uncertainty of a mass, and spread of a volume, from which the summary states it.
 constexpr double NotableDoubt = 1e-6;
 
 struct Quantity
@@ -196,6 +196,10 @@ std::string FormatSummary(
     text += "Solids: " + std::to_string(solids) + "\n";
   }
   text += "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3", total.ClosureCorrection) + "\n";
+  const double spread = total.Spread.Volume;
+  text += spread > std::max(2.0 * p.VolumeBound, NotableDoubt * std::abs(p.Volume))
+    ? "Closed in another way: +- " + FormatBound(spread) + " " + unit + "^3\n"
+    : "";
   text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2", total.GapArea) + "\n";
   // Where densities differ, or are not all known, the centre of the volume is not that of the mass.
   const bool isMixed = std::isfinite(total.KnownMass) && !std::isfinite(total.Density);
@@ -211,7 +215,7 @@ std::string FormatSummary(
       : "";
     const double doubt = total.MassUncertainty[0];
     text += doubt > std::max(2.0 * total.MassBound, NotableDoubt * std::abs(total.Mass))
-      ? "Mass in doubt by about " + FormatBound(doubt) + " kg, for its density and gaps\n"
+      ? "Mass in doubt by " + FormatBound(doubt) + " kg, for its density and gaps\n"
       : "";
     const MassProperties& w = total.Weighted;
     text += isMixed ? triple("Centre of mass:", w.Center, w.CenterBound, unit) : std::string();
