@@ -1,6 +1,7 @@
 #include "Detail/smMassSpread.h"
 
 #include "smBodyIntegrals.h"
+#include "smClosingSpread.h"
 #include "smMassIntegrands.h"
 #include "smVector.h"
 

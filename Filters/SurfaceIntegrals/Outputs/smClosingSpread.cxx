@@ -4,6 +4,7 @@
 #include "smEdgeSpread.h"
 #include "smFaceCache.h"
 #include "smParallelFor.h"
+#include "smUnitRoundoff.h"
 
 #include "vtkTrimmedNURBSModel.h"
 
@@ -24,6 +25,8 @@ namespace
 constexpr double LargestTolerance = 1e-3;
 /// Volumes are measured coarsely up to this part of the cube of the diagonal.
 constexpr double NegligibleVolume = 1e-15;
+/// Corners are closed if their gaps are within so many u of the coordinates.
+constexpr double CornerRoundings = 16.0;
 /// Number of edges that a thread measures at a time.
 constexpr std::size_t EdgeGrain = 16;
 
@@ -127,7 +130,7 @@ std::shared_ptr<const CornerList> MakeCorners(const Face& face)
       if (IsUsable(before) && IsUsable(after))
       {
         const Corner corner = MakeCorner(face, before, after);
-        if (corner.Unsigned > 0.0)
+        if (corner.Reach > CornerRoundings * UnitRoundoff * Norm(corner.Vertex))
         {
           corners->push_back(corner);
         }

@@ -14,6 +14,8 @@ namespace
 /// tolerance.
 constexpr double PlaneTolerance = 1e-6;
 constexpr int MaxSteps = 20;
+/// Differences of coordinates within so many u of them are roundings.
+constexpr double CoordinateRoundings = 16.0;
 /// Weight of the first and last point of the rule of four of the points of two such rules on the halves of
 /// [0,1], exact for polynomials of degree 3.
 constexpr double OuterWeight = 0.20696685170880647;
@@ -185,8 +187,8 @@ public:
       const Vector3 gap = Subtract(this->Point, plane.Point);
       const double along = Dot(gap, plane.Tangent);
       const double speed = Dot(this->Velocity, plane.Tangent);
-      const double rounding =
-        16.0 * UnitRoundoff * (Norm(plane.Point) + Norm(this->Point)) + PlaneTolerance * this->Tolerance;
+      const double rounding = CoordinateRoundings * UnitRoundoff * (Norm(plane.Point) + Norm(this->Point)) +
+        PlaneTolerance * this->Tolerance;
       if (std::abs(along) <= PlaneTolerance * Norm(gap) + rounding)
       {
         this->Lag = t - plane.Parameter;
@@ -241,9 +243,12 @@ private:
       return false;
     }
     const Vector3 unit{ across[0] / cosine, across[1] / cosine, across[2] / cosine };
-    const double range = std::max(Norm(gap), this->Tolerance);
+    // What is within the rounding of coordinates is part of the numerical bound.
+    const double rounding = CoordinateRoundings * UnitRoundoff * (Norm(plane.Point) + Norm(this->Point));
+    const double distance = Norm(gap) > rounding ? Norm(gap) : 0.0;
+    const double range = std::max(distance, this->Tolerance);
     section.Sign = this->Use.GetSign();
-    section.Gap = plane.Project(gap);
+    section.Gap = distance > 0.0 ? plane.Project(gap) : Planar{};
     section.Along = plane.Project(unit);
     section.Slope = 1.0 / cosine;
     const double foot = -(section.Gap.X * section.Along.X + section.Gap.Y * section.Along.Y);
@@ -255,7 +260,7 @@ private:
       this->MeasureBend(unit, normal, cross, step);
     }
     section.Bend = this->Bend / (cosine * cosine * cosine);
-    section.Lean = this->GetLean(plane, speed);
+    section.Lean = distance > 0.0 ? this->GetLean(plane, speed) : 0.0;
     return true;
   }
 
@@ -273,7 +278,8 @@ private:
       this->Surface.Evaluate(this->Parameters[0] + way * du, this->Parameters[1] + way * dv, side.data());
       sum += Dot(Subtract(side, this->Point), normal);
     }
-    this->Bend = std::abs(sum) / (step * step);
+    const double rounding = CoordinateRoundings * UnitRoundoff * Norm(this->Point);
+    this->Bend = std::abs(sum) > rounding ? std::abs(sum) / (step * step) : 0.0;
   }
 
   double GetLean(const NormalPlane& plane, double speed) const
