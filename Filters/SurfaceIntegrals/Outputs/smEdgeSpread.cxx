@@ -100,13 +100,13 @@ struct NormalPlane
     }
     this->Tangent = Normalized(this->Velocity);
     this->Curvature = Norm(Cross(this->Tangent, bend)) / (this->Speed * this->Speed);
-    int least = 0;
+    int smallest = 0;
     for (int d = 1; d < 3; ++d)
     {
-      least = std::abs(this->Tangent[d]) < std::abs(this->Tangent[least]) ? d : least;
+      smallest = std::abs(this->Tangent[d]) < std::abs(this->Tangent[smallest]) ? d : smallest;
     }
     Vector3 axis{};
-    axis[least] = 1.0;
+    axis[smallest] = 1.0;
     this->First = Normalized(Cross(this->Tangent, axis));
     this->Second = Cross(this->Tangent, this->First);
   }
@@ -225,7 +225,7 @@ private:
     this->Velocity = Combine(slope[0], this->Derivatives[0], slope[1], this->Derivatives[1]);
   }
 
-  /// Returns false if the section is no curve across the edge.
+  /// Returns false if the section is not a curve across the edge.
   bool Describe(
     const NormalPlane& plane, const Vector3& gap, double speed, double smallestStep, Section& section)
   {
