@@ -47,6 +47,8 @@ constexpr Unit Units[] = {
   { names::KnownMass, "kg", 0 },
   { names::ClosureCorrection, "", 3 },
   { names::ClosureSpread, "", 3 },
+  { names::VolumePerOffset, "", 2 },
+  { names::PrincipalMomentsPerOffset, "", 4 },
   { names::GapSquared, "", 3 },
   { names::MaxGap, "", 1 },
   { names::GapArea, "", 2 },
