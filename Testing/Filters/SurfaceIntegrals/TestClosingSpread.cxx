@@ -24,9 +24,9 @@ using sm::Vector3;
 
 /// Planes across an edge with one piece, points on the section of a surface, and pieces of the way between
 /// two of them.
-constexpr int Planes = 48;
+constexpr int Planes = 40;
 constexpr int Grid = 33;
-constexpr int Pieces = 6;
+constexpr int Pieces = 3;
 /// Closings of bilinear pieces between planes differ from the smooth ones that they stand for.
 constexpr double Discretization = 2e-3;
 
