@@ -21,7 +21,9 @@ COLUMNS = (
     + [("inertia_" + axes, "VolumeInertia", i) for axes, i in zip(SIX, SIX_COMPONENTS)]
     + [("inertia_bound", "VolumeInertiaBound", 0)] + [(f"principal_{i + 1}", "PrincipalMoments", i) for i in range(3)]
     + [(f"axis{i + 1}_{axis}", "PrincipalAxes", 3 * i + k) for i in range(3) for k, axis in enumerate("xyz")]
-    + [("mass", "Mass", 0), ("mass_bound", "MassBound", 0), ("closure_correction", "ClosureCorrection", 0),
+    + [("mass", "Mass", 0), ("mass_bound", "MassBound", 0), ("closure_spread_volume", "VolumeSpread", 0),
+       ("closure_spread_area", "SurfaceAreaSpread", 0), ("closure_spread_center", "CenterOfMassSpread", 0),
+       ("closure_spread_inertia", "VolumeInertiaSpread", 0), ("closure_spread_mass", "MassSpread", 0), ("closure_correction", "ClosureCorrection", 0),
        ("gap_squared", "GapSquared", 0), ("max_gap", "MaxGap", 0), ("gap_area", "GapArea", 0), ("open_edges", "OpenEdges", 0),
        ("closure_residual", "ClosureResidual", 0), ("flipped_shells", "FlippedShells", 0), ("density", "Density", 0),
        ("mass_uncertainty", "MassUncertainty", 0), ("mass_uncertainty_density", "MassUncertainty", 1),

@@ -2,6 +2,7 @@
 #include "smBuoyancyAnalysis.h"
 #include "smIntegralAnalysis.h"
 #include "smSectionAnalysis.h"
+#include "smSensitivityAnalysis.h"
 #include "smStabilityAnalysis.h"
 
 namespace sm
@@ -10,7 +11,7 @@ AnalysisList MakeAnalyses()
 {
   // In the order of the help, of the columns and, after those of bodies, of the rows of the table.
   return { std::make_shared<IntegralAnalysis>(), std::make_shared<BuoyancyAnalysis>(),
-    std::make_shared<SectionAnalysis>(), std::make_shared<BoxAnalysis>(),
-    std::make_shared<StabilityAnalysis>() };
+    std::make_shared<SectionAnalysis>(), std::make_shared<SensitivityAnalysis>(),
+    std::make_shared<BoxAnalysis>(), std::make_shared<StabilityAnalysis>() };
 }
 }

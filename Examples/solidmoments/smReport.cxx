@@ -32,6 +32,15 @@ std::string DefectRows(const FileResult& file)
         "; closing them changed the volume by " + Short(total.ClosureCorrection) + " " + file.FormatUnit(3),
       "");
   }
+  // What is far below the numerical bound is of no interest.
+  if (total.Spread.Volume > 1e-3 * total.Volume.Bound)
+  {
+    text += Row("closed otherwise",
+      "volume within " + ShortBound(total.Spread.Volume) + " " + file.FormatUnit(3) + ", area " +
+        ShortBound(total.Spread.Area) + " " + file.FormatUnit(2) + ", centre " +
+        ShortBound(total.Spread.Center) + " " + file.FormatUnit(1),
+      "");
+  }
   return text;
 }
 

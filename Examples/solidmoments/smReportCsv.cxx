@@ -81,6 +81,15 @@ void AddQuantityColumns(const BodyResult& body, const TotalResult* total, Column
   columns.Add("mass", body.Mass.Get());
   columns.Add("mass_bound", body.Mass.Bound);
   columns.Note("as in JSON");
+  columns.Add("closure_spread_volume", body.Spread.Volume);
+  columns.Add("closure_spread_area", body.Spread.Area);
+  columns.Add("closure_spread_center", body.Spread.Center);
+  columns.Add("closure_spread_inertia", body.Spread.Inertia);
+  columns.Add("closure_spread_principal", body.Spread.PrincipalMoments);
+  columns.Add("closure_spread_mass", body.Spread.Mass);
+  columns.Add("closure_spread_mass_center", body.Spread.MassCenter);
+  columns.Add("closure_spread_mass_inertia", body.Spread.MassInertia);
+  columns.Add("closure_spread_mass_principal", body.Spread.MassPrincipalMoments);
   columns.Add("closure_correction", body.ClosureCorrection);
   columns.Add("gap_squared", body.GapSquared);
   columns.Add("max_gap", body.MaxGap);

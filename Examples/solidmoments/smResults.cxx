@@ -25,6 +25,8 @@ void Visit(Fields& fields, EdgeResult& edge)
   fields.Note("L", "widest gap").Number("max_gap", edge.MaxGap);
   fields.Note("L^2", "area of the gap").Number("gap_area", edge.GapArea);
   fields.Note("L^3", "integral of the squared gap").Number("gap_squared", edge.GapSquared);
+  fields.Note("L^3", "how far closing the gap in another way may change the volume")
+    .Number("closure_spread", edge.Spread);
 }
 
 void Visit(Fields& fields, StageSeconds& seconds)
@@ -66,7 +68,8 @@ void ReadWorstEdges(vtkTable* table, std::vector<SolidResult>& solids)
     }
     edges.push_back({ GetCount(columns, row, names::EdgeId), GetText(columns, row, names::Name),
       GetCount(columns, row, names::Uses), GetCount(columns, row, names::Open) != 0, widest,
-      GetNumber(columns, row, names::GapArea), GetNumber(columns, row, names::GapSquared) });
+      GetNumber(columns, row, names::GapArea), GetNumber(columns, row, names::GapSquared),
+      GetNumber(columns, row, names::ClosureSpread) });
   }
 }
 }

@@ -38,7 +38,7 @@ struct EdgeResult
   std::string Name;
   long long Uses = -1;
   std::optional<bool> IsOpen;
-  double MaxGap = Unknown, GapArea = Unknown, GapSquared = Unknown;
+  double MaxGap = Unknown, GapArea = Unknown, GapSquared = Unknown, Spread = Unknown;
 };
 
 struct SolidResult : BodyResult

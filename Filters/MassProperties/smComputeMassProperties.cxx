@@ -79,6 +79,14 @@ BodyMassProperties MakeBody(const MassRow& row)
   body.Mass = { row.Mass, row.MassBound };
   body.MassCenter = { row.Weighted.Center, row.Weighted.CenterBound };
   body.MassInertia = { row.MassInertia, row.MassInertiaBound };
+  body.Volume.Spread = row.Spread.Volume;
+  body.Area.Spread = row.AreaSpread;
+  body.Center.Spread = row.Spread.Center;
+  body.Inertia.Spread = row.Spread.Inertia;
+  body.PrincipalMoments.Spread = row.Spread.Principal;
+  body.Mass.Spread = row.WeightedSpread.Volume;
+  body.MassCenter.Spread = row.WeightedSpread.Center;
+  body.MassInertia.Spread = row.WeightedSpread.Inertia;
   body.ClosureCorrection = row.ClosureCorrection;
   body.ClosureResidual = row.ClosureResidual;
   body.GapSquared = row.GapSquared;

@@ -30,6 +30,10 @@ struct Bounded
 {
   T Value{};
   double Bound = std::numeric_limits<double>::quiet_NaN();
+  /// Largest change of a component by closing the gaps of the model in another way (smClosingSpread.h); no
+  /// part of the bound. NaN where it is not known, as for open solids, and for quantities that have none:
+  /// those about the origin, axes and radii of gyration.
+  double Spread = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Options of ComputeMassProperties(); see the setters of vtkMassPropertiesGPU for their meaning.

@@ -1,5 +1,6 @@
 #include "smMassAnalysis.h"
 
+#include "Detail/smMassSpread.h"
 #include "Detail/smMoments.h"
 #include "Detail/smPlausibility.h"
 #include "Detail/smSelfCrossing.h"
@@ -166,6 +167,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   {
     SetMeasuredBounds(GetMoments(body, body.MeasuredBound), row.MeasuredBounds[1], row);
     row.ClosureCorrection = std::abs(body.Value[MassVolume] - body.FaceValue[MassVolume]);
+    row.Spread = ComputeSpread({ GetSpreadMoments(body) }, moments.Volume, row.Properties.Center);
   }
   else
   {
@@ -180,6 +182,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
     body.Flag(Status::Open, "a surface, not a solid: it has an area and no volume");
     row.Properties = MassProperties();
     row.MeasuredBounds[0] = row.MeasuredBounds[2] = row.MeasuredBounds[3] = vtkMath::Nan();
+    row.Spread = MassSpread();
     row.ClosureCorrection = row.ClosureResidual = vtkMath::Nan();
     return false;
   }
@@ -257,6 +260,12 @@ std::string DescribeDistance(const MassRow& row, double distance, double size, c
                : std::string();
 }
 
+/// Returns how far other closings of the gaps may change the area; NaN if it is not known.
+double GetAreaSpread(const BodyIntegrals& body)
+{
+  return body.Spread ? SumSpread(*body.Spread, body.Sides, {}).Area : vtkMath::Nan();
+}
+
 /// Computes the row of a body. `moments` receives its moments in the world if it has a volume.
 MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Moments& moments)
 {
@@ -273,6 +282,7 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   row.GapSquared = body.GapSquared;
   row.MaxGap = body.MaxGap;
   row.GapArea = body.GapArea;
+  row.AreaSpread = options.HasBounds ? GetAreaSpread(body) : vtkMath::Nan();
   row.MeasuredBounds[1] = std::min(body.MeasuredBound[MassArea] + stretched, row.AreaBound);
   if (!body.Faces)
   {
@@ -282,7 +292,8 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
   {
     // It encloses nothing, and the total of the others is complete.
     body.Flag(Status::Suspect, "it has no faces and no values, and adds nothing to the total");
-    row.Area = row.AreaBound = row.GapSquared = row.MaxGap = row.GapArea = row.MeasuredBounds[1] = 0.0;
+    row.Area = row.AreaBound = row.GapSquared = row.MaxGap = row.GapArea = row.MeasuredBounds[1] =
+      row.AreaSpread = 0.0;
     return row;
   }
   if (IsLeftOut(body))
@@ -397,6 +408,7 @@ void RemoveLeftOut(
       hasVolume = hasVolume || std::isfinite(analysis.Rows[b].Properties.Volume);
       total.Area = analysis.Total.Area;
       total.AreaBound = analysis.Total.AreaBound;
+      total.AreaSpread = analysis.Total.AreaSpread;
       total.MeasuredBounds[1] = analysis.Total.MeasuredBounds[1];
       total.GapSquared = analysis.Total.GapSquared;
       total.GapArea = analysis.Total.GapArea;
@@ -415,6 +427,7 @@ void AddRow(const MassRow& row, MassRow& total)
   total.Area += row.Area;
   total.AreaBound += row.AreaBound + 2.0 * UnitRoundoff * total.Area;
   total.MeasuredBounds[1] += row.MeasuredBounds[1];
+  total.AreaSpread += row.AreaSpread;
   total.GapSquared += row.GapSquared;
   total.GapArea += row.GapArea;
   // std::max is not used here because it may drop a NaN.
@@ -437,6 +450,7 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   }
   double vectorArea[3] = { 0.0, 0.0, 0.0 };
   std::vector<Moments> measured;
+  std::vector<Moments> spreads;
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     if (!std::isfinite(analysis.Rows[b].Properties.Volume))
@@ -448,6 +462,7 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
       vectorArea[i] += std::abs(bodies[b].Value[MassVectorArea + i]);
     }
     measured.push_back(GetMoments(bodies[b], bodies[b].MeasuredBound));
+    spreads.push_back(GetSpreadMoments(bodies[b]));
   }
   const Moments sum = Moments::Sum(parts);
   total.Properties = ComputeMassProperties(sum);
@@ -455,8 +470,9 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   {
     total.ClosureResidual = vtkMath::Norm(vectorArea) * std::cbrt(sum.Volume) / (3.0 * sum.Volume);
     SetMeasuredBounds(Moments::Sum(measured), total.MeasuredBounds[1], total);
+    total.Spread = ComputeSpread(spreads, sum.Volume, total.Properties.Center);
   }
-  SetTotalMass(bodies, parts, sum, options, analysis);
+  SetTotalMass(bodies, parts, sum, spreads, options, analysis);
   if (!options.HasBounds)
   {
     total.RemoveBounds();
@@ -481,7 +497,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   {
     total.MeasuredBounds[1] = 0.0;
     total.Area = total.AreaBound = total.ClosureCorrection = total.GapSquared = total.GapArea = total.MaxGap =
-      0.0;
+      total.AreaSpread = 0.0;
   }
   else
   {
@@ -542,6 +558,7 @@ IntegralRequest MakeMassRequest(const MassTolerance& tolerance)
   IntegralRequest request;
   request.Integrands = GetMassIntegrands();
   request.UsePlacements = false;
+  request.MeasureSpread = true;
   request.GetTolerances = [tolerance](const BodyIntegrals& body)
   { return ShareTolerance(tolerance, *body.Model); };
   return request;

@@ -32,9 +32,10 @@ constexpr const char* MassCenter = "MassCenter";   // 3, L, centre of mass weigh
 constexpr const char* MassPrincipalMoments = "MassPrincipalMoments"; // 3 ascending, kg L^2
 constexpr const char* MassPrincipalAxes = "MassPrincipalAxes";       // 9, rows are unit vectors
 constexpr const char* MassRadiiOfGyration = "MassRadiiOfGyration";   // 3, L
-constexpr const char* MassUncertainty = "MassUncertainty"; // 4, kg: in all, by density, gaps, numerical bound
-constexpr const char* Density = "Density";                 // 1, kg/m^3
-constexpr const char* Material = "Material";               // string
+constexpr const char* MassUncertainty =
+  "MassUncertainty";                         // 4, kg: in all, by density, closings, numerical bound
+constexpr const char* Density = "Density";   // 1, kg/m^3
+constexpr const char* Material = "Material"; // string
 constexpr const char* BoundsMeasured = "BoundsMeasured"; // 4, parts of the bounds of volume, area, centre and
                                                          // inertia that are measured, not proved
 // The total of solids of which only some have a density.
@@ -77,6 +78,13 @@ constexpr const char* FaceShare =
 constexpr const char* FaceArea = "FaceArea";   // 1, L^2
 constexpr const char* FaceGap = "FaceGap";     // 1, L, widest gap between the face and its edges
 constexpr const char* FaceBound = "FaceBound"; // 1, L^3, bound of the face's part of the volume
+// Columns of the table of faces and cell data of the meshes of vtkMassSensitivity: derivatives of properties
+// of the solid by an offset of the face along its outward normals. The cell data of vectors are one array for
+// each component, with _X, _Y, _Z, or _1, _2, _3 for the principal moments.
+constexpr const char* VolumePerOffset = "VolumePerOffset";                     // 1, L^2
+constexpr const char* MassPerOffset = "MassPerOffset";                         // 1, kg/L
+constexpr const char* CenterOfMassPerOffset = "CenterOfMassPerOffset";         // 3, 1
+constexpr const char* PrincipalMomentsPerOffset = "PrincipalMomentsPerOffset"; // 3, L^4
 // Cell data of the glyph on port 0: its colour.
 constexpr const char* Color = "Color"; // 3 (uchar), sRGB: green, red where the result is flagged
 }

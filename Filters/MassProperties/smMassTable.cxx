@@ -16,7 +16,7 @@ constexpr double MinDensity = 25.0;
 /// Largest number of characters of a line of a summary; longer lines are broken, because narrow views would
 /// cut them off.
 constexpr std::size_t LongestLine = 66;
-/// Relative uncertainty of a mass from which the summary states it.
+/// Relative uncertainty of a mass, and spread of a volume, from which the summary states it.
 constexpr double NotableDoubt = 1e-6;
 
 struct Quantity
@@ -26,26 +26,29 @@ struct Quantity
   bool HasBound;
   const double* (*Values)(const MassRow&);
   const double* (*Bound)(const MassRow&);
+  /// Null if the quantity has no spread.
+  const double* (*Spread)(const MassRow&) = nullptr;
 };
 
 using Row = const MassRow&;
 
 const Quantity Quantities[] = {
   { names::Volume, 1, true, [](Row r) { return &r.Properties.Volume; },
-    [](Row r) { return &r.Properties.VolumeBound; } },
-  { names::SurfaceArea, 1, true, [](Row r) { return &r.Area; }, [](Row r) { return &r.AreaBound; } },
+    [](Row r) { return &r.Properties.VolumeBound; }, [](Row r) { return &r.Spread.Volume; } },
+  { names::SurfaceArea, 1, true, [](Row r) { return &r.Area; }, [](Row r) { return &r.AreaBound; },
+    [](Row r) { return &r.AreaSpread; } },
   { names::CenterOfMass, 3, true, [](Row r) { return r.Properties.Center.data(); },
-    [](Row r) { return &r.Properties.CenterBound; } },
+    [](Row r) { return &r.Properties.CenterBound; }, [](Row r) { return &r.Spread.Center; } },
   { names::FirstMoments, 3, true, [](Row r) { return r.Properties.First.data(); },
     [](Row r) { return &r.Properties.FirstBound; } },
   { names::SecondMoments, 6, true, [](Row r) { return r.Properties.Second.data(); },
     [](Row r) { return &r.Properties.SecondBound; } },
   { names::VolumeInertia, 9, true, [](Row r) { return r.Properties.Inertia.data(); },
-    [](Row r) { return &r.Properties.InertiaBound; } },
+    [](Row r) { return &r.Properties.InertiaBound; }, [](Row r) { return &r.Spread.Inertia; } },
   { names::VolumeInertiaAtOrigin, 9, true, [](Row r) { return r.Properties.InertiaAtOrigin.data(); },
     [](Row r) { return &r.Properties.InertiaAtOriginBound; } },
   { names::PrincipalMoments, 3, true, [](Row r) { return r.Properties.Principal.data(); },
-    [](Row r) { return &r.Properties.PrincipalBound; } },
+    [](Row r) { return &r.Properties.PrincipalBound; }, [](Row r) { return &r.Spread.Principal; } },
   { names::PrincipalAxes, 9, true, [](Row r) { return r.Properties.Axes.data(); },
     [](Row r) { return &r.Properties.AxesBound; } },
   { names::RadiiOfGyration, 3, true, [](Row r) { return r.Properties.Gyration.data(); },
@@ -59,13 +62,14 @@ const Quantity Quantities[] = {
 };
 
 const Quantity MassQuantities[] = {
-  { names::Mass, 1, true, [](Row r) { return &r.Mass; }, [](Row r) { return &r.MassBound; } },
+  { names::Mass, 1, true, [](Row r) { return &r.Mass; }, [](Row r) { return &r.MassBound; },
+    [](Row r) { return &r.WeightedSpread.Volume; } },
   { names::MassInertia, 9, true, [](Row r) { return r.MassInertia.data(); },
-    [](Row r) { return &r.MassInertiaBound; } },
+    [](Row r) { return &r.MassInertiaBound; }, [](Row r) { return &r.WeightedSpread.Inertia; } },
   { names::MassCenter, 3, true, [](Row r) { return r.Weighted.Center.data(); },
-    [](Row r) { return &r.Weighted.CenterBound; } },
+    [](Row r) { return &r.Weighted.CenterBound; }, [](Row r) { return &r.WeightedSpread.Center; } },
   { names::MassPrincipalMoments, 3, true, [](Row r) { return r.Weighted.Principal.data(); },
-    [](Row r) { return &r.Weighted.PrincipalBound; } },
+    [](Row r) { return &r.Weighted.PrincipalBound; }, [](Row r) { return &r.WeightedSpread.Principal; } },
   { names::MassPrincipalAxes, 9, true, [](Row r) { return r.Weighted.Axes.data(); },
     [](Row r) { return &r.Weighted.AxesBound; } },
   { names::MassRadiiOfGyration, 3, true, [](Row r) { return r.Weighted.Gyration.data(); },
@@ -115,8 +119,8 @@ void ForEachQuantity(bool withMass, bool withFrame, const Use& use)
 MassRow::MassRow()
 {
   this->Area = this->AreaBound = this->Mass = this->MassBound = this->MassInertiaBound = this->Density =
-    this->KnownMass = this->KnownMassBound = this->ClosureCorrection = this->GapSquared = this->MaxGap =
-      this->GapArea = this->ClosureResidual = std::numeric_limits<double>::quiet_NaN();
+    this->KnownMass = this->KnownMassBound = this->AreaSpread = this->ClosureCorrection = this->GapSquared =
+      this->MaxGap = this->GapArea = this->ClosureResidual = std::numeric_limits<double>::quiet_NaN();
   this->MassInertia.fill(this->Mass);
   this->MassUncertainty.fill(this->Mass);
   this->MeasuredBounds.fill(this->Mass);
@@ -157,6 +161,12 @@ void WriteMassRows(
       {
         bounds[i] = *quantity.Bound(rows[i]);
       }
+      double* spreads =
+        quantity.Spread ? writer.AddDoubles(std::string(quantity.Name) + names::SpreadSuffix) : nullptr;
+      for (std::size_t i = 0; i < count && spreads; ++i)
+      {
+        spreads[i] = *quantity.Spread(rows[i]);
+      }
     });
   double* degenerate = writer.AddDoubles(names::PrincipalAxesDegenerate);
   for (std::size_t i = 0; i < count; ++i)
@@ -186,6 +196,10 @@ std::string FormatSummary(
     text += "Solids: " + std::to_string(solids) + "\n";
   }
   text += "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3", total.ClosureCorrection) + "\n";
+  const double spread = total.Spread.Volume;
+  text += spread > std::max(2.0 * p.VolumeBound, NotableDoubt * std::abs(p.Volume))
+    ? "Closed in another way: +- " + FormatBound(spread) + " " + unit + "^3\n"
+    : "";
   text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2", total.GapArea) + "\n";
   // Where densities differ, or are not all known, the centre of the volume is not that of the mass.
   const bool isMixed = std::isfinite(total.KnownMass) && !std::isfinite(total.Density);
@@ -201,7 +215,7 @@ std::string FormatSummary(
       : "";
     const double doubt = total.MassUncertainty[0];
     text += doubt > std::max(2.0 * total.MassBound, NotableDoubt * std::abs(total.Mass))
-      ? "Mass in doubt by about " + FormatBound(doubt) + " kg, for its density and gaps\n"
+      ? "Mass in doubt by " + FormatBound(doubt) + " kg, for its density and gaps\n"
       : "";
     const MassProperties& w = total.Weighted;
     text += isMixed ? triple("Centre of mass:", w.Center, w.CenterBound, unit) : std::string();

@@ -5,6 +5,7 @@
 #ifndef smMassTable_h
 #define smMassTable_h
 
+#include "Detail/smMassSpread.h"
 #include "Detail/smMoments.h"
 #include "Detail/smReferenceFrame.h"
 #include "smColumns.h"
@@ -32,8 +33,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
   /// The uncertainty of the mass, in kg: their sum; by the tolerance of the density; by the gaps of the model
-  /// (ClosureCorrection and GapSquared); by the numerical bound. NaN without a mass. The share of gaps is an
-  /// estimate and no bound of the distance to the designer's part.
+  /// (the spread of the mass); by the numerical bound. NaN without a mass, and where a share is not known.
+  /// The share of gaps bounds what other closings may change, not the distance to the designer's part.
   std::array<double, 4> MassUncertainty;
   /// Properties with the density as weight: kg, kg L, kg L^2. For all bodies together only if each has a
   /// density.
@@ -47,6 +48,11 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   /// Properties in the frame of reference, at density 1 and with the densities as weight.
   FrameProperties InFrame;
   FrameProperties WeightedInFrame;
+  /// What other closings of the gaps may change: volume, centre, inertia and principal moments; mass and its
+  /// moments; area.
+  MassSpread Spread;
+  MassSpread WeightedSpread;
+  double AreaSpread;
   double ClosureCorrection;
   double GapSquared;
   double MaxGap;

@@ -20,8 +20,9 @@ constexpr double ResolvedVolume = 1e-9;
 namespace
 {
 using Box = std::array<double, 6>;
-constexpr double Largest = std::numeric_limits<double>::max();
-constexpr Box NoBox = { Largest, -Largest, Largest, -Largest, Largest, -Largest };
+constexpr double LargestNumber = std::numeric_limits<double>::max();
+constexpr Box NoBox = { LargestNumber, -LargestNumber, LargestNumber, -LargestNumber, LargestNumber,
+  -LargestNumber };
 
 void AddPoint(const double* p, double weight, Box& box)
 {

@@ -63,7 +63,7 @@ void ScaleMoments(Moments& moments, double factor)
 std::array<double, 4> GetMassUncertainty(const MassRow& row, double tolerance, double factor)
 {
   const double density = tolerance * std::abs(row.Mass);
-  const double gaps = (1.0 + tolerance) * factor * (row.ClosureCorrection + row.GapSquared);
+  const double gaps = (1.0 + tolerance) * factor * row.Spread.Volume;
   const double numerical = (1.0 + tolerance) * row.MassBound;
   return { (1.0 + 1e-6) * (density + gaps + numerical), density, gaps, numerical };
 }
@@ -149,6 +149,7 @@ void SetMass(MassRow& row, const Material& material, const std::string& unit)
   }
   row.Mass = weighted.Volume;
   row.MassBound = weighted.VolumeBound;
+  row.WeightedSpread = row.Spread.GetWeighted(factor);
   row.MassUncertainty = GetMassUncertainty(row, material.Tolerance, factor);
   row.MassInertia = weighted.Inertia;
   row.MassInertiaBound = weighted.InertiaBound;
@@ -161,13 +162,15 @@ void SetMass(MassRow& row, const Material& material, const std::string& unit)
 }
 
 void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Moments>& parts,
-  const Moments& sum, const MassAnalysisOptions& options, MassAnalysis& analysis)
+  const Moments& sum, const std::vector<Moments>& spreads, const MassAnalysisOptions& options,
+  MassAnalysis& analysis)
 {
   MassRow& total = analysis.Total;
   double mass = 0.0;
   double bound = 0.0;
   std::array<double, 4> uncertainty{};
   std::vector<Moments> weighted;
+  std::vector<Moments> weightedSpreads;
   std::size_t next = 0;
   for (const MassRow& row : analysis.Rows)
   {
@@ -175,6 +178,7 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     {
       continue;
     }
+    Moments spread = spreads[next];
     Moments part = parts[next++];
     if (row.Density > 0.0)
     {
@@ -189,6 +193,8 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
       }
       ScaleMoments(part, GetFactor(row.Density, analysis.Unit));
       weighted.push_back(part);
+      ScaleMoments(spread, GetFactor(row.Density, analysis.Unit));
+      weightedSpreads.push_back(spread);
     }
   }
   analysis.Weighable = static_cast<int>(parts.size());
@@ -209,6 +215,7 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     total.Mass = mass;
     total.MassBound = bound;
     SetWeighted(total, Moments::Sum(weighted), options);
+    total.WeightedSpread = ComputeSpread(weightedSpreads, mass, total.Weighted.Center);
     const MassRow& first = *std::find_if(analysis.Rows.begin(), analysis.Rows.end(),
       [](const MassRow& row) { return std::isfinite(row.Properties.Volume); });
     const bool isUniform = std::all_of(analysis.Rows.begin(), analysis.Rows.end(),

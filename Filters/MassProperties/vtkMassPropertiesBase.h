@@ -39,7 +39,12 @@
  * | MassCenter, MassRadiiOfGyration | 3 | L | with the densities as weight, as the next two |
  * | MassPrincipalMoments, MassPrincipalAxes | 3, 9 | kg L^2, 1 | as PrincipalMoments and PrincipalAxes |
  * | Density, Material | 1 | kg/m^3 | Material (string) in the table of port 1 only |
- * | MassUncertainty | 4 | kg | doubt of the mass: sum; by DensityTolerance; by gaps (no bound); numerical |
+ * | VolumeSpread, SurfaceAreaSpread | 1 | L^3, L^2 | largest change by closing gaps in another way, which |
+ * | | | | no bound includes (smClosingSpread.h); NaN for open solids |
+ * | CenterOfMassSpread, MassCenterSpread | 1 | L | the same of the centres |
+ * | VolumeInertiaSpread, PrincipalMomentsSpread | 1 | L^5 | the same of an entry, and of a moment |
+ * | MassSpread, MassInertiaSpread, MassPrincipalMomentsSpread | 1 | kg, kg L^2 | the same, with a density |
+ * | MassUncertainty | 4 | kg | doubt of the mass: sum; by DensityTolerance; MassSpread; numerical |
  * | KnownMass, SolidsWithMass, SolidsWithVolume | 1 | kg | mass and number of solids with a density |
  * | CenterOfMassInFrame, VolumeInertiaInFrame | 3, 9 | L, L^5 | in the frame of reference, if there is one |
  * | MassCenterInFrame, MassInertiaInFrame | 3, 9 | L, kg L^2 | the same with the densities as weight |

@@ -76,6 +76,42 @@ FrameQuantities ReadFrame(vtkFieldData* data, vtkIdType row)
   return about;
 }
 
+SpreadQuantities ReadSpread(vtkFieldData* data, vtkIdType row)
+{
+  const auto get = [&](const char* name)
+  { return GetNumber(data, row, std::string(name) + names::SpreadSuffix); };
+  SpreadQuantities spread;
+  spread.Volume = get(names::Volume);
+  spread.Area = get(names::SurfaceArea);
+  spread.Center = get(names::CenterOfMass);
+  spread.Inertia = get(names::VolumeInertia);
+  spread.PrincipalMoments = get(names::PrincipalMoments);
+  spread.Mass = get(names::Mass);
+  spread.MassCenter = get(names::MassCenter);
+  spread.MassInertia = get(names::MassInertia);
+  spread.MassPrincipalMoments = get(names::MassPrincipalMoments);
+  return spread;
+}
+
+void Visit(Fields& fields, SpreadQuantities& spread)
+{
+  fields
+    .Note("",
+      "how far closing the gaps in another way may change the quantities with the same names; "
+      "unknown where edges are open")
+    .Begin("closure_spread");
+  fields.Number("volume", spread.Volume);
+  fields.Number("area", spread.Area);
+  fields.Number("center_of_mass", spread.Center);
+  fields.Number("inertia", spread.Inertia);
+  fields.Number("principal_moments", spread.PrincipalMoments);
+  fields.Number("mass", spread.Mass);
+  fields.Number("mass_center", spread.MassCenter);
+  fields.Number("mass_inertia", spread.MassInertia);
+  fields.Number("mass_principal_moments", spread.MassPrincipalMoments);
+  fields.End();
+}
+
 void Visit(Fields& fields, FrameQuantities& about)
 {
   fields.Note("L", "").Point("center_of_mass", about.Center.Value);
@@ -96,10 +132,11 @@ void Visit(Fields& fields, FrameQuantities& about)
   fields.End();
 }
 
-/// Visits four numbers as an object that does not exist if they are not known.
+/// Visits four numbers, of which the first is the sum of the others, as an object that does not exist if the
+/// second is not known.
 void VisitFour(Fields& fields, const char* key, std::array<double, 4>& values, const char* const (&keys)[4])
 {
-  if (fields.Begin(key, !std::isnan(values[0])))
+  if (fields.Begin(key, !std::isnan(values[1])))
   {
     for (std::size_t i = 0; i < 4; ++i)
     {
@@ -133,6 +170,7 @@ Quantities ReadQuantities(vtkFieldData* data, vtkIdType row)
   ReadNumbers(data, row, names::MassUncertainty, q.MassUncertainty.data(), 4);
   q.Density = GetNumber(data, row, names::Density);
   q.Material = GetText(data, row, names::Material);
+  q.Spread = ReadSpread(data, row);
   q.ClosureCorrection = GetNumber(data, row, names::ClosureCorrection);
   q.ClosureResidual = GetNumber(data, row, names::ClosureResidual);
   q.GapSquared = GetNumber(data, row, names::GapSquared);
@@ -182,6 +220,7 @@ void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
     inBounds();
   }
   fields.End();
+  sm::Visit(fields, this->Spread);
   fields.Note("L^3", "volume change by closing the gaps between faces")
     .Number("closure_correction", this->ClosureCorrection);
   fields.Note("L^3", "integral of the squared gap").Number("gap_squared", this->GapSquared);
@@ -208,7 +247,7 @@ void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
   fields.Note("", "as `density`").Name("material", this->Material);
   VisitFour(fields.Note("kg",
               "what is in doubt of the mass: the sum, and its "
-              "shares by densities, gaps and bound"),
+              "shares by densities, other closings of the gaps, and bound"),
     "mass_uncertainty", this->MassUncertainty, { "total", "density", "gaps", "numerical" });
   fields.Note("L", "centre of mass with the densities as weight")
     .Point("mass_center", this->MassCenter.Value);

@@ -41,6 +41,13 @@ Quantity<N> GetQuantity(vtkFieldData* data, vtkIdType row, const std::string& na
   return quantity;
 }
 
+/// How far closing the gaps in another way may change quantities; that of the largest entry of each.
+struct SpreadQuantities
+{
+  double Volume = Unknown, Area = Unknown, Center = Unknown, Inertia = Unknown, PrincipalMoments = Unknown;
+  double Mass = Unknown, MassCenter = Unknown, MassInertia = Unknown, MassPrincipalMoments = Unknown;
+};
+
 /// Centre of mass and inertia in a frame of reference.
 struct FrameQuantities
 {
@@ -62,6 +69,7 @@ struct SMFILTERSPRODUCTS_EXPORT Quantities
     Unknown }; ///< sum, density, gaps, numerical
   double Density = Unknown;
   std::string Material;
+  SpreadQuantities Spread;
   double ClosureCorrection = Unknown, ClosureResidual = Unknown;
   double GapSquared = Unknown, MaxGap = Unknown, GapArea = Unknown;
   long long OpenEdges = -1, FlippedShells = -1;

@@ -6,6 +6,7 @@
 #define smBodyIntegrals_h
 
 #include "Engine/smFaceIntegrals.h"
+#include "smClosingSpread.h"
 #include "smEdgeGaps.h"
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "smIntegrand.h"
@@ -61,6 +62,9 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
 
   /// Gaps for each edge, the widest first; shared among the instances.
   std::shared_ptr<const std::vector<EdgeGap>> Edges;
+
+  /// What other closings of its gaps may change, in coordinates of the model; null if it was not measured.
+  std::shared_ptr<const ClosingSpread> Spread;
 
   /// Sums per integrand: over faces, ribbons and caps; over the faces alone; and the bound.
   std::vector<double> Value;
@@ -142,6 +146,10 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void SumValues(
 /// `limit` times its diagonal and than the file excuses.
 SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureEdges(
   std::vector<BodyIntegrals>& bodies, double limit, bool reportSmall);
+
+/// Measures what other closings of the bodies' gaps may change, and adds it to the gaps of their edges.
+SMFILTERSSURFACEINTEGRALS_EXPORT void MeasureSpreads(
+  ClosingSpreads& spreads, std::vector<BodyIntegrals>& bodies);
 
 /// Returns the largest gap or change that does not make a body suspect: `limit` times `size`, or `excuse`,
 /// which follows from the uncertainty of the file, if that is larger, but at most ten times `limit` times

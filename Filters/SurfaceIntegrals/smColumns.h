@@ -133,7 +133,7 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void AddFaceRows(KeptArrays& arrays,
   const std::vector<int>& wanted);
 
 /// Adds a row per edge and instance, the widest gap first: Solid and its Id, EdgeIndex, EdgeId, Name, Uses,
-/// Open, MaxGap, GapArea, GapSquared, LengthUnit.
+/// Open, MaxGap, GapArea, GapSquared, ClosureSpread, LengthUnit.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddEdgeRows(
   KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, vtkTable* edges);
 }

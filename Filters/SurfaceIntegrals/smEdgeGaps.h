@@ -10,6 +10,7 @@
 
 #include "vtkTrimmedNURBSModel.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct EdgeGap
   double GapSquared = 0.0;
   double GapArea = 0.0;
   double MaxGap = 0.0;
+  /// Largest change of the volume by closing the gap in another way (smClosingSpread.h); NaN if it was not
+  /// measured, or if the signed uses do not cancel.
+  double Spread = std::numeric_limits<double>::quiet_NaN();
 
   bool IsOpen() const { return this->SignedUses != 0; }
 };

@@ -52,6 +52,8 @@ struct IntegralRequest
   /// True: gaps that do not make a body suspect are messages, too, where they are wider than the file's
   /// tolerances.
   bool ReportSmallGaps = true;
+  /// True: measures what other closings of the gaps may change (smClosingSpread.h).
+  bool MeasureSpread = false;
   /// Size of a face's part of the run; empty: that of integrals to a tolerance.
   std::function<RunSize(const Face&)> EstimateFace;
 
@@ -182,6 +184,7 @@ private:
 
   vtkNew<vtkComputeContext> Context;
   SurfaceIntegrator Integrator;
+  ClosingSpreads Spreads;
   /// Backend of the integrator's runner; empty before the first run.
   std::string Runner;
   BackendRates Rates;

@@ -14,11 +14,15 @@ namespace names
 {
 // <quantity> + BoundSuffix: 1 number, the largest error of any component, in the quantity's unit.
 constexpr const char* BoundSuffix = "Bound";
+// <quantity> + SpreadSuffix: 1 number, the largest change of any component by closing gaps in another way
+// (smClosingSpread.h), in the quantity's unit; no part of a bound.
+constexpr const char* SpreadSuffix = "Spread";
 // Defects of the model; they are not part of any bound.
 constexpr const char* GapSquared = "GapSquared"; // 1, L^3, integral of the squared gap along the coedges
 constexpr const char* MaxGap = "MaxGap";         // 1, L
 constexpr const char* GapArea = "GapArea";       // 1, L^2
-constexpr const char* OpenEdges = "OpenEdges";   // 1 (int)
+constexpr const char* ClosureSpread = "ClosureSpread"; // 1, L^3, VolumeSpread of one edge
+constexpr const char* OpenEdges = "OpenEdges";         // 1 (int)
 constexpr const char* FlippedShells = "FlippedShells"; // 1 (int), inside-out shells, all reversed
 
 constexpr const char* BoundsEstimated =

@@ -21,7 +21,7 @@
  * | 2 | table | 1x1, column Text: a readable summary |
  * | 3 | table | a row per face and instance: Solid, FaceIndex (in it), FaceId, values, bounds, MaxGap |
  * | 4 | table | a row per edge and instance, widest gap first: Solid, EdgeIndex (in it), EdgeId, Name, |
- * | | | Uses, Open, MaxGap, GapArea, GapSquared |
+ * | | | Uses, Open, MaxGap, GapArea, GapSquared, ClosureSpread (with mass properties) |
  * | 5 | partitioned dataset collection | meshes of the bodies as in port 1, points and cells shared with |
  * | | | the input, with cell arrays for colouring |
  * | 6 | polydata | flagged places of suspect and open bodies: edges (open or wide gaps) as lines, faces as |

@@ -46,6 +46,9 @@ constexpr Unit Units[] = {
   { names::MassUncertainty, "kg", 0 },
   { names::KnownMass, "kg", 0 },
   { names::ClosureCorrection, "", 3 },
+  { names::ClosureSpread, "", 3 },
+  { names::VolumePerOffset, "", 2 },
+  { names::PrincipalMomentsPerOffset, "", 4 },
   { names::GapSquared, "", 3 },
   { names::MaxGap, "", 1 },
   { names::GapArea, "", 2 },
@@ -86,10 +89,12 @@ constexpr Unit Units[] = {
 
 std::string RemoveEnding(const std::string& text)
 {
-  const std::string bound = names::BoundSuffix;
-  if (text.size() > bound.size() && text.compare(text.size() - bound.size(), bound.size(), bound) == 0)
+  for (const std::string suffix : { names::BoundSuffix, names::SpreadSuffix })
   {
-    return text.substr(0, text.size() - bound.size());
+    if (text.size() > suffix.size() && text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0)
+    {
+      return text.substr(0, text.size() - suffix.size());
+    }
   }
   // The suffix by which the spreadsheet names components.
   const std::size_t line = text.rfind('_');

@@ -56,7 +56,9 @@ void ChoosePlotSeries()
   // (0) (stats)" of statistics.
   for (const char* column : HiddenColumns)
   {
-    SetVisible("^" + std::string(column) + "(" + names::BoundSuffix + ")?(_[^ ]+)? [(]", false);
+    SetVisible(
+      "^" + std::string(column) + "(" + names::BoundSuffix + "|" + names::SpreadSuffix + ")?(_[^ ]+)? [(]",
+      false);
   }
   // For a vector ParaView would show only the magnitude, which has no meaning for a position.
   const std::string center = "^" + std::string(names::CenterOfMass);

@@ -67,9 +67,9 @@ constexpr const char* Trailing[] = { names::LengthUnit, names::PrincipalMoments,
   names::CenterHeight, names::Clearance, names::RollingRadius, names::RollingMargin,
   names::ProjectedCenterOfMass, names::ContactFaces, names::ContactEdges,
 #endif
-  names::Uses, names::Open, names::MaxGap, names::GapArea, names::GapSquared, names::ClosureCorrection,
-  names::ClosureResidual, names::Faces, names::OpenEdges, names::FlippedShells, names::BoundsEstimated,
-  names::BoundsMeasured };
+  names::Uses, names::Open, names::MaxGap, names::GapArea, names::GapSquared, names::ClosureSpread,
+  names::ClosureCorrection, names::ClosureResidual, names::Faces, names::OpenEdges, names::FlippedShells,
+  names::BoundsEstimated, names::BoundsMeasured };
 
 /// In addition to Solid, a column that marks a table with several rows per solid.
 constexpr const char* PartsOfSolids[] = {

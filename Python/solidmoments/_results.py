@@ -36,8 +36,9 @@ class MassProperties:
     Every quantity has its error bound next to it, one number for all its components, in the same unit; `units` has the units. A quantity
     that could not be computed is None. `center_of_mass` and `inertia` are those of unit density: a homogeneous body; tensors have the
     negative products of inertia off the diagonal and are about the centre unless their name says otherwise. `mass_center` and
-    `mass_inertia` take the densities of the solids as weight. `mass_uncertainty` has the uncertainty of the mass in kg: the sum, and its
-    shares by the tolerance of the densities, by the gaps of the model and by `mass_bound`. `status` is ok, open, suspect or
+    `mass_inertia` take the densities of the solids as weight. `volume_spread` and the others say how far closing the gaps of
+    the model in another way may change the quantity, which no bound includes; None where edges are open. `mass_uncertainty` has the
+    uncertainty of the mass in kg: the sum, and its shares by the tolerance of the densities, by `mass_spread` and by `mass_bound`. `status` is ok, open, suspect or
     tolerance-not-met; `closure_correction` and what follows it describe defects of the model, which are part of no bound.
     """
 
@@ -71,6 +72,14 @@ class MassProperties:
     mass_uncertainty: Optional[Tuple[float, float, float, float]]
     density: Optional[float]
     material: str
+    volume_spread: Optional[float]
+    area_spread: Optional[float]
+    center_of_mass_spread: Optional[float]
+    inertia_spread: Optional[float]
+    principal_moments_spread: Optional[float]
+    mass_spread: Optional[float]
+    mass_center_spread: Optional[float]
+    mass_inertia_spread: Optional[float]
     closure_correction: Optional[float]
     gap_squared: Optional[float]
     max_gap: Optional[float]

@@ -13,6 +13,8 @@ _NUMBERS = (("volume", "Volume", 1), ("area", "SurfaceArea", 1), ("center_of_mas
             ("inertia_at_origin", "VolumeInertiaAtOrigin", 9), ("principal_moments", "PrincipalMoments", 3),
             ("principal_axes", "PrincipalAxes", 9), ("radii_of_gyration", "RadiiOfGyration", 3), ("mass", "Mass", 1),
             ("mass_center", "MassCenter", 3), ("mass_inertia", "MassInertia", 9))
+_SPREADS = (("volume", "Volume"), ("area", "SurfaceArea"), ("center_of_mass", "CenterOfMass"), ("inertia", "VolumeInertia"),
+            ("principal_moments", "PrincipalMoments"), ("mass", "Mass"), ("mass_center", "MassCenter"), ("mass_inertia", "MassInertia"))
 _DEFECTS = (("density", "Density"), ("closure_correction", "ClosureCorrection"), ("gap_squared", "GapSquared"), ("max_gap", "MaxGap"),
             ("gap_area", "GapArea"), ("closure_residual", "ClosureResidual"))
 
@@ -38,6 +40,8 @@ def _make(file, data, row, **more):
     for field, name, count in _NUMBERS:
         values[field] = _get(data, row, name, count)
         values[field + "_bound"] = _get(data, row, name + "Bound")
+    for field, name in _SPREADS:
+        values[field + "_spread"] = _get(data, row, name + "Spread")
     for field, name in _DEFECTS:
         values[field] = _get(data, row, name)
     values["mass_uncertainty"] = _get(data, row, "MassUncertainty", 4)

@@ -45,6 +45,9 @@ def check_row(what, expected, row):
     for name in ("closure_correction", "gap_squared", "max_gap", "gap_area", "closure_residual", "open_edges"):
         if expected[name] != getattr(row, name):
             wrong.append(f"{name}: {expected[name]!r}, {getattr(row, name)!r}")
+    for name, value in expected["closure_spread"].items():
+        if name != "mass_principal_moments" and value != getattr(row, name + "_spread"):
+            wrong.append(f"spread of {name}: {value!r}, {getattr(row, name + '_spread')!r}")
     check_equal(what + ": numbers that differ from the program's", [], wrong)
 
 

@@ -18,7 +18,7 @@ options = parser.parse_args()
 manifest = Manifest(options.solids)
 
 BODY_KEYS = {"volume", "area", "center_of_mass", "inertia", "principal_moments", "principal_axes", "mass", "bounds",
-             "closure_correction", "gap_squared", "max_gap", "gap_area", "open_edges", "closure_residual", "flipped_shells",
+             "closure_spread", "closure_correction", "gap_squared", "max_gap", "gap_area", "open_edges", "closure_residual", "flipped_shells",
              "paper_error_estimate", "paper_error_estimate_with_boundary", "sub_patches", "stability", "density", "material",
              "mass_center", "mass_inertia", "mass_principal_moments", "mass_principal_axes", "radii_of_gyration",
              "mass_radii_of_gyration", "inertia_at_origin", "about", "bounding_box"}

@@ -2,11 +2,11 @@
 
     CompareReadings.py --program SOLIDMOMENTS --folder MODELS [--only ID ...] [--changed ID ...]
 
-What must hold: the same status, solids and faces; volume within both bounds and both squared gaps, area within both bounds and both gap
-areas, centre and inertia within both bounds and the squared gaps at the distance of the body's diagonal, since another trim curve within
-the gap is another way of closing it. The last line counts files whose volumes differ by more than both bounds alone, and those whose
-numbers are equal. --changed names files whose status or counts may differ. Prints a row per file: the differences relative to what is
-allowed, seconds of reading, and what is repaired. Exit status 0 when all of this holds.
+What must hold: the same status, solids and faces; volume, area, centre and inertia within both bounds and both closing spreads, since another
+trim curve within the gap is another way of closing it. The area of open bodies, which have no spread, may differ by both gap areas. The last line counts files whose volumes differ by more than both bounds alone, by
+more than bounds and spreads, and those whose numbers are equal. --changed names files whose status or counts may differ, --moved those whose
+numbers may, because OpenCASCADE puts something else in the place of a surface or an edge. Prints a row per file: the differences relative to
+what is allowed, seconds of reading, and what is repaired. Exit status 0 when all of this holds.
 """
 import argparse
 import glob
@@ -37,10 +37,10 @@ def compare(first, second):
             ratios[name] = 0.0 if one[name] == other[name] else float("inf")
             continue
         allowed = sum(total["bounds"][name] or 0.0 for total in (one, other))
-        squared = sum(total["gap_squared"] or 0.0 for total in (one, other))
-        diagonal = second["diagonal"]
-        allowed += {"volume": squared, "area": sum(total["gap_area"] or 0.0 for total in (one, other)),
-                    "center_of_mass": squared * diagonal / abs(one["volume"] or 1.0), "inertia": squared * diagonal ** 2}[name]
+        spreads = [total["closure_spread"][name] for total in (one, other)]
+        # Open bodies have no spread; what their boundaries differ by is measured.
+        gaps = "gap_area" if name == "area" else "gap_squared"
+        allowed += sum(total[gaps] or 0.0 for total in (one, other)) if None in spreads else sum(spreads)
         difference = max(abs(x - y) for x, y in zip(flatten(one[name]), flatten(other[name])))
         ratios[name] = difference / allowed if difference else 0.0
     return ratios
@@ -60,9 +60,10 @@ def main():
     parser.add_argument("--folder", required=True)
     parser.add_argument("--only", nargs="*")
     parser.add_argument("--changed", nargs="*", default=[])
+    parser.add_argument("--moved", nargs="*", default=[])
     options = parser.parse_args()
     names = options.only or sorted(os.path.basename(path)[:-5] for path in glob.glob(os.path.join(options.folder, "*.step")))
-    failures, repaired, apart, equal, seconds = [], 0, 0, 0, [0.0, 0.0]
+    failures, repaired, apart, beyond, equal, seconds = [], 0, 0, 0, 0, [0.0, 0.0]
     for name in names:
         results = [run(options.program, os.path.join(options.folder, name + ".step"), way) for way in WAYS]
         for i, result in enumerate(results):
@@ -75,12 +76,13 @@ def main():
             failures.append(f"{name}: status, solids and faces {counts[0]} with {' '.join(WAYS[0])}, {counts[1]} otherwise")
         ratios = compare(*results) if all("total" in result for result in results) else {}
         equal += bool(ratios) and not any(ratios.values())
-        failures += [f"{name}: {key} differs by {ratio:.2g} times what is allowed" for key, ratio in ratios.items() if not ratio <= 1.0]
+        beyond += ratios.get("volume", 0.0) > 1.0
+        failures += [] if name in options.moved else [f"{name}: {key} differs by {ratio:.2g} times what is allowed" for key, ratio in ratios.items() if not ratio <= 1.0]
         print(f"{name:28s}", *(f"{ratio:8.2g}" for ratio in ratios.values()),
               f"{results[0]['seconds'].get('read') or 0:7.2f} {results[1]['seconds'].get('read') or 0:7.2f} s", *told, flush=True)
     print(f"{len(names)} files, {repaired} with a body that is repaired; reading takes {seconds[1]:.1f} s, {seconds[0]:.1f} s with "
           f"{' '.join(WAYS[0])}; the numbers of {equal} are equal, and the volumes of {apart} are apart by more than both "
-          f"bounds, which leave out gaps")
+          f"bounds, which leave out gaps, those of {beyond} by more than bounds and spreads")
     for failure in failures:
         print("FAIL", failure)
     return 1 if failures or not names else 0

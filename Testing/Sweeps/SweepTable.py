@@ -55,7 +55,7 @@ def write_csv(swept, file):
     for name in NAMES:
         head += [f"{name}_error", f"{name}_bound", f"{name}_allowed"]
     writer.writerow(head + ["volume", "volume_bound_absolute", "volume_reference", "area", "area_reference", "uncertainty",
-                            "gap_squared", "closure_residual", "closure_correction", "volume_written_by_cad", "occt_volume", "occt_error",
+                            "gap_squared", "closure_spread", "closure_residual", "closure_correction", "volume_written_by_cad", "occt_volume", "occt_error",
                             "occt_error_of_faces", "occt_claimed", "evaluations", "seconds"])
     for entry in swept:
         reference, solids = entry.reference, entry.has_solids()
@@ -65,7 +65,8 @@ def write_csv(swept, file):
             for name in NAMES:
                 row += [run.errors.get(name), run.bounds.get(name), run.allowed.get(name)]
             row += [run.total("volume"), (run.total("bounds") or {}).get("volume"), reference.get("volume"), run.total("area"),
-                    reference.get("area"), reference.get("uncertainty"), reference.get("gap_squared"), run.total("closure_residual"),
+                    reference.get("area"), reference.get("uncertainty"), reference.get("gap_squared"),
+                    (run.total("closure_spread") or {}).get("volume"), run.total("closure_residual"),
                     run.total("closure_correction"), reference.get("volume_written_by_cad")]
             row += [reference[SweepJudge.OCCT]["volume"], SweepJudge.occt_error(reference),
                     SweepJudge.occt_error(reference, "volume_faces_only"),
@@ -148,6 +149,7 @@ def summary(swept):
         closed = sum(1 for entry in solids if entry.runs[index].is_closed())
         lines.append(f"Closure residual at {tolerance:.0e}: <= {SweepJudge.CLOSURE_LIMIT:.0e} on {closed} of {count}; median, worst "
                      f"{middle_and_worst(residuals)}.")
+    lines += ["", describe_spreads(solids)]
     lines += occt_lines(solids)
     return "\n".join(line.rstrip() for line in lines)
 
@@ -162,6 +164,22 @@ def describe_without_gaps(solids):
     text = (f"Without the squared gap: at {SweepJudge.TOLERANCES[0]:.0e} the volume is within bound and uncertainty on "
             f"{len(solids) - len(beyond)} of {len(solids)}")
     return text + (f"; of the others {max(beyond, key=beyond.get)} differs most, by {max(beyond.values()):.0e}." if beyond else ".")
+
+
+def describe_spreads(solids):
+    """The closing spread of the volumes, relative to them, and how many volumes are within bound, uncertainty and spread."""
+    spreads, within = [], 0
+    for entry in solids:
+        run, volume = entry.runs[0], entry.runs[0].total("volume")
+        spread = (run.total("closure_spread") or {}).get("volume")
+        if spread is not None and volume:
+            spreads.append(spread / abs(volume))
+            error, bound = run.errors.get("volume"), run.bounds.get("volume")
+            within += None not in (error, bound) and error <= bound + entry.reference["uncertainty"] + spreads[-1]
+    if not spreads:
+        return "No volume has a closing spread."
+    return (f"Closing spread of the volume, on {len(spreads)} of {len(solids)}: median, worst {middle_and_worst(spreads)}. Within bound, uncertainty "
+            f"and spread of the reference's volume: {within} of {len(spreads)}.")
 
 
 def replace_summary(document, text):

@@ -19,9 +19,10 @@ void SetMass(MassRow& row, const Material& material, const std::string& unit);
 
 /// Sets the mass properties of the total, of bodies that all have the same unit, and adds a message about
 /// those without a density. `parts` are the moments of the bodies with a volume, in their order, and `sum`
-/// those of all of them.
+/// those of all of them; `spreads` are their GetSpreadMoments().
 void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Moments>& parts,
-  const Moments& sum, const MassAnalysisOptions& options, MassAnalysis& analysis);
+  const Moments& sum, const std::vector<Moments>& spreads, const MassAnalysisOptions& options,
+  MassAnalysis& analysis);
 
 /// Adds a message about each length unit that is not known, where it leaves bodies with a density without a
 /// mass.

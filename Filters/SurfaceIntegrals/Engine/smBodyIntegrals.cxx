@@ -23,6 +23,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <unordered_map>
 
 namespace sm
 {
@@ -431,6 +432,36 @@ void MeasureEdges(std::vector<BodyIntegrals>& bodies, double limit, bool reportS
       body.Messages.push_back(message);
     }
   }
+}
+
+void MeasureSpreads(ClosingSpreads& spreads, std::vector<BodyIntegrals>& bodies)
+{
+  std::map<vtkTrimmedNURBSModel*, std::shared_ptr<const ClosingSpread>> known;
+  std::map<const std::vector<EdgeGap>*, std::shared_ptr<const std::vector<EdgeGap>>> measured;
+  for (BodyIntegrals& body : bodies)
+  {
+    auto& spread = known[body.Model];
+    spread = spread ? spread : spreads.Measure(*body.Model);
+    body.Spread = spread;
+    auto& edges = measured[body.Edges.get()];
+    if (!edges && body.Edges)
+    {
+      std::unordered_map<const Edge*, double> volumes;
+      for (const ClosingSpreadEntry& entry : *spread)
+      {
+        volumes[entry.Source] = entry.Spread->GetVolume();
+      }
+      auto copy = std::make_shared<std::vector<EdgeGap>>(*body.Edges);
+      for (EdgeGap& edge : *copy)
+      {
+        const auto found = volumes.find(edge.Source);
+        edge.Spread = found != volumes.end() ? found->second : edge.Spread;
+      }
+      edges = copy;
+    }
+    body.Edges = edges;
+  }
+  spreads.EndRun();
 }
 
 void CheckShells(BodyIntegrals& body)

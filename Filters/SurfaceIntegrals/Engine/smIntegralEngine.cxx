@@ -278,6 +278,10 @@ void IntegralEngine::Sum(
   if (computed)
   {
     MeasureEdges(bodies, gapLimit, request.ReportSmallGaps);
+    if (request.MeasureSpread)
+    {
+      MeasureSpreads(this->Spreads, bodies);
+    }
   }
   this->Report.Status = this->Report.FileStatus;
 }
@@ -286,6 +290,7 @@ void IntegralEngine::ReleaseMemory()
 {
   // The next run chooses a new runner, which cuts and uploads the faces again.
   this->Integrator.ReleaseMemory();
+  this->Spreads.Clear();
   this->Runner.clear();
 }
 }

@@ -201,6 +201,7 @@ void AddEdgeRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, v
   double* widest = writer.AddDoubles(names::MaxGap);
   double* area = writer.AddDoubles(names::GapArea);
   double* squared = writer.AddDoubles(names::GapSquared);
+  double* spread = writer.AddDoubles(names::ClosureSpread);
   vtkStdString* unit = writer.AddStrings(names::LengthUnit);
   for (const auto& [body, edge] : rows)
   {
@@ -215,6 +216,7 @@ void AddEdgeRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, v
     *widest++ = edge->MaxGap;
     *area++ = edge->GapArea;
     *squared++ = edge->GapSquared;
+    *spread++ = edge->Spread;
   }
 }
 }

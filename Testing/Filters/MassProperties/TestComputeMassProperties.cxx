@@ -79,6 +79,15 @@ void CheckBody(vtkFieldData* data, vtkIdType row, const sm::BodyMassProperties& 
     vtkDataArray* array = data->GetArray(name);
     CheckTrue(std::string("same: ") + name, array && AreSame(array->GetComponent(row, 0), value));
   }
+  const std::pair<const char*, double> spreads[] = { { names::Volume, body.Volume.Spread },
+    { names::SurfaceArea, body.Area.Spread }, { names::CenterOfMass, body.Center.Spread },
+    { names::VolumeInertia, body.Inertia.Spread },
+    { names::PrincipalMoments, body.PrincipalMoments.Spread } };
+  for (const auto& [name, value] : spreads)
+  {
+    vtkDataArray* array = data->GetArray((std::string(name) + names::SpreadSuffix).c_str());
+    CheckTrue(std::string("same spread: ") + name, array && AreSame(array->GetComponent(row, 0), value));
+  }
   // NaN where there are no axes.
   CheckEqual("degenerate", data->GetArray(names::PrincipalAxesDegenerate)->GetComponent(row, 0) == 1.0,
     body.PrincipalAxesDegenerate);

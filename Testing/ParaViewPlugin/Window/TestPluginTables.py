@@ -117,7 +117,7 @@ check_equal("parts", ["vtkOriginalIndices", "Name", "Status", "Kind", "Count", "
 labels = {client.GetColumnName(i): client.GetColumnLabel(i) for i in range(client.GetNumberOfColumns())}
 check_equal("parts: headers", ("Volume (mm^3)", "MassInAll (kg)"), (labels["Volume"], labels["MassInAll"]))
 client, columns = show(mass, 4, "Row Data")
-check_equal("edges", ["vtkOriginalIndices", "Solid", "EdgeIndex", "EdgeId", "Name", "Id", "LengthUnit", "Uses", "Open", "MaxGap", "GapArea", "GapSquared"], columns)
+check_equal("edges", ["vtkOriginalIndices", "Solid", "EdgeIndex", "EdgeId", "Name", "Id", "LengthUnit", "Uses", "Open", "MaxGap", "GapArea", "GapSquared", "ClosureSpread"], columns)
 # Rows that are sorted by a column stay so.
 sheet.ColumnToSort, sheet.InvertOrder = "EdgeId", 1
 simple.Render(sheet)
