@@ -6,7 +6,6 @@
 #include <STEPControl_Controller.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 
-#include <ctime>
 #include <utility>
 
 namespace sm
@@ -52,10 +51,6 @@ KernelSession::KernelSession()
   this->Printers = Message::DefaultMessenger()->Printers();
   Message::DefaultMessenger()->ChangePrinters().Clear();
   this->Settings.Set("xstep.cascade.unit", "MM");
-  // Switches off the computation of the continuity between neighbouring faces, which is not used.
-  this->Settings.Set("read.encoderegularity.angle", "0.");
-  // Switches off the reading of triangulated shapes, which accompany the exact ones.
-  this->Settings.Set("read.step.tessellated", "Off");
   SessionDepth = 1;
 }
 
@@ -78,28 +73,14 @@ void SetMillimetres(const Handle(TDocStd_Document) & document)
   XCAFDoc_DocumentTool::SetLengthUnit(document, 1.0, UnitsMethods_LengthUnit_Millimeter);
 }
 
-double GetThreadSeconds()
-{
-  timespec time;
-  return clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0
-    ? static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)
-    : static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-KernelProgress::KernelProgress(ProgressCallback progress, double seconds)
+KernelProgress::KernelProgress(ProgressCallback progress)
   : Report(std::move(progress))
-  , Limited(seconds > 0.0)
-  , Deadline(GetThreadSeconds() + seconds)
 {
 }
 
 Standard_Boolean KernelProgress::UserBreak()
 {
-  if (this->Limited && !this->TimedOut && GetThreadSeconds() > this->Deadline)
-  {
-    this->TimedOut = true;
-  }
-  return this->Stopped || this->TimedOut;
+  return this->Stopped;
 }
 
 void KernelProgress::Show(const Message_ProgressScope&, const Standard_Boolean force)

@@ -38,7 +38,7 @@ private:
 
 /**
  * A lock on OpenCASCADE, whose parameters and messenger are global. During a session OpenCASCADE prints
- * nothing, lengths are converted to mm, and tessellations are not read. The session of another thread waits;
+ * nothing, and lengths are converted to mm. The session of another thread waits;
  * a nested session of the same thread has no effect.
  */
 class SMREADERSKERNEL_EXPORT KernelSession
@@ -62,19 +62,13 @@ private:
 /// document without a unit.
 void SetMillimetres(const Handle(TDocStd_Document) & document);
 
-/// Returns the CPU time of this thread in seconds. A limit in CPU time does not depend on the load of the
-/// machine, so that results are the same on a busy one.
-double GetThreadSeconds();
-
 /// Forwards OpenCASCADE's progress to `progress`, as a fraction in [0,1]; if that returns false, OpenCASCADE
-/// is asked to stop. It is also asked to stop after `seconds` of CPU time of this thread; 0: no limit.
+/// is asked to stop.
 class KernelProgress : public Message_ProgressIndicator
 {
   DEFINE_STANDARD_RTTI_INLINE(KernelProgress, Message_ProgressIndicator)
 public:
-  explicit KernelProgress(ProgressCallback progress, double seconds = 0.0);
-
-  bool IsTimedOut() const { return this->TimedOut; }
+  explicit KernelProgress(ProgressCallback progress);
 
   /// Rethrows an exception of `progress`. OpenCASCADE reports progress from destructors, which must not
   /// throw, so the exception is stored and OpenCASCADE is asked to stop. Call this after OpenCASCADE has
@@ -88,10 +82,7 @@ protected:
 private:
   ProgressCallback Report;
   double Last = -1.0;
-  bool Limited;
-  double Deadline;
   std::atomic<bool> Stopped{ false };
-  std::atomic<bool> TimedOut{ false };
   std::exception_ptr Thrown;
 };
 }

@@ -21,23 +21,18 @@ namespace
 TopoDS_Shape Fix(
   const TopoDS_Shape& shape, double precision, double maximum, Handle(ShapeBuild_ReShape) & changes)
 {
-  TopoDS_Shape result = shape;
-  CatchKernelFailure(
-    [&]
-    {
-      const Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape);
-      fix->SetPrecision(precision);
-      fix->SetMaxTolerance(maximum);
-      fix->FixFaceTool()->FixWireTool()->FixSameParameterMode() = false;
-      fix->FixSolidTool()->CreateOpenSolidMode() = false;
-      fix->Perform();
-      if (!fix->Shape().IsNull())
-      {
-        result = fix->Shape();
-        changes = fix->Context();
-      }
-    });
-  return result;
+  const Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape);
+  fix->SetPrecision(precision);
+  fix->SetMaxTolerance(maximum);
+  fix->FixFaceTool()->FixWireTool()->FixSameParameterMode() = false;
+  fix->FixSolidTool()->CreateOpenSolidMode() = false;
+  fix->Perform();
+  if (fix->Shape().IsNull())
+  {
+    return shape;
+  }
+  changes = fix->Context();
+  return fix->Shape();
 }
 
 /// Visits the parts of a shape of some types that were replaced.
@@ -82,7 +77,7 @@ TopoDS_Shape FixFaces(const TopoDS_Shape& whole, const std::vector<TopoDS_Shape>
     BRep_Builder().MakeShell(shell);
     BRep_Builder().Add(shell, changes->Apply(face));
     Handle(ShapeBuild_ReShape) own;
-    Fix(shell, precision, maximum, own);
+    CatchKernelFailure([&] { Fix(shell, precision, maximum, own); });
     VisitChanges(shell, own, TopAbs_FACE, TopAbs_VERTEX,
       [&changes](const TopoDS_Shape& from, const TopoDS_Shape& to) { changes->Replace(from, to); });
   }

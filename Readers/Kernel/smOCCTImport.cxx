@@ -84,6 +84,15 @@ Placement ToPlacement(const gp_Trsf& trsf)
   return result;
 }
 
+void ShapeImport::KeepFacesExcept(const std::vector<TopoDS_Shape>& faces)
+{
+  this->IsKept = true;
+  for (const TopoDS_Shape& face : faces)
+  {
+    this->Changed.insert(face.TShape().get());
+  }
+}
+
 void ShapeImport::AddReplacement(const TopoDS_Shape& from, const TopoDS_Shape& to)
 {
   const void* key = from.TShape().get();
@@ -195,7 +204,7 @@ FaceShapePointer ShapeImport::MakeFace(const TopoDS_Face& source)
     return *known;
   }
   const void* key = face.TShape().get();
-  if (this->IsKept)
+  if (this->IsKept && this->Changed.count(key) == 0)
   {
     const auto same = this->Origin->Faces.find(key);
     if (same != this->Origin->Faces.end())
@@ -223,11 +232,6 @@ FaceShapePointer ShapeImport::MakeFace(const TopoDS_Face& source)
         }
       }
     }
-    if (this->Origin)
-    {
-      const auto before = this->Origin->SurfaceFaces.find(surface.get());
-      result->Source = before == this->Origin->SurfaceFaces.end() ? nullptr : before->second;
-    }
   }
   for (TopoDS_Iterator it(face); it.More(); it.Next())
   {
@@ -236,16 +240,28 @@ FaceShapePointer ShapeImport::MakeFace(const TopoDS_Face& source)
       this->AddWire(it.Value(), face, *result);
     }
   }
-  const auto replaced = this->FaceOrigins.find(key);
-  FaceShapePointer origin = replaced == this->FaceOrigins.end() ? result->Source : replaced->second;
-  if (origin)
+  if (const FaceShapePointer origin = this->FindOrigin(key, surface))
   {
+    result->Source = origin;
     result->Data = origin->Data;
     result->Bounded = origin->Bounded;
     result->Own = origin->Own;
   }
   this->Faces.Bind(face, result);
   return result;
+}
+
+/// Returns the face that a face comes from: the one that it replaces, itself, or the only one on its surface.
+FaceShapePointer ShapeImport::FindOrigin(const void* face, const Handle(Geom_Surface) & surface) const
+{
+  const auto find = [](const auto& table, const void* key)
+  {
+    const auto found = table.find(key);
+    return found == table.end() ? FaceShapePointer() : found->second;
+  };
+  FaceShapePointer origin = find(this->FaceOrigins, face);
+  origin = origin || !this->Origin ? origin : find(this->Origin->Faces, face);
+  return origin || !this->Origin ? origin : find(this->Origin->SurfaceFaces, surface.get());
 }
 
 void ShapeImport::AddWire(const TopoDS_Shape& source, const TopoDS_Face& face, FaceShape& result)
@@ -369,7 +385,6 @@ SurfacePointer ShapeImport::MakeSurface(const Handle(Geom_Surface) & surface)
   }
   if (!found->second)
   {
-    FileSurface own;
     found->second = MakeGeometry(surface);
   }
   return found->second;

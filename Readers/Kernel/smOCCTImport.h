@@ -20,6 +20,7 @@
 
 #include <functional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace sm
@@ -40,8 +41,9 @@ public:
   {
   }
 
-  /// Keeps a face, and its edges, as the object that it was made of, if it is still the same.
-  void KeepFaces() { this->IsKept = true; }
+  /// Keeps faces, except those given, and their edges, as the objects that they were made of, if they are
+  /// still the same: a repair may change the edges of a face and leave it the same object.
+  void KeepFacesExcept(const std::vector<TopoDS_Shape>& faces);
   /// States that `to` is what became of a shape that was made of a file's.
   void AddReplacement(const TopoDS_Shape& from, const TopoDS_Shape& to);
 
@@ -59,12 +61,14 @@ private:
   FaceShapePointer MakeFace(const TopoDS_Face& face);
   EdgePointer MakeEdge(const TopoDS_Edge& edge);
   VertexPointer MakeVertex(const TopoDS_Vertex& vertex);
+  FaceShapePointer FindOrigin(const void* face, const Handle(Geom_Surface) & surface) const;
   void AddWire(const TopoDS_Shape& wire, const TopoDS_Face& source, FaceShape& face);
   CurvePointer<3> MakeCurve(const Handle(Geom_Curve) & curve);
   SurfacePointer MakeSurface(const Handle(Geom_Surface) & surface);
 
   const MadeShapes* Origin;
   bool IsKept = false;
+  std::unordered_set<const void*> Changed;
   /// Shapes of the file that OpenCASCADE's come from.
   std::unordered_map<const void*, FaceShapePointer> FaceOrigins;
   std::unordered_map<const void*, EdgePointer> EdgeOrigins;

@@ -9,9 +9,7 @@
 #include "smOCCTReadBREP.h"
 #include "smReadersKernelModule.h"
 
-#include <TopExp_Explorer.hxx>
-
-#include <algorithm>
+#include <unordered_set>
 
 namespace sm
 {
@@ -20,14 +18,13 @@ namespace
 class OpenCASCADE : public Kernel
 {
 public:
-  ShapeGroup RepairBody(
-    const BodyShape& body, const ShapeData& data, const RepairLimits& limits) const override
+  std::string RepairBody(const BodyShape& body, const ShapeData& data, const RepairLimits& limits,
+    ShapeGroup& result) const override
   {
-    const KernelSession session;
-    ShapeGroup result;
-    const std::string failure = CatchKernelFailure(
+    std::string failure = CatchKernelFailure(
       [&]
       {
+        const KernelSession session;
         MadeShapes made;
         std::unordered_map<const FaceShape*, TopoDS_Shape> faces;
         const TopoDS_Shape shape = MakeKernelShape(body, made, faces);
@@ -38,7 +35,7 @@ public:
       });
     if (!failure.empty() || result.IsEmpty())
     {
-      return MakeGroup(body, data);
+      return failure.empty() ? "it left nothing" : failure;
     }
     for (const SolidUse& solid : result.Solids)
     {
@@ -52,17 +49,18 @@ public:
         shell.Shell->Data = body.IsSolid ? data : body.Shells.front().Shell->Data;
       }
     }
-    return result;
+    return {};
   }
 
   BodyShape RepairFaces(const BodyShape& body, const std::vector<const FaceShape*>& faces,
     const RepairLimits& limits, std::vector<const FaceShape*>& repaired) const override
   {
-    const KernelSession session;
     BodyShape result = body;
+    const std::unordered_set<const FaceShape*> chosen(faces.begin(), faces.end());
     const std::string failure = CatchKernelFailure(
       [&]
       {
+        const KernelSession session;
         MadeShapes made;
         std::unordered_map<const FaceShape*, TopoDS_Shape> known;
         const TopoDS_Shape shape = MakeKernelShape(body, made, known);
@@ -70,24 +68,19 @@ public:
         body.VisitFaces(
           [&](const FaceUse& use)
           {
-            if (std::find(faces.begin(), faces.end(), use.Face.get()) != faces.end())
+            if (chosen.count(use.Face.get()) > 0)
             {
               damaged.push_back(
                 known.at(use.Face.get()).Oriented(use.Reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
             }
           });
         ShapeImport import(&made);
-        import.KeepFaces();
         std::vector<TopoDS_Shape> fixed;
         const TopoDS_Shape whole = FixFaces(
           shape, damaged, limits.Precision, limits.Maximum,
           [&import](const TopoDS_Shape& from, const TopoDS_Shape& to) { import.AddReplacement(from, to); },
           fixed);
-        for (const TopoDS_Shape& face : fixed)
-        {
-          // A repair may change the edges of a face and leave it the same object.
-          made.Faces.erase(face.TShape().get());
-        }
+        import.KeepFacesExcept(fixed);
         const ShapeGroup group = import.MakeGroup(whole);
         if (group.Solids.size() == (body.IsSolid ? 1u : 0u) &&
           group.Shells.size() == (body.IsSolid ? 0u : 1u))
@@ -105,24 +98,6 @@ public:
   Document ReadBREP(std::string_view bytes, const ProgressCallback& progress) const override
   {
     return ReadKernelBREP(bytes, progress);
-  }
-
-private:
-  static ShapeGroup MakeGroup(const BodyShape& body, const ShapeData& data)
-  {
-    ShapeGroup group;
-    if (body.IsSolid)
-    {
-      const auto solid = std::make_shared<SolidShape>();
-      solid->Data = data;
-      solid->Shells = body.Shells;
-      group.Solids.push_back({ solid, false, {} });
-    }
-    else
-    {
-      group.Shells = body.Shells;
-    }
-    return group;
   }
 };
 }

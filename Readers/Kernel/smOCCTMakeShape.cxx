@@ -20,7 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <tuple>
 
 namespace sm
 {
@@ -135,14 +137,15 @@ private:
 
   const Handle(Geom_Surface) & MakeSurface(const FaceShape& face)
   {
-    Handle(Geom_Surface)& surface = this->Surfaces[face.Surface.get()];
+    // Faces may have different parts of one surface.
+    const ParameterRange u = face.GetDomain(0);
+    const ParameterRange v = face.GetDomain(1);
+    Handle(Geom_Surface)& surface = this->Surfaces[{ face.Surface.get(), u.Low, u.High, v.Low, v.High }];
     if (surface.IsNull())
     {
       surface = MakeKernelSurface(*face.Surface);
       if (face.IsTrimmed(0) || face.IsTrimmed(1))
       {
-        const ParameterRange u = face.GetDomain(0);
-        const ParameterRange v = face.GetDomain(1);
         const auto end = [](double x)
         { return std::clamp(x, -Precision::Infinite(), Precision::Infinite()); };
         surface =
@@ -301,7 +304,7 @@ private:
   std::unordered_map<const EdgeShape*, TopoDS_Edge> Edges;
   std::unordered_map<const VertexShape*, TopoDS_Vertex> Vertices;
   std::unordered_map<const void*, Handle(Geom_Curve)> Curves;
-  std::unordered_map<const void*, Handle(Geom_Surface)> Surfaces;
+  std::map<std::tuple<const void*, double, double, double, double>, Handle(Geom_Surface)> Surfaces;
 };
 }
 

@@ -228,7 +228,6 @@ void Read(std::string_view bytes, const ProgressCallback& progress, Document& do
 
 Document ReadKernelBREP(std::string_view bytes, const ProgressCallback& progress)
 {
-  const KernelSession session;
   Document document;
   if (!LooksLikeBREP(bytes))
   {
@@ -240,7 +239,12 @@ Document ReadKernelBREP(std::string_view bytes, const ProgressCallback& progress
     document.Problem = "it ends in the middle, or without a line end: copy or save it again";
     return document;
   }
-  const std::string failure = CatchKernelFailure([&]() { Read(bytes, progress, document); });
+  const std::string failure = CatchKernelFailure(
+    [&]()
+    {
+      const KernelSession session;
+      Read(bytes, progress, document);
+    });
   const bool isFailed = !failure.empty() || document.Status == ReadStatus::Unreadable;
   if (isFailed && !IsTextBREP(bytes) && IsBREPOfFreeCAD(bytes))
   {

@@ -23,17 +23,18 @@ struct RepairLimits
 };
 
 /// OpenCASCADE. One thread of the process uses it at a time; others wait. The functions throw only
-/// std::bad_alloc: a shape of which the repair fails is returned as it is.
+/// std::bad_alloc.
 class SMREADERSSTEP_EXPORT Kernel
 {
 public:
   virtual ~Kernel();
 
   /// Repairs a solid or shell. `data` is that of the solid. Faces, edges and shells of the result have the
-  /// data of those that they come from, and faces their Source.
-  virtual ShapeGroup RepairBody(
-    const BodyShape& body, const ShapeData& data, const RepairLimits& limits) const = 0;
+  /// data of those that they come from, and faces their Source. Returns why it failed; empty: it did not.
+  virtual std::string RepairBody(
+    const BodyShape& body, const ShapeData& data, const RepairLimits& limits, ShapeGroup& result) const = 0;
   /// Repairs some faces of a body as the repair of the whole body would. `repaired` gets what became of them.
+  /// Returns the body as it is if that fails.
   virtual BodyShape RepairFaces(const BodyShape& body, const std::vector<const FaceShape*>& faces,
     const RepairLimits& limits, std::vector<const FaceShape*>& repaired) const = 0;
   /// Reads the bytes of a BREP file. `progress` gets a fraction in [0,1] and returns false to stop.

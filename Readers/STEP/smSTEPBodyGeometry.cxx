@@ -50,7 +50,7 @@ const STEPBodyGeometry::Surface& STEPBodyGeometry::GetSurface(Index entity)
 std::shared_ptr<const FootPointFinder> STEPBodyGeometry::GetFinder(Index entity)
 {
   Surface& surface = this->Surfaces[entity];
-  if (!surface.Finder)
+  if (!surface.Finder && surface.Native)
   {
     CatchFailure([&] { surface.Finder = FootPointFinder::Make(surface.Native); });
   }

@@ -142,6 +142,8 @@ private:
     RepairMode repair, BodyShape body, const ShapeData& data, const RepairLimits& limits, ShapeGroup& result)
   {
     const BodyShape original = body;
+    // Faces of the body before may be gone, and others have their addresses.
+    this->Log.SoundFaces.clear();
     bool isSound = false;
     if (repair == RepairMode::Always)
     {
@@ -153,24 +155,36 @@ private:
         [&](const BodyShape& whole, const std::vector<const FaceShape*>& faces,
           std::vector<const FaceShape*>& repaired)
         {
-          const RepairNotice notice;
           const Kernel* kernel = repair == RepairMode::Never ? nullptr : GetKernel();
-          return kernel ? kernel->RepairFaces(whole, faces, limits, repaired) : whole;
+          if (!kernel)
+          {
+            return whole;
+          }
+          const RepairNotice notice;
+          return kernel->RepairFaces(whole, faces, limits, repaired);
         });
     }
     if (!isSound)
     {
-      const RepairNotice notice;
       const Kernel* kernel = repair == RepairMode::Never ? nullptr : GetKernel();
+      std::string failure = repair == RepairMode::Never
+        ? "repairs are switched off"
+        : "OpenCASCADE, which repairs, is not installed, or its library (smReadersKernel) cannot be loaded";
       if (kernel)
       {
-        const ShapeGroup repaired = kernel->RepairBody(original, data, limits);
+        const RepairNotice notice;
+        ShapeGroup repaired;
+        const std::string reason = kernel->RepairBody(original, data, limits, repaired);
+        failure = reason.empty() ? reason : "OpenCASCADE failed (" + reason + ")";
         result.Solids.insert(result.Solids.end(), repaired.Solids.begin(), repaired.Solids.end());
         result.Shells.insert(result.Shells.end(), repaired.Shells.begin(), repaired.Shells.end());
         result.Faces.insert(result.Faces.end(), repaired.Faces.begin(), repaired.Faces.end());
+      }
+      if (failure.empty())
+      {
         return;
       }
-      this->TakeUnrepaired(original, data, limits.Precision, repair);
+      this->TakeUnrepaired(original, data, limits.Precision, failure, repair != RepairMode::Always);
       body = original;
     }
     body.VisitFaces(
@@ -182,22 +196,24 @@ private:
     AddTo(body, data, result);
   }
 
-  /// Completes the faces of a body that needs a repair, and gets none, as far as they are sound.
-  void TakeUnrepaired(const BodyShape& body, const ShapeData& data, double precision, RepairMode repair)
+  /// Completes the faces of a body that needs a repair, and gets none, as far as they are sound. `isLogged`:
+  /// IsSoundBody() has counted the body.
+  void TakeUnrepaired(const BodyShape& body, const ShapeData& data, double precision,
+    const std::string& failure, bool isLogged)
   {
-    --this->Log.RepairedBodies;
-    const std::string reason =
-      this->Log.Reasons.empty() ? std::string() : " (" + this->Log.Reasons.back() + ")";
-    if (!this->Log.Reasons.empty())
+    std::string reason;
+    if (isLogged)
     {
+      --this->Log.RepairedBodies;
+    }
+    if (isLogged && !this->Log.Reasons.empty())
+    {
+      reason = " (" + this->Log.Reasons.back() + ")";
       this->Log.Reasons.pop_back();
     }
     CompleteFaces(body, precision, this->Log);
     this->Result.Defects.push_back(GetLabel(body, data) + " of the file needs a repair" + reason +
-      (repair == RepairMode::Never ? " and got none"
-                                   : ", and OpenCASCADE, which repairs, is not installed, or its library "
-                                     "(smReadersKernel) cannot be loaded") +
-      ": those of its faces that are sound are taken. Export the file again.");
+      " and got none: " + failure + ". Those of its faces that are sound are taken. Export the file again.");
   }
 
   static std::string GetLabel(const BodyShape& body, const ShapeData& data)

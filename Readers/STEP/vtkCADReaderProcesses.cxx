@@ -183,8 +183,9 @@ bool vtkCADReader::ReadIsolated(vtkPartitionedDataSetCollection* output)
   if (!outcome.Problem.empty() && outcome.IsRepairing && this->SkipRepair(true))
   {
     crash = outcome.Problem;
+    const auto restore = [](vtkCADReader* reader) { reader->SkipRepair(false); };
+    const std::unique_ptr<vtkCADReader, decltype(restore)> guard(this, restore);
     outcome = this->RunProgram();
-    this->SkipRepair(false);
   }
   if (outcome.IsStopped)
   {

@@ -318,7 +318,7 @@ def check_no_time():
 
 
 def write_many_points():
-    """A box with so many points next to it that OpenCASCADE's records of the file take most of the memory."""
+    """A box with so many points next to it that the index of the file takes most of the memory."""
     text = read_text(GOOD)
     points = "".join(f"#{10 ** 6 + i}=CARTESIAN_POINT('',({i}.,0.,0.));\n" for i in range(150000))
     at = text.rindex("ENDSEC;")
@@ -350,8 +350,8 @@ def check_memory(path, limits_in_megabytes):
 def limits():
     check_job_without_end()
     check_no_time()
-    check_memory(manifest.special("assembly")["path"], range(160, 401, 12))
-    check_memory(write_many_points(), range(160, 321, 8))
+    check_memory(manifest.special("assembly")["path"], range(80, 401, 12))
+    check_memory(write_many_points(), range(80, 241, 8))
 
 
 globals()[options.mode]()

@@ -426,7 +426,8 @@ void FootCurve::FindCloserFeet(
   const auto getDistance = [this](const Vector3& point, const std::array<double, 2>& uv)
   { return Norm(Subtract(this->Finder->GetSurface()->Evaluate(uv[0], uv[1]), point)); };
   const std::size_t last = feet.size() - 1;
-  for (std::size_t k = 1; k <= 2 * last; ++k)
+  const bool isLine = this->Slope[0] == this->Slope[0] || this->Slope[1] == this->Slope[1];
+  for (std::size_t k = 1; k <= 2 * last && !isLine; ++k)
   {
     const bool isForward = k <= last;
     const std::size_t i = isForward ? k : 2 * last - k;
@@ -435,7 +436,7 @@ void FootCurve::FindCloserFeet(
     if (this->Finder->Find(point, feet[isForward ? i - 1 : i + 1].data(), uv.data()))
     {
       uv = { this->Finder->ClampToDomain(0, uv[0]), this->Finder->ClampToDomain(1, uv[1]) };
-      feet[i] = getDistance(point, uv) + this->Rounding < getDistance(point, feet[i]) ? uv : feet[i];
+      feet[i] = getDistance(point, uv) + this->Slack < getDistance(point, feet[i]) ? uv : feet[i];
     }
   }
 }
