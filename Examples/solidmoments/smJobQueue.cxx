@@ -55,12 +55,33 @@ void JobQueue::StartJobs()
     if (entry.Input->GetError().empty())
     {
       job.SourceName = entry.Input->GetPath();
-      entry.Job = std::make_unique<IsolatedJob>(
-        job, [this, i](const std::string& stage, double fraction) { this->Progress(i, stage, fraction); });
+      entry.Job = this->MakeJob(i);
     }
     running += IsRunning(entry) ? 1 : 0;
     this->Started.push_back(std::move(entry));
   }
+}
+
+std::unique_ptr<IsolatedJob> JobQueue::MakeJob(std::size_t i)
+{
+  return std::make_unique<IsolatedJob>(this->Jobs[i],
+    [this, i](const std::string& stage, double fraction) { this->Progress(i, stage, fraction); });
+}
+
+bool JobQueue::ReadsAgain(Entry& entry, std::size_t i)
+{
+  if (!entry.RepairFailure.empty() || IsInterrupted() || this->Jobs[i].Repair == "never")
+  {
+    return false;
+  }
+  entry.RepairFailure = entry.Job->GetRepairFailure();
+  if (entry.RepairFailure.empty())
+  {
+    return false;
+  }
+  this->Jobs[i].Repair = "never";
+  entry.Job = this->MakeJob(i);
+  return true;
 }
 
 JobOutcome JobQueue::Next()
@@ -86,9 +107,10 @@ JobOutcome JobQueue::Next()
     {
       IsolatedJob::Wait(running);
     }
-    for (Entry& entry : this->Started)
+    for (std::size_t k = 0; k < this->Started.size(); ++k)
     {
-      if (entry.Job && !entry.Job->IsRunning())
+      Entry& entry = this->Started[k];
+      if (entry.Job && !entry.Job->IsRunning() && !this->ReadsAgain(entry, this->NextOut + k))
       {
         entry.Input.reset(); // which may be a copy of some GB
       }
@@ -104,6 +126,11 @@ JobOutcome JobQueue::Next()
     return outcome;
   }
   JobOutcome outcome = entry.Job->GetOutcome();
+  if (outcome.File && !entry.RepairFailure.empty())
+  {
+    outcome.File->Messages.push_back("A repair by OpenCASCADE ended its process, which " +
+      entry.RepairFailure + "; the file was read again without repairs.");
+  }
   if (outcome.File && job.SourceName != job.FileName)
   {
     RestoreName(job, *outcome.File);

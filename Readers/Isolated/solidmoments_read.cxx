@@ -7,8 +7,8 @@
  * its standard output, and ends with the process that started it.
  */
 #include "smHelperProcess.h"
-#include "smKernel.h"
 #include "smReadProgram.h"
+#include "smRepairNotice.h"
 #include "vtkBREPReader.h"
 #include "vtkSTEPReader.h"
 

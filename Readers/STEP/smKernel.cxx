@@ -1,5 +1,7 @@
 #include "smKernel.h"
 
+#include "smRepairNotice.h"
+
 #include <vtksys/DynamicLoader.hxx>
 #include <vtksys/SystemTools.hxx>
 

@@ -8,7 +8,7 @@
 #include "smDocument.h"
 #include "smReadersSTEPModule.h"
 
-#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -43,20 +43,6 @@ public:
 
 /// Returns the kernel, which is loaded when it is needed first; null if it cannot be loaded.
 SMREADERSSTEP_EXPORT const Kernel* GetKernel();
-
-/// Sets a function that is called when a repair begins and when it has ended, so that another process knows
-/// what this one was doing if it crashes. Not thread safe; empty: none.
-SMREADERSSTEP_EXPORT void SetRepairObserver(std::function<void(bool isBeginning)> observer);
-
-/// Calls the observer.
-class RepairNotice
-{
-public:
-  RepairNotice();
-  ~RepairNotice();
-  RepairNotice(const RepairNotice&) = delete;
-  void operator=(const RepairNotice&) = delete;
-};
 }
 
 #endif

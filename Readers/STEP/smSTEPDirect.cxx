@@ -2,6 +2,7 @@
 
 #include "smKernel.h"
 #include "smLengthUnits.h"
+#include "smRepairNotice.h"
 #include "smSTEPAppearance.h"
 #include "smSTEPAttributes.h"
 #include "smSTEPProductTree.h"
@@ -155,31 +156,18 @@ private:
         [&](const BodyShape& whole, const std::vector<const FaceShape*>& faces,
           std::vector<const FaceShape*>& repaired)
         {
-          const Kernel* kernel = repair == RepairMode::Never ? nullptr : GetKernel();
-          if (!kernel)
+          if (repair == RepairMode::Never)
           {
             return whole;
           }
           const RepairNotice notice;
-          return kernel->RepairFaces(whole, faces, limits, repaired);
+          const Kernel* kernel = GetKernel();
+          return kernel ? kernel->RepairFaces(whole, faces, limits, repaired) : whole;
         });
     }
     if (!isSound)
     {
-      const Kernel* kernel = repair == RepairMode::Never ? nullptr : GetKernel();
-      std::string failure = repair == RepairMode::Never
-        ? "repairs are switched off"
-        : "OpenCASCADE, which repairs, is not installed, or its library (smReadersKernel) cannot be loaded";
-      if (kernel)
-      {
-        const RepairNotice notice;
-        ShapeGroup repaired;
-        const std::string reason = kernel->RepairBody(original, data, limits, repaired);
-        failure = reason.empty() ? reason : "OpenCASCADE failed (" + reason + ")";
-        result.Solids.insert(result.Solids.end(), repaired.Solids.begin(), repaired.Solids.end());
-        result.Shells.insert(result.Shells.end(), repaired.Shells.begin(), repaired.Shells.end());
-        result.Faces.insert(result.Faces.end(), repaired.Faces.begin(), repaired.Faces.end());
-      }
+      const std::string failure = this->CallRepair(repair, original, data, limits, result);
       if (failure.empty())
       {
         return;
@@ -196,10 +184,37 @@ private:
     AddTo(body, data, result);
   }
 
+  /// Adds what a repair makes of the body to `result`; or returns why there is no repair.
+  static std::string CallRepair(RepairMode repair, const BodyShape& body, const ShapeData& data,
+    const RepairLimits& limits, ShapeGroup& result)
+  {
+    if (repair == RepairMode::Never)
+    {
+      return "repairs are switched off";
+    }
+    const RepairNotice notice;
+    const Kernel* kernel = GetKernel();
+    if (!kernel)
+    {
+      return "OpenCASCADE, which repairs, is not installed, or its library (smReadersKernel) cannot be "
+             "loaded";
+    }
+    ShapeGroup repaired;
+    const std::string reason = kernel->RepairBody(body, data, limits, repaired);
+    if (!reason.empty())
+    {
+      return "OpenCASCADE failed (" + reason + ")";
+    }
+    result.Solids.insert(result.Solids.end(), repaired.Solids.begin(), repaired.Solids.end());
+    result.Shells.insert(result.Shells.end(), repaired.Shells.begin(), repaired.Shells.end());
+    result.Faces.insert(result.Faces.end(), repaired.Faces.begin(), repaired.Faces.end());
+    return {};
+  }
+
   /// Completes the faces of a body that needs a repair, and gets none, as far as they are sound. `isLogged`:
   /// IsSoundBody() has counted the body.
-  void TakeUnrepaired(const BodyShape& body, const ShapeData& data, double precision,
-    const std::string& failure, bool isLogged)
+  void TakeUnrepaired(
+    const BodyShape& body, const ShapeData& data, double precision, const std::string& failure, bool isLogged)
   {
     std::string reason;
     if (isLogged)

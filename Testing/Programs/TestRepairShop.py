@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
-from smcheck import check_equal, check_true, finish  # noqa: E402
+from smcheck import check, check_equal, check_true, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
 for option in ("--program", "--solids", "--libraries", "--broken", "--output"):
@@ -21,10 +21,39 @@ options = parser.parse_args()
 KERNEL = "libsmReadersKernel.so"
 
 
-def make_file(name):
+def sweep_plane(text):
+    """The plane of the first face as a swept surface whose profile has two parts, which OpenCASCADE does not take."""
+    plane = re.search(r"#(\d+)\s*=\s*PLANE\('[^']*',#(\d+)\)", text)
+    frame = re.search(rf"#{plane[2]}\s*=\s*AXIS2_PLACEMENT_3D\('[^']*',(.*?)\);", text)[1]
+    p, z, x = ([float(number) for number in re.search(rf"{entity}\s*=[^(]*\('[^']*',\((.*?)\)", text, re.S)[1].split(",")]
+               for entity in frame.split(","))
+    y = [z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]]
+    lines = []
+
+    def add(entity):
+        lines.append(f"#{900001 + len(lines)}={entity};\n")
+        return f"#{900000 + len(lines)}"
+
+    def add_triple(kind, values):
+        return add(f"{kind}('',({','.join(repr(float(value)) for value in values)}))")
+
+    step = add(f"VECTOR('',{add_triple('DIRECTION', x)},1.)")
+    segments = []
+    for start in (-500.0, 0.0):
+        line = add(f"LINE('',{add_triple('CARTESIAN_POINT', [a + start * b for a, b in zip(p, x)])},{step})")
+        part = add(f"TRIMMED_CURVE('',{line},(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(500.)),.T.,.PARAMETER.)")
+        segments.append(add(f"COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,{part})"))
+    profile = add(f"COMPOSITE_CURVE('',({','.join(segments)}),.F.)")
+    along = add(f"VECTOR('',{add_triple('DIRECTION', y)},1.)")
+    text = text[:plane.start()] + f"#{plane[1]}=SURFACE_OF_LINEAR_EXTRUSION('',{profile},{along})" + text[plane.end():]
+    at = text.rindex("ENDSEC;")
+    return text[:at] + "".join(lines) + text[at:]
+
+
+def make_file(name, change=str):
     """A file with two solids; an edge of the first one runs against the loop that uses it."""
     with open(os.path.join(options.solids, "two_solids.step"), encoding="utf-8") as file:
-        text = file.read()
+        text = change(file.read())
     use = re.search(r"(ORIENTED_EDGE\('',\*,\*,#\d+,)\.([TF])\.", text)
     other = {"T": ".F.", "F": ".T."}[use[2]]
     path = os.path.join(options.output, name)
@@ -74,6 +103,11 @@ check_equal("a sound file: status", "ok", whole["status"])
 check_equal("the other body", whole["solids"][1]["volume"], repaired["solids"][1]["volume"])
 
 check_unrepaired("never", run(damaged, None, "--repair", "never"), "and got none", whole["solids"][1])
+# A repair that fails is no repair: the faces are those of the file.
+failed = run(make_file("repair_shop_swept.step", sweep_plane))
+check_unrepaired("failed", failed, "OpenCASCADE failed (", whole["solids"][1])
+check_true("failed: no repair is claimed", not find(failed, "repaired by OpenCASCADE"), str(failed["messages"]))
+check("failed: the volume", whole["solids"][0]["volume"], failed["solids"][0]["volume"], failed["solids"][0]["bounds"]["volume"])
 missing = make_libraries("repair_shop_missing")
 check_unrepaired("missing", run(damaged, missing), "is not installed", whole["solids"][1])
 alone = run(os.path.join(options.solids, "two_solids.step"), missing)
