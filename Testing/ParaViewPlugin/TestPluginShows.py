@@ -194,8 +194,8 @@ for source, count, step in ((moved, 5, 2.0), (sheared, 3, None)):
     shown = simple.Show(plot, chart, "QuartileChartRepresentation")
     # From 5.12 on ParaView hides components of vectors, whatever a plugin says.
     components = ["CenterOfMass_X", "CenterOfMass_Y", "CenterOfMass_Z"] if (manager_type.GetVersionMajor(), manager_type.GetVersionMinor()) < (5, 12) else []
-    check_equal("series that are shown at first",
-                [f"{name} (id=0)" for name in ["CenterOfMassBound"] + components + ["Volume", "VolumeBound"]], sorted(shown.SeriesVisibility))
+    series = ["CenterOfMassBound", "CenterOfMassSpread"] + components + ["Volume", "VolumeBound", "VolumeSpread"]
+    check_equal("series that are shown at first", [f"{name} (id=0)" for name in series], sorted(shown.SeriesVisibility))
     simple.Delete(chart)
     for i, (volume, center) in enumerate(zip(volumes, centers)):
         check(f"volume at step {i}", box["volume"], volume, 1e-9 * box["volume"])

@@ -182,7 +182,12 @@ class Model:
                 continue
             children[parent].append(child)
             owners.add(child)
+        stated = set()
         for number, parameters in self.all("SHAPE_DEFINITION_REPRESENTATION"):
+            # What is stated twice holds once.
+            if tuple(map(str, parameters[:2])) in stated:
+                continue
+            stated.add(tuple(map(str, parameters[:2])))
             definition = self.get(self.at(parameters, 0), "PRODUCT_DEFINITION_SHAPE")
             product = self.at(definition, 2)
             if definition is None or not self.has(product, "") or self.representation(self.at(parameters, 1)) is None:
