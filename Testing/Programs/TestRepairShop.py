@@ -103,7 +103,7 @@ check_equal("a sound file: status", "ok", whole["status"])
 check_equal("the other body", whole["solids"][1]["volume"], repaired["solids"][1]["volume"])
 
 check_unrepaired("never", run(damaged, None, "--repair", "never"), "and got none", whole["solids"][1])
-# A repair that fails is no repair: the faces are those of the file.
+# After a repair that fails, the faces are those of the file.
 failed = run(make_file("repair_shop_swept.step", sweep_plane))
 check_unrepaired("failed", failed, "OpenCASCADE failed (", whole["solids"][1])
 check_true("failed: no repair is claimed", not find(failed, "repaired by OpenCASCADE"), str(failed["messages"]))
