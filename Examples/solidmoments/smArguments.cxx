@@ -38,7 +38,7 @@ Exit status:
   2  some file is unreadable
   3  some result is flagged: open, tolerance-not-met, suspect, not-computed, empty
   4  with --compare: the products differ
-The first of 1, 2, 3, 4 that applies. 130 after Ctrl-C, 143 when told to end (SIGTERM), 129 when the terminal
+The first of 1, 2, 3, 4 that applies. 130 after Ctrl-C, 143 after SIGTERM, 129 when the terminal
 has gone (SIGHUP): then the outputs hold the files finished before.)";
 
 /// Returns an error message if a file name is empty; empty otherwise.

@@ -58,11 +58,12 @@ std::string MassRows(const FileResult& file)
   }
   std::string text = MeasuredRow("mass", total.Mass, "kg");
   const auto& [sum, density, gaps, numerical] = total.MassUncertainty;
-  if (!std::isnan(sum) && (density != 0.0 || gaps != 0.0))
+  // The share of gaps is not known for open solids.
+  if (density > 0.0 || !(gaps <= 1e-3 * numerical))
   {
     text += Row("mass in doubt",
-      ShortBound(sum) + " kg: density " + ShortBound(density) + ", gaps " + ShortBound(gaps) +
-        ", numerical " + ShortBound(numerical),
+      (std::isnan(sum) ? "not known" : ShortBound(sum) + " kg") + ": density " + ShortBound(density) +
+        ", gaps " + ShortBound(gaps) + ", numerical " + ShortBound(numerical),
       "");
   }
   if (HasMixedDensities(total))

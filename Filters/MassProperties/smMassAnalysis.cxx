@@ -176,17 +176,24 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   const double residualPerArea = std::cbrt(moments.Volume) / (3.0 * moments.Volume);
   row.ClosureResidual = residualPerArea * vtkMath::Norm(body.Value.data() + MassVectorArea);
   const bool isClosed = row.ClosureResidual <= GetLargestClosureResidual(body, residualPerArea, options);
+  if (!isClosed)
+  {
+    // A border without edges has no gaps that could be bounded.
+    body.Spread = nullptr;
+    row.Spread = MassSpread();
+    row.AreaSpread = vtkMath::Nan();
+  }
   if (!body.IsSolid() && body.SkippedFaces == 0 && !isClosed)
   {
     // The border of the surface has no edges: it is a patch without loops.
     body.Flag(Status::Open, "a surface, not a solid: it has an area and no volume");
     row.Properties = MassProperties();
     row.MeasuredBounds[0] = row.MeasuredBounds[2] = row.MeasuredBounds[3] = vtkMath::Nan();
-    row.Spread = MassSpread();
     row.ClosureCorrection = row.ClosureResidual = vtkMath::Nan();
     return false;
   }
-  if (body.OpenEdges == 0 && body.SkippedFaces == 0 && !isClosed)
+  // Without a volume, which CheckPlausibility() reports, there is no residual.
+  if (body.OpenEdges == 0 && body.SkippedFaces == 0 && !isClosed && !std::isnan(row.ClosureResidual))
   {
     body.Flag(Status::Suspect,
       "the faces do not close although every edge is shared: a loop is broken or a face is wrong" +

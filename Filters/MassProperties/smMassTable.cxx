@@ -213,9 +213,12 @@ std::string FormatSummary(
     text += total.Density < MinDensity
       ? "A density of " + FormatDigits(total.Density, 6) + " kg/m^3 is that of foam: steel has 7850\n"
       : "";
-    const double doubt = total.MassUncertainty[0];
+    // The share of gaps is not known for open solids.
+    const bool isWhole = !std::isnan(total.MassUncertainty[0]);
+    const double doubt = total.MassUncertainty[isWhole ? 0 : 1];
     text += doubt > std::max(2.0 * total.MassBound, NotableDoubt * std::abs(total.Mass))
-      ? "Mass in doubt by " + FormatBound(doubt) + " kg, for its density and gaps\n"
+      ? "Mass in doubt by " + FormatBound(doubt) + " kg, for its density" +
+        (isWhole ? " and gaps\n" : " alone: open edges may change it more\n")
       : "";
     const MassProperties& w = total.Weighted;
     text += isMixed ? triple("Centre of mass:", w.Center, w.CenterBound, unit) : std::string();

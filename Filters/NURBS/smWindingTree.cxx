@@ -479,9 +479,9 @@ bool WindingTree::CountInLeaf(
     {
       continue;
     }
-    // The height of the crossing over p, times the area.
+    // The height of the crossing over p, times the area, and its rounding.
     double sum = 0.0;
-    double size = 0.0;
+    double rounding = 0.0;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (int k = 0; k < 3; ++k)
@@ -490,14 +490,14 @@ bool WindingTree::CountInLeaf(
       low = std::min(low, height);
       high = std::max(high, height);
       sum += area[k][i] * height;
-      size += (std::abs(area[k][i]) + limit[k][i]) * std::abs(height);
+      rounding += (limit[k][i] + 4.0 * roundings * std::abs(area[k][i])) * std::abs(height);
     }
     if (high < 0.0)
     {
       continue;
     }
     const bool isAhead = low > 0.0;
-    if (!isCertain || (!isAhead && !(std::abs(sum) > 4.0 * roundings * size)))
+    if (!isCertain || (!isAhead && !(std::abs(sum) > 1.01 * rounding)))
     {
       return false;
     }

@@ -121,7 +121,8 @@ public:
    * The mesh that the scales were taken from, in part coordinates, with the arrays of vtkNURBSDataSet; all
    * instances share it. Filters judge by it whether shells enclose each other or cross themselves, so that
    * their results do not depend on what is shown. Null, the default: there is none, and the display mesh
-   * takes its place. Setting, exchanging or adding faces drops it. Set the faces first.
+   * takes its place. A whole sphere is coarse in it: its centre and radius count (smWholeSphere.h). Setting,
+   * exchanging or adding faces drops it. Set the faces first.
    */
   void SetScaleMesh(vtkPolyData* mesh);
   vtkPolyData* GetScaleMesh() const;

@@ -37,6 +37,19 @@ double GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name)
   return value;
 }
 
+/// Reads each share by itself: that of gaps is not known for open solids.
+std::array<double, 4> ReadMassUncertainty(vtkFieldData* data, vtkIdType row)
+{
+  std::array<double, 4> shares;
+  shares.fill(Unknown);
+  vtkDataArray* array = data->GetArray(names::MassUncertainty);
+  if (array && array->GetNumberOfComponents() == 4 && row < array->GetNumberOfTuples())
+  {
+    array->GetTuple(row, shares.data());
+  }
+  return shares;
+}
+
 std::array<double, 3> GetPoint(vtkFieldData* data, vtkIdType row, const std::string& name)
 {
   std::array<double, 3> point;
@@ -167,7 +180,7 @@ Quantities ReadQuantities(vtkFieldData* data, vtkIdType row)
   q.PrincipalAxesDegenerate = GetFlag(data, row, names::PrincipalAxesDegenerate);
   q.BoundsEstimated = GetFlag(data, row, names::BoundsEstimated);
   ReadNumbers(data, row, names::BoundsMeasured, q.BoundsMeasured.data(), 4);
-  ReadNumbers(data, row, names::MassUncertainty, q.MassUncertainty.data(), 4);
+  q.MassUncertainty = ReadMassUncertainty(data, row);
   q.Density = GetNumber(data, row, names::Density);
   q.Material = GetText(data, row, names::Material);
   q.Spread = ReadSpread(data, row);

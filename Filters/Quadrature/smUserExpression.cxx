@@ -424,11 +424,11 @@ std::string UserExpression::Explain(const std::string& log) const
     R"(^(?:ERROR:\s*)?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:(?!\s*(?:warning|note)))"
     R"(\s*(?:(?:preprocessor |fatal )?error(?: C\d+|\(#\d+\))?:?\s+)?(.*)$)");
   std::istringstream lines(log);
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   std::set<std::string> places;
   std::string ofWhole;
   std::string line;
-  while (std::getline(lines, line) && told.size() < MaxReported)
+  while (std::getline(lines, line) && reported.size() < MaxReported)
   {
     line.resize(std::min(line.size(), LongestLine));
     std::smatch match;
@@ -459,11 +459,11 @@ std::string UserExpression::Explain(const std::string& log) const
     // Further messages about a place list candidates.
     if (places.insert(place).second)
     {
-      told.push_back(place + ": " + what);
+      reported.push_back(place + ": " + what);
     }
   }
-  std::string text = told.empty() && !ofWhole.empty() ? this->GetPlace(0) + ": " + ofWhole : "";
-  for (const std::string& message : told)
+  std::string text = reported.empty() && !ofWhole.empty() ? this->GetPlace(0) + ": " + ofWhole : "";
+  for (const std::string& message : reported)
   {
     text += (text.empty() ? "" : "; ") + message;
   }

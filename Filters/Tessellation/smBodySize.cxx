@@ -58,6 +58,7 @@ BodySize MeasureBody(const std::vector<FaceMesh>& meshes)
       size.FaceAreas.back() += 0.5 * Norm(n);
       size.Volume += Dot(a, n) / 6.0;
     }
+    size.VolumeError += mesh.Deviation * size.FaceAreas.back();
   }
   size.SignedVolume = size.Volume;
   size.Volume = Round(std::abs(size.Volume));

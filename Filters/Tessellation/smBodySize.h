@@ -24,6 +24,8 @@ struct BodySize
   double Area = 0.0;
   /// The volume with its sign and all digits: below 0 for a body whose normals point inwards.
   double SignedVolume = 0.0;
+  /// What the deviations of the triangles may change in it, about.
+  double VolumeError = 0.0;
   /// Area of the triangles of each face, with all digits.
   std::vector<double> FaceAreas;
   /// False: no face has a triangle.

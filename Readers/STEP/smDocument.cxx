@@ -8,7 +8,7 @@
 #include "smSTEPDoubts.h"
 #include "smSTEPFaceStatements.h"
 #include "smSTEPReconciliation.h"
-#include "smTurnedShells.h"
+#include "smReversedShells.h"
 
 #include "vtkTimerLog.h"
 
@@ -105,14 +105,14 @@ struct DeclaredContent
   /// there are none.
   std::string FindDeepNesting() const
   {
-    const std::string limit = ", and at most " + std::to_string(MostLevels) + " are read; export ";
-    if (this->Census.Assemblies.Levels > MostLevels)
+    const std::string limit = ", and at most " + std::to_string(MaxLevels) + " are read; export ";
+    if (this->Census.Assemblies.Levels > MaxLevels)
     {
       return "its assemblies are nested in " + std::to_string(this->Census.Assemblies.Levels) +
         " levels (down to entity #" + std::to_string(this->Census.Assemblies.Id) + ")" + limit +
         "its sub-assemblies one by one";
     }
-    if (this->Census.Geometry.Levels > MostLevels)
+    if (this->Census.Geometry.Levels > MaxLevels)
     {
       return "its entity #" + std::to_string(this->Census.Geometry.Id) + " refers to others in " +
         std::to_string(this->Census.Geometry.Levels) + " levels" + limit + "it again";
@@ -200,7 +200,7 @@ void Read(std::string content, RepairMode repair, const ProgressCallback& progre
     return;
   }
   ApplyLog(log, document);
-  ReportTurnedShells(log, document);
+  ReportReversedShells(log, document);
   Reconcile(declared.Census, document);
   for (const STEPDoubt& doubt : FindSTEPDoubts(STEPAttributes(declared.Text)))
   {

@@ -100,7 +100,7 @@ constexpr std::uint64_t MaxInstances = 100000;
 
 /// Largest number of levels of assemblies, and of geometric entities that refer to one another, that are
 /// read: each needs a part of the stack.
-constexpr std::size_t MostLevels = 1000;
+constexpr std::size_t MaxLevels = 1000;
 
 /// The bodies that OpenCASCADE repairs before they are converted.
 enum class RepairMode

@@ -15,7 +15,7 @@ namespace sm
 namespace
 {
 /// Largest number of reasons that are listed.
-constexpr std::size_t MostReasons = 10;
+constexpr std::size_t MaxReasons = 10;
 
 bool IsSoundOutside(const FaceShape* face, const RepairLog& log)
 {
@@ -109,7 +109,7 @@ bool IsSoundBody(BodyShape& body, RepairLog& log, const FaceRepair& repair)
   {
     AddOutsideFaces(original, log);
   }
-  if (log.Reasons.size() < MostReasons && !damage.Problem.empty())
+  if (log.Reasons.size() < MaxReasons && !damage.Problem.empty())
   {
     log.Reasons.push_back(damage.Problem);
   }
@@ -126,7 +126,7 @@ bool IsSoundBody(BodyShape& body, RepairLog& log, const FaceRepair& repair)
   }
   log.PatchedBodies += isPatched ? 1 : 0;
   log.RepairedFaces += damage.RepairedFaces;
-  log.TurnedBodies += damage.ReversedEdges > 0 ? 1 : 0;
+  log.BodiesWithReversedEdges += damage.ReversedEdges > 0 ? 1 : 0;
   log.ReversedEdges += damage.ReversedEdges;
   return true;
 }
@@ -161,9 +161,9 @@ std::vector<std::string> Describe(const RepairLog& log)
   const std::string all =
     std::to_string(log.RepairedBodies + log.SoundBodies) + " solids and shells of the file";
   std::vector<std::string> messages;
-  if (log.TurnedBodies > 0)
+  if (log.BodiesWithReversedEdges > 0)
   {
-    messages.push_back(std::to_string(log.TurnedBodies) + " of " + all +
+    messages.push_back(std::to_string(log.BodiesWithReversedEdges) + " of " + all +
       " have edges that run against their loops: " + FormatCount(log.ReversedEdges, "use was", "uses were") +
       " reversed, so that the loops close and each edge has a use in either direction.");
   }
@@ -180,8 +180,8 @@ std::vector<std::string> Describe(const RepairLog& log)
     {
       text += (&reason == &log.Reasons[0] ? "" : "; ") + reason;
     }
-    const auto told = static_cast<int>(log.Reasons.size());
-    messages.push_back(text + (told < log.RepairedBodies + log.PatchedBodies ? "; ..." : "."));
+    const auto reported = static_cast<int>(log.Reasons.size());
+    messages.push_back(text + (reported < log.RepairedBodies + log.PatchedBodies ? "; ..." : "."));
   }
   return messages;
 }

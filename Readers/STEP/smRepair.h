@@ -33,8 +33,8 @@ struct RepairLog
   /// Bodies of which only some faces were repaired, and these faces.
   int PatchedBodies = 0;
   int RepairedFaces = 0;
-  /// Bodies with edges whose direction was reversed (TurnEdges()), and these uses of edges.
-  int TurnedBodies = 0;
+  /// Bodies with edges whose direction was reversed (ReverseEdges()), and these uses of edges.
+  int BodiesWithReversedEdges = 0;
   int ReversedEdges = 0;
   /// Wall-clock seconds that the inspections took.
   double Seconds = 0.0;

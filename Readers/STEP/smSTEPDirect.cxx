@@ -145,6 +145,8 @@ private:
     const BodyShape original = body;
     // Faces of the body before may be gone, and others have their addresses.
     this->Log.SoundFaces.clear();
+    const int repairedBodies = this->Log.RepairedBodies;
+    const std::size_t reasons = this->Log.Reasons.size();
     bool isSound = false;
     if (repair == RepairMode::Always)
     {
@@ -172,7 +174,15 @@ private:
       {
         return;
       }
-      this->TakeUnrepaired(original, data, limits.Precision, failure, repair != RepairMode::Always);
+      // The body was counted as a repaired one.
+      const std::string reason =
+        this->Log.Reasons.size() > reasons ? " (" + this->Log.Reasons.back() + ")" : std::string();
+      this->Log.Reasons.resize(reasons);
+      this->Log.RepairedBodies = repairedBodies;
+      CompleteFaces(original, limits.Precision, this->Log);
+      this->Result.Defects.push_back(GetLabel(original, data) + " of the file needs a repair" + reason +
+        " and got none: " + failure +
+        ". Those of its faces that are sound are taken. Export the file again.");
       body = original;
     }
     body.VisitFaces(
@@ -209,26 +219,6 @@ private:
     result.Shells.insert(result.Shells.end(), repaired.Shells.begin(), repaired.Shells.end());
     result.Faces.insert(result.Faces.end(), repaired.Faces.begin(), repaired.Faces.end());
     return {};
-  }
-
-  /// Completes the faces of a body that needs a repair, and gets none, as far as they are sound. `isLogged`:
-  /// IsSoundBody() has counted the body.
-  void TakeUnrepaired(
-    const BodyShape& body, const ShapeData& data, double precision, const std::string& failure, bool isLogged)
-  {
-    std::string reason;
-    if (isLogged)
-    {
-      --this->Log.RepairedBodies;
-    }
-    if (isLogged && !this->Log.Reasons.empty())
-    {
-      reason = " (" + this->Log.Reasons.back() + ")";
-      this->Log.Reasons.pop_back();
-    }
-    CompleteFaces(body, precision, this->Log);
-    this->Result.Defects.push_back(GetLabel(body, data) + " of the file needs a repair" + reason +
-      " and got none: " + failure + ". Those of its faces that are sound are taken. Export the file again.");
   }
 
   static std::string GetLabel(const BodyShape& body, const ShapeData& data)

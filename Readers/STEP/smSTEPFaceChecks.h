@@ -17,8 +17,8 @@ struct CheckedBody
 {
   StatementPlace Place;
   bool IsSolid = true;
-  /// Its volume in the unit of the model by a mesh, below 0 if its normals point inwards; NaN if there is no
-  /// mesh.
+  /// Its volume in the unit of the model by a mesh, below 0 if its normals point inwards, 0 if that is not
+  /// certain; NaN if there is no mesh.
   double Volume = 0.0;
   /// Area of the mesh of each face in the unit of the model; empty if there is no mesh.
   std::vector<double> Areas;

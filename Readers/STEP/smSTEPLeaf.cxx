@@ -20,6 +20,9 @@ namespace
 /// Fraction of a body's progress for its conversion; the triangles take the rest.
 constexpr double ConversionShare = 0.8;
 
+/// The deflection is divided by this for a second mesh of a solid whose walls are as thin as the first one's.
+constexpr double ThinRefinement = 16.0;
+
 /// Roundings of a coordinate by the conversion of its unit to mm: the factor is a product of up to three
 /// rounded numbers (0.0254, 0.001,
 /// ...).
@@ -97,7 +100,7 @@ void LeafMaker::Convert(
         " faces have no finite bounding box; the size of the body is taken from the others.");
   }
   const double start = vtkTimerLog::GetUniversalTime();
-  this->Triangulate(box, progress, size, body);
+  this->Triangulate(part, box, progress, size, body);
   this->MeshSeconds = vtkTimerLog::GetUniversalTime() - start;
 }
 
@@ -115,8 +118,8 @@ StatementPlace LeafMaker::GetStatementPlace(const PartBody& part) const
   return place;
 }
 
-void LeafMaker::Triangulate(
-  const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body)
+void LeafMaker::Triangulate(const PartBody& part, const double box[6], const ProgressCallback& progress,
+  BodySize& size, ConvertedBody& body)
 {
   std::vector<FacePointer> faces;
   for (const ConvertedFace& face : body.Faces)
@@ -135,6 +138,17 @@ void LeafMaker::Triangulate(
     meshes = MeshForScales(faces, limits, report);
   }
   size = MeasureBody(meshes);
+  // A wall may be thinner than the deviation of the triangles on its sides.
+  if (part.Solid && size.VolumeError > 0.0 && std::abs(size.SignedVolume) <= size.VolumeError &&
+    !this->Aborted)
+  {
+    const auto again = [&](double) { return report(1.0); };
+    const MeshLimits finer{ limits.Deflection / ThinRefinement, limits.Angle };
+    const BodySize better = MeasureBody(MeshForScales(faces, finer, again));
+    const bool isCertain = std::abs(better.SignedVolume) > better.VolumeError;
+    size.Volume = isCertain ? better.Volume : size.Volume;
+    size.SignedVolume = isCertain ? better.SignedVolume : 0.0;
+  }
   if (!size.IsKnown)
   {
     std::copy(box, box + 6, size.Bounds.begin());

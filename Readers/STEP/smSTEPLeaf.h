@@ -55,8 +55,8 @@ private:
   StatementPlace GetStatementPlace(const PartBody& part) const;
   /// Makes the scale mesh, and measures the body by it. `box` is the approximate box of the body, relative to
   /// the model's origin.
-  void Triangulate(
-    const double box[6], const ProgressCallback& progress, BodySize& size, ConvertedBody& body);
+  void Triangulate(const PartBody& part, const double box[6], const ProgressCallback& progress,
+    BodySize& size, ConvertedBody& body);
   void MakeModel(const PartBody& part, const BodySize& size, ConvertedBody& body);
   /// Makes a summary: the first message, with the body's name, and the number of messages.
   void Summarise(const PartBody& part, const std::vector<std::string>& messages);

@@ -374,7 +374,7 @@ private:
     return { face, !isForward };
   }
 
-  /// Returns false for a face that is bounded by nothing but vertices.
+  /// Returns false for a face that is bounded by vertices only.
   bool HasEdges(const CensusFace& census) const
   {
     for (std::uint32_t b = 0; b < census.NumberOfBounds; ++b)

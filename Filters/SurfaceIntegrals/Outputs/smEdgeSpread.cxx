@@ -279,7 +279,8 @@ private:
       sum += Dot(Subtract(side, this->Point), normal);
     }
     const double rounding = CoordinateRoundings * UnitRoundoff * Norm(this->Point);
-    this->Bend = std::abs(sum) > rounding ? std::abs(sum) / (step * step) : 0.0;
+    // NaN goes through, here and below: the spread is not known then.
+    this->Bend = std::abs(sum) <= rounding ? 0.0 : std::abs(sum) / (step * step);
   }
 
   double GetLean(const NormalPlane& plane, double speed) const
@@ -433,17 +434,17 @@ private:
         sample.Added *= width * GaussWeights[node];
         sample.Removed *= width * GaussWeights[node];
         sample.Swept *= width * GaussWeights[node];
-        if (sample.Swept > 0.0)
+        if (!(sample.Swept <= 0.0))
         {
           result.Samples.push_back(sample);
         }
       }
     }
     double errors[4];
-    bool isFine = depth == MaxHalvings || fine[2] <= this->Negligible;
+    bool isFine = depth == MaxHalvings || !(fine[2] > this->Negligible);
     for (int i = 0; i < 4; ++i)
     {
-      errors[i] = fine[i] > 0.0 ? 2.0 * std::abs(fine[i] - coarse[i]) / fine[i] : 0.0;
+      errors[i] = fine[i] <= 0.0 ? 0.0 : 2.0 * std::abs(fine[i] - coarse[i]) / fine[i];
     }
     isFine =
       isFine || (errors[0] <= RuleTolerance && errors[1] <= RuleTolerance && errors[3] <= RuleTolerance);

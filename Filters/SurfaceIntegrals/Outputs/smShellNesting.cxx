@@ -185,30 +185,17 @@ ShellMesh::Place ShellMesh::FindMeshInSphere(const ShellMesh& other) const
 
 ShellMesh::Place ShellMesh::FindSphereInMesh(const ShellMesh& other) const
 {
+  const Place mesh = other.FindMeshInSphere(*this);
+  if (mesh != Place::Outside)
+  {
+    return mesh == Place::Inside ? Place::Outside : mesh;
+  }
+  // All corners lie outside the sphere, but the surface next to the middle of a large triangle may not.
   const double rounding = this->GetRounding() + other.GetRounding();
-  // Distances of the centre from the nearest triangle, from the surface next to it at most, and from the
-  // farthest corner.
-  double nearest = HUGE_VAL;
-  double reached = HUGE_VAL;
-  double farthest = 0.0;
-  bool hasLeft = false;
-  for (const Triangle& triangle : other.Triangles)
-  {
-    const double distance = GetDistance(this->Center, triangle.Corners);
-    nearest = std::min(nearest, distance);
-    reached = std::min(reached, distance + triangle.Deviation);
-    for (const Point& corner : triangle.Corners)
-    {
-      const double height = GetDistance(this->Center, corner) - this->Radius;
-      farthest = std::max(farthest, height + this->Radius);
-      hasLeft = hasLeft || height > triangle.Deviation + rounding;
-    }
-  }
-  if (farthest <= this->Radius + rounding || (!hasLeft && nearest < this->Radius))
-  {
-    return Place::Outside;
-  }
-  if (hasLeft && reached + rounding < this->Radius)
+  const bool isReached = std::any_of(other.Triangles.begin(), other.Triangles.end(),
+    [&](const Triangle& triangle)
+    { return GetDistance(this->Center, triangle.Corners) + triangle.Deviation + rounding < this->Radius; });
+  if (isReached)
   {
     return Place::Crossing;
   }

@@ -88,7 +88,7 @@ struct DraftFace
   bool HasReversedSphere = false;
   /// Returns true if it is the part of a closed surface outside its loops.
   bool IsOutside() const { return this->HasNaturalBoundary || this->HasReversedSphere; }
-  /// Number of coedges whose direction in the file contradicts their loop, and was reversed (TurnEdges()).
+  /// Number of coedges whose direction in the file contradicts their loop, and was reversed (ReverseEdges()).
   int ReversedEdges = 0;
   std::vector<std::string> Messages;
   /// Number of defects: edges that were left out, and loops that do not bound a part of the surface.

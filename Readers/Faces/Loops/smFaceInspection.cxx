@@ -4,7 +4,7 @@
 #include "Geometry/smPlacement.h"
 #include "smCompleteLoops.h"
 #include "smNaturalBoundary.h"
-#include "smTurnEdges.h"
+#include "smReverseEdges.h"
 
 #include <algorithm>
 #include <array>
@@ -242,7 +242,7 @@ FaceInspection InspectLoops(
   }
   if (face.ReversedEdges > 0 && areas[largest] < 0.0)
   {
-    TurnLoop(face);
+    ReverseLoop(face);
     areas[largest] = -areas[largest];
     result.ConeVolume = -result.ConeVolume;
   }
@@ -271,7 +271,7 @@ FaceInspection InspectLoops(
 FaceInspection InspectFace(DraftFace& face, const Vector3& origin, double tolerance, double largestGap)
 {
   FaceInspection result;
-  TurnEdges(face);
+  ReverseEdges(face);
   result.Problem = face.Defects > 0 ? "one of its edges cannot be used"
     : face.Loops.empty()            ? "it has no loops"
                                     : CompleteLoops(face);

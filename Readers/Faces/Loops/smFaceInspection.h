@@ -22,7 +22,7 @@ struct FaceInspection
 };
 
 /**
- * Calls TurnEdges() and CompleteLoops() and then checks the loops together. A loop with gaps up to
+ * Calls ReverseEdges() and CompleteLoops() and then checks the loops together. A loop with gaps up to
  * `tolerance` in space is closed. Edges may be `tolerance` away from the surface, and up to `largestGap` away
  * from it or beyond its border unless the face is small compared with that: ribbons close such gaps, and the
  * integrals report them. If all loops are holes in a closed surface, its natural boundary is added

@@ -37,16 +37,23 @@ SurfacePointer FindSurface(const FaceShape& face, const SoundFaceTable& faces)
   return found != faces.end() && found->second->IsPart ? found->second->Surface : face.Surface;
 }
 
+/// The surfaces of faces, to find points on them; null for planes and where points cannot be found.
+using Finders = std::unordered_map<const FaceShape*, std::shared_ptr<const FootPointFinder>>;
+
 /// Returns the outer unit normal of a face at the foot of a point; zero if it is not found.
-Vector3 GetNormal(const FaceUse& use, const SoundFaceTable& faces, const Vector3& point)
+Vector3 GetNormal(const FaceUse& use, const SoundFaceTable& faces, Finders& finders, const Vector3& point)
 {
   const SurfacePointer surface = FindSurface(*use.Face, faces);
   const Placement& location = use.Face->Location;
   double uv[2] = { 0.0, 0.0 };
   if (!FindElementary(*surface, ElementarySurface::Type::Plane))
   {
-    const auto finder = FootPointFinder::Make(surface, true);
-    if (!finder || !finder->Find(Invert(location).MapPoint(point), nullptr, uv))
+    const auto [finder, isNew] = finders.try_emplace(use.Face.get());
+    if (isNew)
+    {
+      finder->second = FootPointFinder::Make(surface, true);
+    }
+    if (!finder->second || !finder->second->Find(Invert(location).MapPoint(point), nullptr, uv))
     {
       return {};
     }
@@ -61,7 +68,8 @@ Vector3 GetNormal(const FaceUse& use, const SoundFaceTable& faces, const Vector3
 /// The faces at each edge.
 using Neighbours = std::unordered_map<const EdgeShape*, std::vector<FaceUse>>;
 
-bool FoldsBack(const FaceUse& face, const SoundFaceTable& faces, const Neighbours& neighbours)
+bool FoldsBack(
+  const FaceUse& face, const SoundFaceTable& faces, const Neighbours& neighbours, Finders& finders)
 {
   for (const WireShape& wire : face.Face->Wires)
   {
@@ -78,7 +86,7 @@ bool FoldsBack(const FaceUse& face, const SoundFaceTable& faces, const Neighbour
         const double limit =
           IsElementary(*face.Face) && IsElementary(*other.Face) ? OppositeOfElementary : Opposite;
         if (other.Face != face.Face &&
-          Dot(GetNormal(face, faces, middle), GetNormal(other, faces, middle)) < limit)
+          Dot(GetNormal(face, faces, finders, middle), GetNormal(other, faces, finders, middle)) < limit)
         {
           return true;
         }
@@ -93,6 +101,7 @@ std::vector<const FaceShape*> FindFoldedFaces(const BodyShape& body, const Sound
 {
   std::vector<const FaceShape*> folded;
   Neighbours neighbours;
+  Finders finders;
   body.VisitFaces(
     [&](const FaceUse& use)
     {
@@ -116,7 +125,7 @@ std::vector<const FaceShape*> FindFoldedFaces(const BodyShape& body, const Sound
           });
       }
       bool isFolded = false;
-      CatchFailure([&] { isFolded = FoldsBack(use, faces, neighbours); });
+      CatchFailure([&] { isFolded = FoldsBack(use, faces, neighbours, finders); });
       if (isFolded)
       {
         folded.push_back(use.Face.get());

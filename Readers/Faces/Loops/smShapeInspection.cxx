@@ -462,7 +462,7 @@ private:
   {
     double volume = 0.0;
     double sum = 0.0;
-    int turned = 0;
+    int reversed = 0;
     bool isKnown = true;
     this->Inspected.reserve(this->Inspected.size() + shell.Faces.size());
     for (std::size_t i = 0; i < results.size(); ++i)
@@ -476,7 +476,7 @@ private:
       {
         const auto face =
           this->Inspected.emplace(key, std::make_shared<const DraftFace>(std::move(shell.Drafts[i]))).first;
-        turned += face->second->ReversedEdges;
+        reversed += face->second->ReversedEdges;
         if (isDamaged)
         {
           this->ConeVolumes.emplace(key, own);
@@ -484,8 +484,8 @@ private:
       }
     }
     outwards = sum > 0.0 ? volume / sum : 0.0;
-    this->ReversedEdges += turned;
-    const std::string structure = turned > 0 && !isDamaged ? this->InspectUses(shell, true) : std::string();
+    this->ReversedEdges += reversed;
+    const std::string structure = reversed > 0 && !isDamaged ? this->InspectUses(shell, true) : std::string();
     // What a repaired face adds to the volume may not be known.
     return structure.empty() && !isDamaged && !isKnown && this->Shape.IsSolid && std::abs(outwards) < MinShare
       ? "on which side its material lies is not certain"

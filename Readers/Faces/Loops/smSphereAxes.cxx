@@ -94,7 +94,7 @@ bool FindLoopAxis(const DraftFace& face, const Vector3& center, const DraftLoop&
 
 SurfacePointer TurnSphere(const ElementarySurface& sphere, const Vector3& axis)
 {
-  ElementarySurface turned = sphere;
+  ElementarySurface rotated = sphere;
   // X is normal to the two components of the axis that are larger in magnitude.
   const double a = std::abs(axis[0]);
   const double b = std::abs(axis[1]);
@@ -105,9 +105,9 @@ SurfacePointer TurnSphere(const ElementarySurface& sphere, const Vector3& axis)
                        : (a > b ? Vector3{ -axis[1], axis[0], 0.0 } : Vector3{ axis[1], -axis[0], 0.0 });
   x = Normalized(x);
   const double sign = Dot(Cross(sphere.Frame.Axes[0], sphere.Frame.Axes[1]), sphere.Frame.Axes[2]);
-  turned.Frame.Axes = { x, Multiply(sign > 0.0 ? 1.0 : -1.0, Cross(axis, x)), axis };
+  rotated.Frame.Axes = { x, Multiply(sign > 0.0 ? 1.0 : -1.0, Cross(axis, x)), axis };
   std::string problem;
-  return GeometricSurface::Make(turned, problem);
+  return GeometricSurface::Make(rotated, problem);
 }
 
 bool HasOnlyHoles(const DraftFace& face)

@@ -149,6 +149,16 @@ void CheckBalls()
 
 /// Parameter curves of the rims of a bead that begin elsewhere on their circles of latitude, a turn beyond a
 /// pole or on its other side, are the curves of their edges all the same.
+/// A wall that is thinner than the deviation of the triangles by which shells are compared.
+void CheckThinWall()
+{
+  const double radius = 10.001;
+  const TopoDS_Shape halves = BRepAlgoAPI_Fuse(BRepPrimAPI_MakeSphere(radius, -Pi / 2.0, 0.0).Shape(),
+    BRepPrimAPI_MakeSphere(radius, 0.0, Pi / 2.0).Shape());
+  const TopoDS_Shape hollow = BRepAlgoAPI_Cut(halves, BRepPrimAPI_MakeSphere(10.0).Shape());
+  CheckShape("a hollow ball of two halves", hollow, 4.0 / 3.0 * Pi * (std::pow(radius, 3.0) - 1000.0));
+}
+
 void CheckFarTrims()
 {
   const TopoDS_Shape bead = BRepAlgoAPI_Cut(
@@ -296,6 +306,7 @@ int TestSTEPClosedSurfaces(int argc, char* argv[])
   if (ShapeMode == "balls")
   {
     CheckBalls();
+    CheckThinWall();
     CheckFarTrims();
   }
   else

@@ -121,7 +121,7 @@ void CheckRevolvedLine(
 
 /// Turns the sense of each edge of a ball of radius 1 with a unit cube on it. Arcs end on the seam of the
 /// ball, so that one with the other sense covers the arc beyond the seam.
-void CheckTurnedEdges()
+void CheckReversedEdges()
 {
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(1.0).Shape();
   const TopoDS_Shape cube = BRepPrimAPI_MakeBox(gp_Pnt(0.5, -0.5, -0.5), 1.0, 1.0, 1.0).Shape();
@@ -157,6 +157,6 @@ int TestSTEPRewrites(int argc, char* argv[])
   CheckRevolvedLine("cone", { 0, 2, 0 }, { 0, 0, 2 }, Pi * 8.0 / 3.0);
   CheckRevolvedLine("hyperboloid", { 1, -1, -1 }, { 1, 1, 1 }, Pi * 8.0 / 3.0);
 
-  CheckTurnedEdges();
+  CheckReversedEdges();
   return Finish();
 }

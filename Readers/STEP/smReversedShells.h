@@ -1,9 +1,9 @@
 /**
- * @file smTurnedShells.h
+ * @file smReversedShells.h
  * @brief Solids and shells that are inside out in a STEP file and that were reversed
  */
-#ifndef smTurnedShells_h
-#define smTurnedShells_h
+#ifndef smReversedShells_h
+#define smReversedShells_h
 
 #include "smDocument.h"
 #include "smRepair.h"
@@ -17,7 +17,7 @@ namespace sm
  * that is a defect of the document. Shells that the file has as such it calls outer ones or voids, and a
  * message is enough. Faces of one shell that disagree are a reason for the repair, which its message names.
  */
-void ReportTurnedShells(const RepairLog& log, Document& document);
+void ReportReversedShells(const RepairLog& log, Document& document);
 }
 
 #endif

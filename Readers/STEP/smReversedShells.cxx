@@ -1,4 +1,4 @@
-#include "smTurnedShells.h"
+#include "smReversedShells.h"
 
 #include "smFormat.h"
 
@@ -14,7 +14,7 @@ namespace
 /// A shell of a repaired solid by what the repair did with the sides of all its faces.
 struct RepairedShell
 {
-  bool IsTurned = false;
+  bool IsReversed = false;
   bool IsKept = false;
   /// Entity number of a face.
   int Face = 0;
@@ -22,9 +22,9 @@ struct RepairedShell
   std::unordered_set<const ShellShape*> Sources;
 };
 
-struct TurnedShells
+struct ReversedShells
 {
-  int Turned = 0;
+  int Reversed = 0;
   int Kept = 0;
   /// Reversed shells that the file has as such, so that it says which is the outer one and which are voids.
   /// Others were parts of one shell.
@@ -36,7 +36,7 @@ struct TurnedShells
 RepairedShell ExamineShell(const RepairLog& log, const ShellUse& shell)
 {
   RepairedShell result;
-  int turned = 0;
+  int reversed = 0;
   int kept = 0;
   for (const FaceUse& use : shell.Shell->Faces)
   {
@@ -45,17 +45,17 @@ RepairedShell ExamineShell(const RepairLog& log, const ShellUse& shell)
     {
       continue;
     }
-    const bool isTurned = before->second.Reversed != (use.Reversed != shell.Reversed);
+    const bool isReversed = before->second.Reversed != (use.Reversed != shell.Reversed);
     result.Face = result.Face == 0 ? use.Face->Data.FileId : result.Face;
     result.Sources.insert(before->second.Shell.get());
-    ++(isTurned ? turned : kept);
+    ++(isReversed ? reversed : kept);
   }
-  result.IsTurned = turned > 0 && kept == 0;
-  result.IsKept = kept > 0 && turned == 0;
+  result.IsReversed = reversed > 0 && kept == 0;
+  result.IsKept = kept > 0 && reversed == 0;
   return result;
 }
 
-TurnedShells FindTurnedShells(const RepairLog& log, const BodyShape& solid)
+ReversedShells FindReversedShells(const RepairLog& log, const BodyShape& solid)
 {
   std::vector<RepairedShell> shells;
   std::unordered_map<const ShellShape*, int> parts;
@@ -67,25 +67,25 @@ TurnedShells FindTurnedShells(const RepairLog& log, const BodyShape& solid)
       ++parts[source];
     }
   }
-  TurnedShells result;
+  ReversedShells result;
   for (const RepairedShell& shell : shells)
   {
     result.Kept += shell.IsKept ? 1 : 0;
-    if (!shell.IsTurned)
+    if (!shell.IsReversed)
     {
       continue;
     }
     const bool isDeclared = shell.Sources.size() == 1 && parts[*shell.Sources.begin()] == 1;
-    const bool isFirst = isDeclared ? result.Turned == 0 : result.Turned == result.Declared;
+    const bool isFirst = isDeclared ? result.Reversed == 0 : result.Reversed == result.Declared;
     result.Face = isFirst ? shell.Face : result.Face;
-    ++result.Turned;
+    ++result.Reversed;
     result.Declared += isDeclared ? 1 : 0;
   }
   return result;
 }
 }
 
-void ReportTurnedShells(const RepairLog& log, Document& document)
+void ReportReversedShells(const RepairLog& log, Document& document)
 {
   std::unordered_set<const ShellShape*> sound;
   for (const ShellPointer& shell : log.ReversedShells)
@@ -99,21 +99,21 @@ void ReportTurnedShells(const RepairLog& log, Document& document)
     {
       continue;
     }
-    const TurnedShells shells = FindTurnedShells(log, body.Shape);
-    if (shells.Declared > 0 && shells.Turned == shells.Declared && shells.Kept > 0)
+    const ReversedShells shells = FindReversedShells(log, body.Shape);
+    if (shells.Declared > 0 && shells.Reversed == shells.Declared && shells.Kept > 0)
     {
-      document.Messages.push_back(FormatCount(shells.Turned, "shell of solid", "shells of solid") + " #" +
-        std::to_string(body.FileId) + (shells.Turned > 1 ? " are" : " is") +
+      document.Messages.push_back(FormatCount(shells.Reversed, "shell of solid", "shells of solid") + " #" +
+        std::to_string(body.FileId) + (shells.Reversed > 1 ? " are" : " is") +
         " inside out in the file, and reversed, that with face #" + std::to_string(shells.Face) +
-        (shells.Turned > 1 ? " first." : "."));
+        (shells.Reversed > 1 ? " first." : "."));
     }
-    else if (shells.Turned > 0 && shells.Kept > 0)
+    else if (shells.Reversed > 0 && shells.Kept > 0)
     {
       document.Defects.push_back("In solid #" + std::to_string(body.FileId) +
         " of the file a shell is inside out, that with face #" + std::to_string(shells.Face) +
         ": OpenCASCADE reversed it, against what the file states. Correct the file.");
     }
-    else if (shells.Turned > 0 || sound.count(body.Shape.Shells.front().Shell.get()) > 0)
+    else if (shells.Reversed > 0 || sound.count(body.Shape.Shells.front().Shell.get()) > 0)
     {
       whole.insert(body.FileId);
     }

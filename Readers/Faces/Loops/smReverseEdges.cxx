@@ -1,4 +1,4 @@
-#include "smTurnEdges.h"
+#include "smReverseEdges.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,22 +7,22 @@ namespace sm
 {
 namespace
 {
-void Turn(DraftCoedge& coedge)
+void Reverse(DraftCoedge& coedge)
 {
   coedge.Reversed = !coedge.Reversed;
   std::swap(coedge.Start, coedge.End);
 }
 
-/// Reverses all coedges behind the first that would not begin where the one before ends; returns false if
+/// Reverses all coedges after the first that would not begin where the one before ends; returns false if
 /// they make no closed chain.
-bool TurnToChain(DraftLoop& loop, int& turned)
+bool ReverseToChain(DraftLoop& loop, int& reversed)
 {
   for (std::size_t i = 1; i < loop.size(); ++i)
   {
     if (!Meet(loop[i - 1], loop[i]))
     {
-      Turn(loop[i]);
-      ++turned;
+      Reverse(loop[i]);
+      ++reversed;
       if (!Meet(loop[i - 1], loop[i]))
       {
         return false;
@@ -33,7 +33,7 @@ bool TurnToChain(DraftLoop& loop, int& turned)
 }
 }
 
-void TurnEdges(DraftFace& face)
+void ReverseEdges(DraftFace& face)
 {
   if (face.Loops.size() != 1 || face.Loops[0].size() < 3 || face.Period[0] > 0.0 || face.Period[1] > 0.0)
   {
@@ -53,28 +53,28 @@ void TurnEdges(DraftFace& face)
     {
       return;
     }
-    DraftLoop turned = loop;
+    DraftLoop reversed = loop;
     int count = isFirstReversed ? 1 : 0;
     if (isFirstReversed)
     {
-      Turn(turned[0]);
+      Reverse(reversed[0]);
     }
-    if (TurnToChain(turned, count))
+    if (ReverseToChain(reversed, count))
     {
-      loop = std::move(turned);
+      loop = std::move(reversed);
       face.ReversedEdges = count;
       return;
     }
   }
 }
 
-void TurnLoop(DraftFace& face)
+void ReverseLoop(DraftFace& face)
 {
   DraftLoop& loop = face.Loops[0];
   std::reverse(loop.begin(), loop.end());
   for (DraftCoedge& coedge : loop)
   {
-    Turn(coedge);
+    Reverse(coedge);
   }
   face.ReversedEdges = static_cast<int>(loop.size()) - face.ReversedEdges;
 }
