@@ -4,11 +4,11 @@
 #include "smFile.h"
 #include "smPart21File.h"
 #include "smRepair.h"
+#include "smReversedShells.h"
 #include "smSTEPDirect.h"
 #include "smSTEPDoubts.h"
 #include "smSTEPFaceStatements.h"
 #include "smSTEPReconciliation.h"
-#include "smReversedShells.h"
 
 #include "vtkTimerLog.h"
 
