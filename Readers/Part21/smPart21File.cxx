@@ -1,10 +1,12 @@
 #include "smPart21File.h"
 
+#include "smParallelFor.h"
 #include "smPart21Cursor.h"
 #include "smPart21Parser.h"
 #include "smTextEncoding.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -13,6 +15,9 @@ namespace sm
 {
 namespace
 {
+/// Number of references that a thread resolves at a time.
+constexpr std::size_t ResolveGrain = 1 << 14;
+
 constexpr std::string_view Magic = "ISO-10303-21;";
 
 bool IsControl(char c)
@@ -86,7 +91,7 @@ bool Part21File::Read(const std::string& path)
   return this->Parse(std::move(text));
 }
 
-bool Part21File::Parse(std::string text)
+bool Part21File::Parse(std::string text, std::size_t chunk)
 {
   this->Clear();
   this->Text = ToUTF8(std::move(text));
@@ -108,7 +113,7 @@ bool Part21File::Parse(std::string text)
   {
     this->Add(Part21Defect::ControlCharacters, start + control);
   }
-  Part21Parser parser(*this);
+  Part21Parser parser(*this, chunk);
   parser.Parse(start);
   this->IndexIds();
   this->Resolve(parser.References);
@@ -182,11 +187,25 @@ Part21File::Index Part21File::Find(std::uint64_t id) const
 void Part21File::Resolve(const std::vector<std::uint64_t>& ids)
 {
   this->References.resize(ids.size());
-  for (Index i = 0; i < this->GetNumberOfInstances(); ++i)
+  std::atomic<bool> areAllDefined{ true };
+  ParallelFor(ids.size(), ResolveGrain,
+    [&](std::size_t begin, std::size_t end)
+    {
+      bool areDefined = true;
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        this->References[k] = this->Find(ids[k]);
+        areDefined = areDefined && this->References[k] != None;
+      }
+      if (!areDefined)
+      {
+        areAllDefined = false;
+      }
+    });
+  for (Index i = 0; !areAllDefined && i < this->GetNumberOfInstances(); ++i)
   {
     for (std::uint32_t k = this->Instances[i].FirstReference; k < this->Instances[i + 1].FirstReference; ++k)
     {
-      this->References[k] = this->Find(ids[k]);
       if (this->References[k] == None)
       {
         this->Damaged[i] |= Contradictory;

@@ -94,8 +94,9 @@ public:
   /// Reads a whole file, as UTF-8 (smTextEncoding.h). Returns false if nothing can be read; GetProblems() has
   /// the reason.
   bool Read(const std::string& path);
-  /// The same for text in memory.
-  bool Parse(std::string text);
+  /// The same for text in memory. Parts of `chunk` bytes (0: no parts) are read at a time by each thread; the
+  /// result does not depend on it.
+  bool Parse(std::string text, std::size_t chunk = 1 << 18);
 
   std::string_view GetText() const { return this->Text; }
   /// Returns the line of a position in the text, from 1, in time proportional to the offset.

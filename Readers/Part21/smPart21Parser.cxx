@@ -45,10 +45,18 @@ bool BeginsWith(const Part21Cursor& cursor, std::string_view word)
 }
 }
 
-Part21Parser::Part21Parser(Part21File& file)
+Part21Parser::Part21Parser(Part21File& file, std::size_t chunk)
   : File(file)
   , Start(file.Text.data())
   , Cursor{ file.Text.data(), file.Text.data() + file.Text.size() }
+  , ChunkSize(chunk)
+{
+}
+
+Part21Parser::Part21Parser(Part21File& result, const char* start, Part21Cursor cursor)
+  : File(result)
+  , Start(start)
+  , Cursor(cursor)
 {
 }
 
@@ -226,34 +234,47 @@ void Part21Parser::ParseHeader()
 
 void Part21Parser::ParseInstances()
 {
-  bool lost = false;
+  this->IsLost = false;
+  if (this->ParseChunks())
+  {
+    this->ParseInstancesTo(this->Cursor.End);
+  }
+}
+
+bool Part21Parser::ParseInstancesTo(const char* stop)
+{
   while (this->SkipBlanks() && !this->Cursor.IsAtEnd())
   {
+    if (this->Cursor.At >= stop)
+    {
+      return true;
+    }
     if (this->Cursor.Peek() == '#')
     {
-      lost = false;
+      this->IsLost = false;
       this->ParseInstance();
       continue;
     }
     if (BeginsWith(this->Cursor, "ENDSEC"))
     {
       this->Recover();
-      return;
+      return false;
     }
     if (BeginsWith(this->Cursor, "END-ISO"))
     {
-      return;
+      return false;
     }
     // Consecutive text that belongs to no instance is one problem.
     const char* at = this->Cursor.At;
-    if (!lost)
+    if (!this->IsLost)
     {
       this->File.Add(Part21Defect::NotAnInstance, this->GetOffset(at));
     }
-    lost = true;
+    this->IsLost = true;
     this->Recover();
     this->ReportSkipped(at, false);
   }
+  return false;
 }
 
 void Part21Parser::ParseInstance()

@@ -13,12 +13,20 @@
 
 namespace sm
 {
-/// Fills the instances, records and types of a file whose text is set, and collects the numbers of its
-/// references.
+/**
+ * Fills the instances, records and types of a file whose text is set, and collects the numbers of its
+ * references.
+ *
+ * A long DATA section is parsed in chunks, each of which begins with a line that begins like an instance. A
+ * chunk is taken only where the parser, coming from the front, arrives at its first byte between two
+ * instances: all that parsing depends on is then the same, so that the result is that of one pass. Chunks in
+ * which that is not so (they begin in a comment, say) are parsed again.
+ */
 class Part21Parser
 {
 public:
-  explicit Part21Parser(Part21File& file);
+  /// `chunk` is the number of bytes in a chunk.
+  Part21Parser(Part21File& file, std::size_t chunk);
 
   /// Parses the text from the first byte of the header.
   void Parse(std::size_t start);
@@ -28,11 +36,21 @@ public:
 
 private:
   using Index = Part21File::Index;
+  struct Chunk;
+
+  /// Parses from one byte, between two instances, on. The text ends for it at another one.
+  Part21Parser(Part21File& result, const char* start, Part21Cursor cursor);
   std::uint32_t GetOffset(const char* at) const { return static_cast<std::uint32_t>(at - this->Start); }
   bool SkipBlanks();
   bool ParseSection();
   void ParseHeader();
   void ParseInstances();
+  /// Parses instances until one begins at `stop` or behind it. Returns false if the section ends before.
+  bool ParseInstancesTo(const char* stop);
+  /// Parses instances up to the last bytes of the text. Returns false if the section ends before.
+  bool ParseChunks();
+  std::vector<Chunk> FindChunks() const;
+  void Append(const Chunk& chunk);
   void ParseInstance();
   bool ParseRecords();
   bool ParseRecord();
@@ -56,6 +74,9 @@ private:
   Part21File& File;
   const char* Start;
   Part21Cursor Cursor;
+  std::size_t ChunkSize = 0;
+  /// True behind text that belongs to no instance, which is reported.
+  bool IsLost = false;
   /// Hash table of type names with open addressing: index of a name plus one; 0 for a free entry.
   std::vector<std::uint32_t> TypeTable = std::vector<std::uint32_t>(1024, 0);
   bool Ended = false;

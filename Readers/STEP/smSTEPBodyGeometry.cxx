@@ -2,9 +2,12 @@
 
 #include "Loops/smAxialProfile.h"
 #include "smCatchFailure.h"
+#include "smParallelFor.h"
 #include "smSTEPRevolvedConics.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace sm
@@ -13,6 +16,9 @@ namespace
 {
 /// A trim that is closer to an end of its domain than this, relative to the domain, is there.
 constexpr double EndRounding = 1e-12;
+
+/// Number of edges and surfaces that one thread makes with a ledger of its own.
+constexpr std::size_t ChunkSize = 256;
 
 SurfacePointer Require(const SurfacePointer& surface, const std::string& problem)
 {
@@ -28,6 +34,53 @@ STEPBodyGeometry::STEPBodyGeometry(
   , Entities(entities)
   , Ledger(ledger)
 {
+}
+
+void STEPBodyGeometry::Make(const std::vector<Index>& edges, const std::vector<Index>& surfaces)
+{
+  struct Chunk
+  {
+    STEPLedger Ledger;
+    std::unique_ptr<STEPBodyGeometry> Geometry;
+  };
+  const std::size_t count = edges.size() + surfaces.size();
+  std::vector<Chunk> chunks((count + ChunkSize - 1) / ChunkSize);
+  ParallelFor(chunks.size(), 1,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        Chunk& chunk = chunks[k];
+        chunk.Geometry = std::make_unique<STEPBodyGeometry>(this->Entities, this->Units, chunk.Ledger);
+        for (std::size_t i = k * ChunkSize; i < std::min(count, (k + 1) * ChunkSize); ++i)
+        {
+          if (i < edges.size())
+          {
+            chunk.Geometry->Edges.GetEdge(edges[i]);
+          }
+          else
+          {
+            chunk.Geometry->GetSurface(surfaces[i - edges.size()]);
+          }
+        }
+      }
+    });
+  for (Chunk& chunk : chunks)
+  {
+    this->Take(*chunk.Geometry);
+  }
+}
+
+void STEPBodyGeometry::Take(STEPBodyGeometry& other)
+{
+  this->Values.Take(other.Values);
+  this->Edges.Take(other.Edges);
+  for (auto& [entity, surface] : other.Surfaces)
+  {
+    surface.Value = this->Values.GetSurface(entity);
+  }
+  this->Surfaces.merge(other.Surfaces);
+  std::move(other.Ledger.Rows.begin(), other.Ledger.Rows.end(), std::back_inserter(this->Ledger.Rows));
 }
 
 const STEPBodyGeometry::Surface& STEPBodyGeometry::GetSurface(Index entity)

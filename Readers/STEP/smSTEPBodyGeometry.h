@@ -12,11 +12,12 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace sm
 {
-/// The geometry of all bodies with the same units. Everything is made once, when it is asked for; what is not
-/// made has a row in the ledger. Not thread safe.
+/// The geometry of all bodies with the same units. Everything is made once, by Make() or when it is asked
+/// for; what is not made has a row in the ledger. Not thread safe.
 class STEPBodyGeometry
 {
 public:
@@ -24,6 +25,8 @@ public:
 
   STEPBodyGeometry(const STEPAttributes& entities, const STEPUnitSizes& units, STEPLedger& ledger);
 
+  /// Makes edges and surfaces on all threads. Results and rows do not depend on the number of threads.
+  void Make(const std::vector<Index>& edges, const std::vector<Index>& surfaces);
   struct Surface
   {
     const STEPSurface* Value = nullptr;
@@ -52,6 +55,8 @@ public:
 
 private:
   void MakeNative(Index entity, Surface& surface);
+  /// Takes over what the other one has made and this one has not.
+  void Take(STEPBodyGeometry& other);
 
   const STEPAttributes& Entities;
   STEPLedger& Ledger;

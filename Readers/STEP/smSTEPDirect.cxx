@@ -90,20 +90,25 @@ private:
 
   bool MakeShapes(const ProgressCallback& progress)
   {
-    std::uint64_t faces = 0;
-    for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
+    std::vector<const CensusBody*> bodies;
+    for (const CensusBody& body : this->Census.Bodies)
     {
-      const CensusBody& body = this->Census.Bodies[k];
-      if (body.Kind != this->Kind || body.Instances == 0)
+      if (body.Kind == this->Kind && body.Instances > 0)
       {
-        continue;
+        bodies.push_back(&body);
       }
-      ShapeGroup shapes = this->Shapes.MakeBody(body);
+    }
+    this->Shapes.MakeGeometry(bodies);
+    std::uint64_t faces = 0;
+    for (const CensusBody* body : bodies)
+    {
+      ShapeGroup shapes = this->Shapes.MakeBody(*body);
       if (!shapes.IsEmpty())
       {
-        this->Bodies.emplace(static_cast<std::uint32_t>(k), std::move(shapes));
+        this->Bodies.emplace(
+          static_cast<std::uint32_t>(body - this->Census.Bodies.data()), std::move(shapes));
       }
-      faces += body.Faces;
+      faces += body->Faces;
       if (!progress(0.5 * static_cast<double>(faces) /
             static_cast<double>(std::max<std::uint64_t>(1, this->Census.CountFaces(this->Kind)))))
       {

@@ -189,7 +189,6 @@ const STEPEdge* STEPEdges::GetEdge(Index entity)
       throw STEPGeometryFailure{ "it is not an EDGE_CURVE, or is damaged" };
     }
     found->second = std::make_unique<STEPEdge>(this->Make(entity));
-    ++this->Ledger.Converted[SenseOfEdge.Record];
   }
   catch (const STEPGeometryFailure& failure)
   {

@@ -64,6 +64,8 @@ public:
 
   /// Returns an edge; null if it has a row in the ledger.
   const STEPEdge* GetEdge(Index entity);
+  /// Takes over the edges that the other one has made and this one has not.
+  void Take(STEPEdges& other) { this->Edges.merge(other.Edges); }
 
 private:
   STEPEdge Make(Index entity);

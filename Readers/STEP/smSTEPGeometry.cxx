@@ -65,11 +65,7 @@ const Value* STEPGeometry::Find(
     reason = failure.Reason;
   }
   --this->Depth;
-  if (result)
-  {
-    ++this->Ledger.Converted[DescribeType(file, entity)];
-  }
-  else
+  if (!result)
   {
     this->Ledger.Rows.push_back({ file.GetId(entity), DescribeType(file, entity), reason, consequence });
   }
@@ -96,6 +92,25 @@ const STEPSurface* STEPGeometry::GetSurface(Index entity)
 {
   return this->Find(this->Surfaces, entity, "faces on it are missing",
     [this](Index i) { return STEPSurfaceMaker(*this).Make(i); });
+}
+
+void STEPGeometry::Take(STEPGeometry& other)
+{
+  const auto take = [](auto& own, auto& others)
+  {
+    own.merge(others);
+    // At the end of a long chain one of the two may have a row for what the other one has made.
+    for (auto& [entity, entry] : others)
+    {
+      if (!own[entity].Result)
+      {
+        own[entity].Result = std::move(entry.Result);
+      }
+    }
+  };
+  take(this->Curves, other.Curves);
+  take(this->PlaneCurves, other.PlaneCurves);
+  take(this->Surfaces, other.Surfaces);
 }
 
 STEPCurve<2> STEPGeometry::MapToNatural(

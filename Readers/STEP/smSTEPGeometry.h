@@ -77,6 +77,8 @@ public:
   const STEPSurface* GetSurface(Index entity);
   /// Returns a curve in the parameters of a surface, in the file's units.
   const STEPCurve<2>* GetPlaneCurve(Index entity);
+  /// Takes over what the other one has made and this one has not.
+  void Take(STEPGeometry& other);
   /// Returns a curve in the natural parameters of a surface, converted from the file's units; null Value if
   /// that fails.
   STEPCurve<2> MapToNatural(

@@ -8,9 +8,7 @@
 
 #include "smPart21File.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -28,11 +26,9 @@ struct LedgerRow
   std::string Consequence;
 };
 
-/// One account of a file: every entity that a reader asks for is either counted as converted or has a row.
+/// One account of a file: every entity that a reader asks for is either converted or has a row.
 struct STEPLedger
 {
-  /// Number of converted entities of each type.
-  std::map<std::string, std::size_t> Converted;
   std::vector<LedgerRow> Rows;
 };
 

@@ -11,15 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 namespace sm
 {
 namespace
 {
-constexpr STEPAttribute SenseOfBound = { "FACE_BOUND", 1, 2, "orientation" };
-constexpr STEPAttribute SenseOfOriented = { "ORIENTED_EDGE", 1, 4, "orientation" };
-constexpr STEPAttribute SurfaceOfFace = { "FACE_SURFACE", 0, 2, "surface" };
 constexpr STEPAttribute SenseOfFace = { "FACE_SURFACE", 1, 3, "same sense" };
 constexpr STEPAttribute SenseOfShell = { "ORIENTED_CLOSED_SHELL", 1, 3, "orientation" };
 constexpr STEPAttribute PolygonOfLoop = { "POLY_LOOP", 0, 1, "polygon" };
@@ -94,12 +90,7 @@ public:
   }
 
 private:
-  /// An oriented edge of a loop.
-  struct LoopUse
-  {
-    Index Edge;
-    bool IsForward;
-  };
+  using LoopUse = STEPFaceLoop::Use;
 
   static void Describe(std::uint64_t id, std::string_view name, ShapeData& data)
   {
@@ -168,29 +159,6 @@ private:
     return !peril;
   }
 
-  /// Reads the oriented edges of a loop; returns false for a loop of another kind.
-  bool ReadLoop(Index loop, std::vector<LoopUse>& uses) const
-  {
-    std::string_view record;
-    if (!this->Entities.FindRecord(loop, EdgesOfLoop.Record, record) &&
-      !this->Entities.FindRecord(loop, "EDGE_LOOP", record))
-    {
-      return false;
-    }
-    Part21Values values(this->Entities.Get(loop, EdgesOfLoop).Text);
-    for (Part21Value value; values.Next(value);)
-    {
-      const Index oriented = this->Entities.Follow(value);
-      const Index edge = this->Entities.Follow(this->Entities.Get(oriented, EdgeOfOriented));
-      if (!this->Entities.Has(edge, STEPRole::Edge))
-      {
-        return false;
-      }
-      uses.push_back({ edge, this->Entities.Get(oriented, SenseOfOriented).Text != "F" });
-    }
-    return !uses.empty();
-  }
-
   Index GetVertexEntity(Index edge, bool isStart) const
   {
     return this->Entities.Follow(this->Entities.Get(edge, isStart ? StartOfEdge : EndOfEdge));
@@ -228,11 +196,9 @@ private:
   /// Joins the vertices of the edges of a face that are the same. Returns false if an edge has a row.
   bool JoinVertices(const CensusFace& face)
   {
-    for (std::uint32_t b = 0; b < face.NumberOfBounds; ++b)
+    for (const STEPFaceLoop& loop : this->Shapes.Loops[face])
     {
-      const Index bound = this->Entities.File.Find(this->Shapes.Census.Bounds[face.FirstBound + b]);
-      std::vector<LoopUse> uses;
-      this->ReadLoop(this->Entities.Follow(this->Entities.Get(bound, LoopOfBound)), uses);
+      const std::vector<LoopUse>& uses = loop.Uses;
       std::vector<std::array<Vector3, 2>> ends;
       for (const LoopUse& use : uses)
       {
@@ -326,7 +292,7 @@ private:
   FaceUse MakeFace(const CensusFace& census)
   {
     const Index entity = this->Entities.File.Find(census.Id);
-    const Index surfaceEntity = this->Entities.Follow(this->Entities.Get(entity, SurfaceOfFace));
+    const Index surfaceEntity = this->Shapes.GetSurfaceEntity(entity);
     const STEPBodyGeometry::Surface& surface = this->Shared.GetSurface(surfaceEntity);
     if (!surface.Native)
     {
@@ -337,29 +303,26 @@ private:
     face->Surface = this->HasEdges(census) ? surface.Native : STEPBodyGeometry::TakeSelectedPart(surface);
     std::copy(surface.Range, surface.Range + 2, face->Range);
     face->Own = surface.Own;
-    for (std::uint32_t b = 0; b < census.NumberOfBounds; ++b)
+    for (const STEPFaceLoop& loop : this->Shapes.Loops[census])
     {
-      const Index bound = this->Entities.File.Find(this->Shapes.Census.Bounds[census.FirstBound + b]);
-      const Index loop = this->Entities.Follow(this->Entities.Get(bound, LoopOfBound));
-      const bool isSame = (this->Entities.Get(bound, SenseOfBound).Text != "F") == isForward;
-      std::string_view record;
-      std::vector<LoopUse> uses;
-      if (this->Entities.FindRecord(loop, VertexOfLoop.Record, record))
+      const bool isSame = loop.IsForward == isForward;
+      if (loop.Kind == STEPFaceLoop::Type::Vertex)
       {
-        this->CheckApex(loop, census.Id, surfaceEntity, *surface.Value);
-        this->AddVertexLoop(loop, census.NumberOfBounds == 1, *face);
+        this->CheckApex(loop.Entity, census.Id, surfaceEntity, *surface.Value);
+        this->AddVertexLoop(loop.Entity, census.NumberOfBounds == 1, *face);
       }
-      else if (this->Entities.FindRecord(loop, PolygonOfLoop.Record, record))
+      else if (loop.Kind == STEPFaceLoop::Type::Polygon)
       {
-        face->Bounded = this->Polygons.Add(this->ReadPolygon(loop), isSame, *face) || face->Bounded;
+        face->Bounded = this->Polygons.Add(this->ReadPolygon(loop.Entity), isSame, *face) || face->Bounded;
       }
-      else if (!this->ReadLoop(loop, uses) || !this->AddEdgeLoop(uses, isSame, surfaceEntity, *face))
+      else if (loop.Kind == STEPFaceLoop::Type::Other ||
+        !this->AddEdgeLoop(loop.Uses, isSame, surfaceEntity, *face))
       {
         this->Shared.AddRow(entity,
           "its loops have edges that are left out, or are of a kind that is not read", "its solid lacks it");
         return {};
       }
-      face->Bounded = face->Bounded || !uses.empty();
+      face->Bounded = face->Bounded || loop.Kind == STEPFaceLoop::Type::Edges;
     }
     if (census.NumberOfBounds == 0 && HasNaturalBounds(*face->Surface))
     {
@@ -377,17 +340,9 @@ private:
   /// Returns false for a face that is bounded by vertices only.
   bool HasEdges(const CensusFace& census) const
   {
-    for (std::uint32_t b = 0; b < census.NumberOfBounds; ++b)
-    {
-      const Index bound = this->Entities.File.Find(this->Shapes.Census.Bounds[census.FirstBound + b]);
-      std::string_view record;
-      if (!this->Entities.FindRecord(
-            this->Entities.Follow(this->Entities.Get(bound, LoopOfBound)), VertexOfLoop.Record, record))
-      {
-        return true;
-      }
-    }
-    return false;
+    const Part21Range<STEPFaceLoop> loops = this->Shapes.Loops[census];
+    return std::any_of(loops.begin(), loops.end(),
+      [](const STEPFaceLoop& loop) { return loop.Kind != STEPFaceLoop::Type::Vertex; });
   }
 
   static bool HasNaturalBounds(const GeometricSurface& surface)
@@ -554,27 +509,11 @@ STEPShapes::STEPShapes(const STEPAttributes& entities, const STEPCensus& census,
   , Census(census)
   , Ledger(ledger)
   , Perils(entities.File, census)
+  , Loops(entities, census)
 {
 }
 
 STEPShapes::~STEPShapes() = default;
-
-STEPBodyGeometry& STEPShapes::GetGeometry(int context)
-{
-  std::unique_ptr<STEPBodyGeometry>& geometry = this->Geometries[context];
-  if (!geometry)
-  {
-    STEPUnitSizes units;
-    if (context >= 0)
-    {
-      const CensusContext& stated = this->Census.Contexts[context];
-      units.Length = stated.Length.Factor > 0.0 ? stated.Length.Factor : 1.0;
-      units.Angle = stated.Angle.Factor > 0.0 ? stated.Angle.Factor : 1.0;
-    }
-    geometry = std::make_unique<STEPBodyGeometry>(this->Entities, units, this->Ledger);
-  }
-  return *geometry;
-}
 
 double STEPShapes::GetPrecision(const CensusBody& body) const
 {

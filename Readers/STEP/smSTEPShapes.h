@@ -10,6 +10,7 @@
 #include "smSTEPAttributes.h"
 #include "smSTEPBodyGeometry.h"
 #include "smSTEPCensus.h"
+#include "smSTEPFaceLoops.h"
 #include "smSTEPLedger.h"
 #include "smSTEPParameterCurves.h"
 #include "smSTEPPerils.h"
@@ -37,6 +38,8 @@ public:
   STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger);
   ~STEPShapes();
 
+  /// Makes the edges and surfaces of bodies on all threads, so that MakeBody() finds them.
+  void MakeGeometry(const std::vector<const CensusBody*>& bodies);
   /// Returns a solid, or the shells of a surface model; nothing if no face of it is made.
   ShapeGroup MakeBody(const CensusBody& body);
   /// Numbers of the faces whose surface has the opposite normal (STEPSurface::IsReversed()).
@@ -48,8 +51,10 @@ public:
 
 private:
   class BodyShaper;
+  using Index = Part21File::Index;
 
   STEPBodyGeometry& GetGeometry(int context);
+  Index GetSurfaceEntity(Index face) const;
   /// Extends the box of the file's edges.
   void Extend(const Vector3& point);
 
@@ -57,6 +62,7 @@ private:
   const STEPCensus& Census;
   STEPLedger& Ledger;
   STEPPerils Perils;
+  STEPFaceLoops Loops;
   std::unordered_map<int, std::unique_ptr<STEPBodyGeometry>> Geometries;
   Vector3 Low{ 1e300, 1e300, 1e300 };
   Vector3 High{ -1e300, -1e300, -1e300 };

@@ -10,6 +10,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -368,6 +369,84 @@ void CheckSparse()
   CheckEqual("sparse: wrong", 0, static_cast<long long>(wrong));
 }
 
+/// Everything that is read of a file, as text.
+std::string Dump(const sm::Part21File& file)
+{
+  std::string text = GetProblems(file) + "\n";
+  for (const sm::Part21Problem& problem : file.GetProblems())
+  {
+    text += std::to_string(static_cast<int>(problem.Defect)) + " " + std::to_string(problem.Offset) + " " +
+      std::to_string(problem.Id) + " " + std::to_string(problem.Other) + "\n";
+  }
+  for (Index i = 0; i < file.GetNumberOfInstances(); ++i)
+  {
+    text += std::string(file.GetText(i)) + (file.IsDamaged(i) ? " damaged" : "") +
+      (file.IsMalformed(i) ? " malformed" : "");
+    for (std::size_t k = 0; k < file.GetNumberOfRecords(i); ++k)
+    {
+      text += " " + file.GetTypeNames()[file.GetType(i, k)] + std::string(file.GetParameters(i, k));
+    }
+    for (const Index reference : file.GetReferences(i))
+    {
+      text += " " + std::to_string(reference);
+    }
+    text += "\n";
+  }
+  for (const std::string& type : file.GetTypeNames())
+  {
+    text += type + "\n";
+  }
+  return text;
+}
+
+/// The result does not depend on the chunks, wherever these begin: in strings and comments that contain lines
+/// like instances, in instances longer than a chunk, and next to damage.
+void CheckChunks()
+{
+  std::mt19937 random(20261128);
+  const char* const lines[] = { "#%=A(#@,'x',$);\n", "#%=TYPE%(1.5,(#@,#@));\n",
+    "#%=(A(#@)B('a\n b''c',*)C());\n", "/* a comment\n#%=B(#@);\n*/\n",
+    "#%=D('two\n lines; #1 = of text');\n", "#%=E(/* ;\n#7=F(); */#@);\n", "  #%  =  G ( .T. , \"0F\" ) ;\n",
+    "#%=H(#@);#9%=I();\n" };
+  const char* const damage[] = { "#%=A('open;\n", "#%=B(#@\n", "lost text\n", "#%=C(1,,2);\n",
+    "#99999999999999999999999=A();\n", "ENDSEC;\nDATA;\n", "'", "/*", "#%=J(" };
+  std::size_t different = 0;
+  std::size_t files = 0;
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    std::string data;
+    for (int k = 1; k <= 120; ++k)
+    {
+      const bool isDamage = trial % 3 == 2 && random() % 40 == 0;
+      std::string line = isDamage ? damage[random() % 9] : lines[random() % 8];
+      for (std::size_t at = 0; at < line.size(); ++at)
+      {
+        const bool isOwn = line[at] == '%';
+        if (isOwn || line[at] == '@')
+        {
+          line.replace(at, 1, std::to_string(isOwn ? k : 1 + static_cast<int>(random() % 121)));
+        }
+      }
+      data += line;
+      if (random() % 50 == 0)
+      {
+        data += "#" + std::to_string(1000 + k) + "=LONG('" + std::string(random() % 3000, 'x') + "');\n";
+      }
+    }
+    sm::Part21File whole;
+    whole.Parse(Wrap(data), 0);
+    const std::string expected = Dump(whole);
+    for (const std::size_t chunk : { 256, 300, 1000, 2500 })
+    {
+      sm::Part21File file;
+      file.Parse(Wrap(data), chunk);
+      different += Dump(file) != expected ? 1 : 0;
+      ++files;
+    }
+  }
+  CheckEqual("chunks: files that differ of " + std::to_string(files), 0, static_cast<long long>(different));
+}
+
 void CheckEncodings()
 {
   const std::string umlaut = "Geh\xc3\xa4use";
@@ -432,6 +511,7 @@ int TestPart21File(int argc, char* argv[])
   CheckEveryByte();
   CheckDepth();
   CheckSparse();
+  CheckChunks();
   CheckEncodings();
   CheckFromDisk(argv[1]);
   return smtest::Finish();
