@@ -158,7 +158,7 @@ void MessageList::LabelBodies()
 {
   for (Body& body : this->Bodies)
   {
-    const int id = body.Model->GetFileId();
+    const vtkTypeInt64 id = body.Model->GetFileId();
     if (id > 0 && this->BodiesByName[body.Label].size() > 1)
     {
       body.Label += " (#" + std::to_string(id) + ")";

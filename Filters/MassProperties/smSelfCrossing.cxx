@@ -188,6 +188,10 @@ void Checker::CollectBalls(std::size_t part)
 void Checker::CollectTriangles(std::size_t part)
 {
   const BodyIntegrals& body = *this->Parts[part];
+  const std::size_t triangles = this->Triangles.size() + CountTriangles(body.Mesh);
+  this->Triangles.reserve(triangles);
+  this->FaceOfTriangle.reserve(triangles);
+  this->IsFolded.reserve(triangles);
   std::array<double, 16> inverse;
   vtkMatrix4x4::Invert(body.Placement.data(), inverse.data());
   std::array<double, 16> rotation = inverse;
@@ -640,7 +644,7 @@ bool IsCheckable(const BodyIntegrals& body)
 /// Returns true if a body is a part of the same solid of a file as the one before it, because OpenCASCADE
 /// makes a solid of each connected part of a shell. Solids of two files may have the same entity number; the
 /// numbers of their faces distinguish them.
-bool IsSameSolid(const BodyIntegrals& first, const BodyIntegrals& body, const std::set<int>& faceIds)
+bool IsSameSolid(const BodyIntegrals& first, const BodyIntegrals& body, const std::set<std::int64_t>& faceIds)
 {
   const std::vector<FacePointer>& faces = body.Model->GetFaces();
   return IsCheckable(body) && body.Model->GetFileId() > 0 &&
@@ -692,7 +696,7 @@ void SelfCrossingCheck::Run(
     }
     std::vector<const BodyIntegrals*> parts;
     std::vector<std::uint64_t> faces;
-    std::set<int> ids;
+    std::set<std::int64_t> ids;
     std::size_t end = b;
     for (; end < bodies.size() && (end == b || IsSameSolid(bodies[b], bodies[end], ids)); ++end)
     {

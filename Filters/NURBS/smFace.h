@@ -30,7 +30,7 @@ struct Edge
   /// Id unique within the process, see NewId().
   std::uint64_t Id = 0;
   /// Entity number and name in the file, e.g. 1234 for #1234; 0 and empty when it has none.
-  int FileId = 0;
+  std::int64_t FileId = 0;
   std::string Name;
   /// C_e(t). Any fixed common curve closes the chain, so a curve that is not a piecewise polynomial is
   /// refitted to rounding level. A degenerate edge (a pole) has one piece of degree 0 at its vertex.
@@ -67,7 +67,7 @@ struct Face
   /// Id unique within the process, see NewId().
   std::uint64_t Id = 0;
   /// Entity number and name in the file; 0 and empty when it has none.
-  int FileId = 0;
+  std::int64_t FileId = 0;
   std::string Name;
   NURBSSurface Surface;
   /// True when the solid's outward normal is -(Su x Sv).

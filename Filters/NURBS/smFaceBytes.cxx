@@ -54,7 +54,7 @@ std::shared_ptr<const Edge> FaceReader::GetEdge()
   {
     auto edge = std::make_shared<Edge>();
     edge->Id = NewId();
-    edge->FileId = this->From.Get<int>();
+    edge->FileId = this->From.Get<std::int64_t>();
     edge->Name = this->From.GetText();
     GetCurve(this->From, edge->Curve);
     edge->StartVertex = this->From.Get<std::array<double, 3>>();
@@ -101,7 +101,7 @@ FacePointer FaceReader::Get()
 {
   auto face = std::make_shared<Face>();
   face->Id = NewId();
-  face->FileId = this->From.Get<int>();
+  face->FileId = this->From.Get<std::int64_t>();
   face->Name = this->From.GetText();
   face->Reversed = this->From.Get<bool>();
   face->Color = this->From.Get<std::array<double, 3>>();

@@ -140,8 +140,9 @@ void LeafWriter::Put(vtkTrimmedNURBSModel* model)
   {
     return;
   }
-  for (const int number : { model->GetBody(), model->GetFileId(), model->GetNumberOfMissingFaces(),
-         model->GetNumberOfDefects(), model->GetNumberOfOuterShells() })
+  this->To.Put(model->GetFileId());
+  for (const int number : { model->GetBody(), model->GetNumberOfMissingFaces(), model->GetNumberOfDefects(),
+         model->GetNumberOfOuterShells() })
   {
     this->To.Put(number);
   }
@@ -280,8 +281,8 @@ vtkSmartPointer<vtkCellArray> LeafReader::ReadCells()
 vtkSmartPointer<vtkTrimmedNURBSModel> LeafReader::ReadModel()
 {
   auto model = vtkSmartPointer<vtkTrimmedNURBSModel>::New();
+  model->SetFileId(this->From.Get<vtkTypeInt64>());
   model->SetBody(this->From.Get<int>());
-  model->SetFileId(this->From.Get<int>());
   model->SetNumberOfMissingFaces(this->From.Get<int>());
   model->SetNumberOfDefects(this->From.Get<int>());
   model->SetNumberOfOuterShells(this->From.Get<int>());

@@ -6,49 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace sm
 {
 namespace
 {
-/// A cluster is first parted into triangles that are larger than this fraction of its extent and the others,
-/// if either part has at least a 16th of the triangles.
-constexpr double LargeShare = 0.5;
-constexpr std::ptrdiff_t MinShare = 16;
 /// Each child has at most 15/16 of the triangles of its parent, so this depth reaches the leaves of any mesh
 /// that fits into memory.
 constexpr int MaximumStack = 512;
-
-Vector3 GetAreaVector(const std::array<Vector3, 3>& t)
-{
-  const Vector3 twice = Cross(Subtract(t[1], t[0]), Subtract(t[2], t[0]));
-  return { 0.5 * twice[0], 0.5 * twice[1], 0.5 * twice[2] };
-}
-
-Vector3 GetCentroid(const std::array<Vector3, 3>& t)
-{
-  Vector3 c;
-  for (int d = 0; d < 3; ++d)
-  {
-    c[d] = (t[0][d] + t[1][d] + t[2][d]) / 3.0;
-  }
-  return c;
-}
-
-/// The longest side of the box.
-double GetExtent(const std::array<Vector3, 3>& t)
-{
-  double extent = 0.0;
-  for (int d = 0; d < 3; ++d)
-  {
-    const auto [low, high] = std::minmax({ t[0][d], t[1][d], t[2][d] });
-    extent = std::max(extent, high - low);
-  }
-  return extent;
-}
 
 double GetDistanceToSegment(const Vector3& p, const Vector3& a, const Vector3& b)
 {
@@ -94,63 +60,6 @@ struct HalfAngle
 };
 }
 
-double EstimateDeviation(const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals)
-{
-  // A surface that is inclined by the angle a against a chord of length h at the chord's ends deviates from
-  // it by about h a / 4 at most; twice this distance is assumed.
-  const Vector3 own = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
-  const double area = Norm(own);
-  double longest = 0.0;
-  double sine = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    longest = std::max(longest, Norm(Subtract(corners[(i + 1) % 3], corners[i])));
-    sine = std::max(sine, area > 0.0 ? Norm(Cross(own, normals[i])) / area : 1.0);
-  }
-  return 0.5 * longest * std::min(sine, 1.0);
-}
-
-bool IsClosed(const std::vector<MeshTriangle>& triangles)
-{
-  // The sum of a hash of every side, negative in one of both directions, modulo 2^64.
-  const auto mix = [](std::uint64_t x)
-  {
-    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-    return x ^ (x >> 31);
-  };
-  const auto getHash = [&mix](const Vector3& p)
-  {
-    std::uint64_t hash = 0;
-    for (const double x : p)
-    {
-      // -0 and 0 are one number.
-      const double value = x + 0.0;
-      std::uint64_t bits;
-      std::memcpy(&bits, &value, sizeof(bits));
-      hash = mix(hash + bits + 0x9E3779B97F4A7C15u);
-    }
-    return hash;
-  };
-  std::uint64_t sum = 0;
-  for (const MeshTriangle& triangle : triangles)
-  {
-    std::uint64_t hashes[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      hashes[k] = getHash(triangle.Corners[k]);
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const std::uint64_t from = hashes[k];
-      const std::uint64_t to = hashes[(k + 1) % 3];
-      const std::uint64_t side = mix(std::min(from, to) ^ mix(std::max(from, to)));
-      sum += from < to ? side : from > to ? std::uint64_t{ 0 } - side : 0;
-    }
-  }
-  return sum == 0;
-}
-
 double GetSolidAngle(const Vector3& p, const std::array<Vector3, 3>& t)
 {
   const HalfAngle angle(p, t[0], t[1], t[2]);
@@ -173,94 +82,6 @@ double GetDistance(const Vector3& p, const std::array<Vector3, 3>& t)
   return above ? std::abs(Dot(Subtract(p, t[0]), normal)) / length : border;
 }
 
-WindingTree::WindingTree(const std::vector<MeshTriangle>& triangles)
-{
-  if (triangles.empty())
-  {
-    return;
-  }
-  Input input{ triangles, {} };
-  input.Items.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    input.Items.push_back({ GetCentroid(triangles[i].Corners), GetExtent(triangles[i].Corners), i });
-  }
-  this->Nodes.reserve(4 * triangles.size() / LeafSize + 1);
-  this->Build(input, 0, triangles.size());
-  this->Order.reserve(triangles.size());
-  for (const Item& item : input.Items)
-  {
-    this->Order.push_back(item.Index);
-  }
-  for (std::size_t c = 0; c < this->Coordinates.size(); ++c)
-  {
-    this->Coordinates[c].resize(triangles.size() + LeafSize);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      this->Coordinates[c][i] = triangles[this->Order[i]].Corners[c / 3][c % 3];
-    }
-  }
-  this->Deviations.reserve(triangles.size());
-  for (const std::size_t i : this->Order)
-  {
-    this->Deviations.push_back(triangles[i].Deviation);
-  }
-}
-
-std::size_t WindingTree::Build(Input& input, std::size_t begin, std::size_t end)
-{
-  const std::size_t index = this->Nodes.size();
-  this->Nodes.emplace_back();
-  Node node;
-  node.Begin = begin;
-  node.End = end;
-  if (end - begin <= LeafSize)
-  {
-    this->SumTriangles(input, node);
-  }
-  else
-  {
-    Vector3 low = input.Items[begin].Centroid;
-    Vector3 high = low;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      const Vector3& c = input.Items[i].Centroid;
-      for (int d = 0; d < 3; ++d)
-      {
-        low[d] = std::min(low[d], c[d]);
-        high[d] = std::max(high[d], c[d]);
-      }
-    }
-    int axis = 0;
-    for (int d = 1; d < 3; ++d)
-    {
-      axis = high[d] - low[d] > high[axis] - low[axis] ? d : axis;
-    }
-    const auto first = input.Items.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = input.Items.begin() + static_cast<std::ptrdiff_t>(end);
-    // Among large triangles no part of the cluster would be far away from anything.
-    auto middle = std::stable_partition(first, last,
-      [extent = LargeShare * (high[axis] - low[axis])](const Item& item) { return item.Extent > extent; });
-    if (std::min(middle - first, last - middle) <= (last - first) / MinShare)
-    {
-      middle = first + (last - first) / 2;
-      std::nth_element(first, middle, last,
-        [axis](const Item& a, const Item& b)
-        {
-          const double x = a.Centroid[axis];
-          const double y = b.Centroid[axis];
-          return x < y || (x == y && a.Index < b.Index);
-        });
-    }
-    const std::size_t second = begin + static_cast<std::size_t>(middle - first);
-    this->Build(input, begin, second);
-    node.Second = this->Build(input, second, end);
-    this->SumChildren(this->Nodes[index + 1], this->Nodes[node.Second], node);
-  }
-  this->Nodes[index] = node;
-  return index;
-}
-
 std::array<Vector3, 3> WindingTree::GetTriangle(std::size_t i) const
 {
   std::array<Vector3, 3> corners;
@@ -269,92 +90,6 @@ std::array<Vector3, 3> WindingTree::GetTriangle(std::size_t i) const
     corners[c / 3][c % 3] = this->Coordinates[c][i];
   }
   return corners;
-}
-
-void WindingTree::SumTriangles(const Input& input, Node& node) const
-{
-  const double largest = std::numeric_limits<double>::max();
-  node.Low.fill(largest);
-  node.High.fill(-largest);
-  std::array<Vector3, LeafSize> areas;
-  Vector3 mean{};
-  for (std::size_t i = node.Begin; i < node.End; ++i)
-  {
-    const MeshTriangle& triangle = input.Triangles[input.Items[i].Index];
-    const Vector3 vector = GetAreaVector(triangle.Corners);
-    areas[i - node.Begin] = vector;
-    const double area = Norm(vector);
-    node.Weight += area;
-    node.Deviation = std::max(node.Deviation, triangle.Deviation);
-    for (int d = 0; d < 3; ++d)
-    {
-      for (const Vector3& corner : triangle.Corners)
-      {
-        node.Low[d] = std::min(node.Low[d], corner[d]);
-        node.High[d] = std::max(node.High[d], corner[d]);
-      }
-      mean[d] += area * input.Items[i].Centroid[d];
-      node.Area[d] += vector[d];
-    }
-  }
-  node.SetCenter(mean);
-  for (std::size_t i = node.Begin; i < node.End; ++i)
-  {
-    node.AddMoment(areas[i - node.Begin], input.Items[i].Centroid);
-    for (const Vector3& corner : input.Triangles[input.Items[i].Index].Corners)
-    {
-      node.Radius = std::max(node.Radius, Norm(Subtract(corner, node.Center)));
-    }
-  }
-}
-
-void WindingTree::SumChildren(const Node& first, const Node& second, Node& node)
-{
-  Vector3 mean{};
-  Vector3 far{};
-  node.Weight = first.Weight + second.Weight;
-  node.Deviation = std::max(first.Deviation, second.Deviation);
-  for (int d = 0; d < 3; ++d)
-  {
-    node.Low[d] = std::min(first.Low[d], second.Low[d]);
-    node.High[d] = std::max(first.High[d], second.High[d]);
-    node.Area[d] = first.Area[d] + second.Area[d];
-    mean[d] = first.Weight * first.Center[d] + second.Weight * second.Center[d];
-  }
-  node.SetCenter(mean);
-  for (int i = 0; i < 6; ++i)
-  {
-    node.Moment[i] = first.Moment[i] + second.Moment[i];
-  }
-  node.AddMoment(first.Area, first.Center);
-  node.AddMoment(second.Area, second.Center);
-  for (int d = 0; d < 3; ++d)
-  {
-    far[d] = std::max(node.High[d] - node.Center[d], node.Center[d] - node.Low[d]);
-  }
-  // No corner is farther away than that of the box, nor than those of the children.
-  node.Radius = std::min(Norm(far),
-    std::max(Norm(Subtract(first.Center, node.Center)) + first.Radius,
-      Norm(Subtract(second.Center, node.Center)) + second.Radius));
-}
-
-void WindingTree::Node::SetCenter(const Vector3& mean)
-{
-  for (int d = 0; d < 3; ++d)
-  {
-    this->Center[d] = this->Weight > 0.0 ? mean[d] / this->Weight : 0.5 * (this->Low[d] + this->High[d]);
-  }
-}
-
-void WindingTree::Node::AddMoment(const Vector3& area, const Vector3& at)
-{
-  const Vector3 c = Subtract(at, this->Center);
-  for (int d = 0; d < 3; ++d)
-  {
-    const int e = (d + 1) % 3;
-    this->Moment[d] += area[d] * c[d];
-    this->Moment[3 + d] += 0.5 * (area[d] * c[e] + area[e] * c[d]);
-  }
 }
 
 /// The sum of the solid angles of a leaf's triangles, by the argument of a product of complex numbers.

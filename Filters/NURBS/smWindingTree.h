@@ -124,8 +124,20 @@ private:
   /// Distance of a cluster, in its radii, from which on its expansion is used.
   static constexpr double FarRatio = 2.0;
 
-  std::size_t Build(Input& input, std::size_t begin, std::size_t end);
-  void SumTriangles(const Input& input, Node& node) const;
+  /// Part of the hierarchy of triangles [Begin, End): two others, or a subtree with indices of its own.
+  struct Branch
+  {
+    std::size_t Begin = 0;
+    std::size_t End = 0;
+    std::size_t Children[2] = { 0, 0 };
+    std::vector<Node> Nodes;
+  };
+  /// Sorts the triangles into two children; returns the first one of the second child.
+  static std::size_t Split(Input& input, std::size_t begin, std::size_t end);
+  static std::size_t Build(Input& input, std::size_t begin, std::size_t end, std::vector<Node>& nodes);
+  static std::vector<Branch> MakeBranches(Input& input);
+  std::size_t Join(const std::vector<Branch>& branches, std::size_t index);
+  static void SumTriangles(const Input& input, Node& node);
   std::array<Vector3, 3> GetTriangle(std::size_t i) const;
   static void SumChildren(const Node& first, const Node& second, Node& node);
   double SumAngles(const Vector3& p, const Node& node, std::size_t without) const;

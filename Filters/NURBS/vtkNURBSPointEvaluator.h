@@ -28,7 +28,7 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 #ifndef __VTK_WRAP__
-#include "smPointLayout.h" // for EvaluateFaces()
+#include "smPointLayout.h" // for PointLayout
 #endif
 
 class vtkNURBSDataSet;

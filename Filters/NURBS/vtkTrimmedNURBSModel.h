@@ -48,8 +48,8 @@ public:
   vtkGetMacro(Name, std::string);
 
   /** Entity number of the body in the file (1234 for #1234); 0 when it has none. */
-  vtkSetMacro(FileId, int);
-  vtkGetMacro(FileId, int);
+  vtkSetMacro(FileId, vtkTypeInt64);
+  vtkGetMacro(FileId, vtkTypeInt64);
 
   /** Unit of every length: "mm" by default. */
   vtkSetMacro(LengthUnit, std::string);
@@ -220,7 +220,7 @@ private:
 
   int Body = SOLID;
   std::string Name;
-  int FileId = 0;
+  vtkTypeInt64 FileId = 0;
   std::string LengthUnit = "mm";
   std::string FileUnit;
   std::string Material;

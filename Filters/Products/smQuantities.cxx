@@ -5,6 +5,7 @@
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -59,6 +60,12 @@ std::array<double, 3> GetPoint(vtkFieldData* data, vtkIdType row, const std::str
 
 long long GetCount(vtkFieldData* data, vtkIdType row, const std::string& name)
 {
+  // A double does not hold all entity numbers.
+  auto* const numbers = vtkTypeInt64Array::SafeDownCast(data->GetAbstractArray(name.c_str()));
+  if (numbers && row < numbers->GetNumberOfTuples())
+  {
+    return numbers->GetValue(row);
+  }
   const double value = GetNumber(data, row, name);
   return std::isnan(value) ? -1 : static_cast<long long>(value);
 }

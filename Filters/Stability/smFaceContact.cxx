@@ -30,7 +30,7 @@ void FaceContact::Prepare()
     this->Heights.push_back(this->Patches.back().GetHeights());
   }
   this->Region = std::make_unique<TrimClassifier>(*this->Cut->Source);
-  std::vector<int> edgeIds;
+  std::vector<std::int64_t> edgeIds;
   for (const Loop& loop : this->Cut->Source->Loops)
   {
     for (const Coedge& coedge : loop.Coedges)

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <string>
@@ -82,8 +83,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   double MaxOverlap = 0.0;
   /// Entity numbers of the faces whose bounds are estimated, and of those that were left out; the number of
   /// faces that were skipped.
-  std::vector<int> EstimatedFaces;
-  std::vector<int> LeftOutFaces;
+  std::vector<std::int64_t> EstimatedFaces;
+  std::vector<std::int64_t> LeftOutFaces;
   int SkippedFaces = 0;
   /// Defects of faces that make the body suspect. Edges do so if they are open or their gap is wider than
   /// ExcusedGap.

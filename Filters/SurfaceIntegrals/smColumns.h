@@ -93,6 +93,7 @@ public:
   }
   double* AddDoubles(const std::string& name, int components = 1);
   int* AddIntegers(const std::string& name);
+  vtkTypeInt64* AddEntityNumbers(const std::string& name);
   vtkStdString* AddStrings(const std::string& name);
 
   /// Add columns of one row.

@@ -48,7 +48,7 @@ struct IntegralRequest
   /// independent of other results.
   std::function<std::vector<double>(const BodyIntegrals&)> GetTolerances;
   /// Entity numbers of the faces to integrate over; empty: all.
-  std::set<int> FaceIds;
+  std::set<std::int64_t> FaceIds;
   /// True: gaps that do not make a body suspect are messages, too, where they are wider than the file's
   /// tolerances.
   bool ReportSmallGaps = true;
@@ -178,7 +178,7 @@ private:
   /// Appends a task per face; returns the first task of every body.
   std::vector<std::size_t> MakeTasks(const IntegralRequest& request, const std::vector<BodyIntegrals>& bodies,
     std::vector<FaceTask>& tasks) const;
-  std::vector<std::size_t> ChooseTasks(const std::set<int>& faceIds, std::vector<FaceTask>& tasks);
+  std::vector<std::size_t> ChooseTasks(const std::set<std::int64_t>& faceIds, std::vector<FaceTask>& tasks);
   void SpreadResults(const std::vector<std::size_t>& chosen, std::size_t integrands,
     std::vector<FaceIntegrals>& results) const;
 

@@ -45,8 +45,8 @@ constexpr const char* Path =
   "Path"; // string: the instance's place in the product structure, with the name by which it is selected
 constexpr const char* Id = "Id";               // string: instance id, unique in the file
 constexpr const char* Solid = "Solid";         // int: row of the solid in the table on port 1
-constexpr const char* FaceId = "FaceId";       // int: entity number in the file
-constexpr const char* EdgeId = "EdgeId";       // int: entity number in the file, 0 without one
+constexpr const char* FaceId = "FaceId";       // vtkTypeInt64: entity number in the file
+constexpr const char* EdgeId = "EdgeId";       // vtkTypeInt64: entity number in the file, 0 without one
 constexpr const char* EdgeIndex = "EdgeIndex"; // int: number of the edge in its solid, from 0
 constexpr const char* Uses = "Uses";           // int: coedges that use the edge
 constexpr const char* Open = "Open";           // int: 1 when its signed uses do not cancel

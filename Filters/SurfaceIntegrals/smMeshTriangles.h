@@ -29,6 +29,9 @@ SMFILTERSSURFACEINTEGRALS_EXPORT void VisitShownTriangles(
 /// shown; without a scale mesh for the triangles that are shown.
 SMFILTERSSURFACEINTEGRALS_EXPORT void VisitTriangles(
   vtkPolyData* instance, std::size_t faces, const TriangleVisitor& visit);
+
+/// Returns about how many triangles VisitTriangles() visits.
+SMFILTERSSURFACEINTEGRALS_EXPORT std::size_t CountTriangles(vtkPolyData* instance);
 }
 
 #endif

@@ -96,7 +96,7 @@ public:
   /** Restricts the integration to the faces with these entity numbers (FaceId of port 3), in all bodies;
    * without any, all faces are used. Other faces count as 0, and so do the strips that join them to their
    * edges. */
-  void AddFaceId(int id);
+  void AddFaceId(vtkTypeInt64 id);
   void RemoveAllFaceIds();
   int GetNumberOfFaceIds() const;
   ///@}

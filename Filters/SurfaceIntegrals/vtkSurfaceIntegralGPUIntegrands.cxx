@@ -337,7 +337,7 @@ double* vtkSurfaceIntegralGPU::GetProjectedAreaDirection()
   return this->Implementation->ProjectedAreaDirection;
 }
 
-void vtkSurfaceIntegralGPU::AddFaceId(int id)
+void vtkSurfaceIntegralGPU::AddFaceId(vtkTypeInt64 id)
 {
   if (this->Implementation->FaceIds.insert(id).second)
   {

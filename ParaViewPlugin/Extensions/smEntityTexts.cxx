@@ -86,7 +86,7 @@ std::string NameEntity(const std::string& kind, const char* indexColumn, const c
 {
   const double id = GetNumber(table, idColumn, row);
   return kind + " " + std::to_string(GetIndex(table, indexColumn, row)) +
-    (id > 0.0 ? " (#" + FormatDigits(id, 12) + ")" : std::string()) + " of " +
+    (id > 0.0 ? " (#" + FormatDigits(id, 16) + ")" : std::string()) + " of " +
     NameSolid(solids, GetIndex(table, names::Solid, row));
 }
 

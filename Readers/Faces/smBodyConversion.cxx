@@ -44,7 +44,7 @@ std::string DescribeOverstep(const DraftFace& face, const NativeBox& box)
   return {};
 }
 
-std::string Label(const char* kind, int fileId, std::size_t index)
+std::string Label(const char* kind, std::int64_t fileId, std::size_t index)
 {
   return fileId > 0 ? std::string(kind) + " #" + std::to_string(fileId)
                     : std::string(kind) + " number " + std::to_string(index + 1) + " of its body";

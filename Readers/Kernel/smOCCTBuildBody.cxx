@@ -318,7 +318,7 @@ private:
     }
     if (wide > 0)
     {
-      const int id = widest->Source->FileId;
+      const std::int64_t id = widest->Source->FileId;
       this->Result.Warnings.push_back("Faces lie off " + std::to_string(wide) + " of their edges, by up to " +
         FormatDistance(widest->Gap) + " " + this->Model->GetLengthUnit() +
         (id > 0 ? " at edge #" + std::to_string(id) : std::string()) +

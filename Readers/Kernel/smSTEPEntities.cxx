@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  void Set(const TopoDS_Shape& shape, int id, const std::string& name)
+  void Set(const TopoDS_Shape& shape, std::int64_t id, const std::string& name)
   {
     const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(this->Process, shape);
     if (item.IsNull() || this->Model->Number(item) == 0)

@@ -22,8 +22,8 @@ namespace sm
 {
 namespace
 {
-/// Numbers of bodies and faces are ints.
-constexpr std::uint64_t LargestNumber = std::numeric_limits<std::int32_t>::max();
+/// Numbers of bodies and faces are signed.
+constexpr std::uint64_t LargestNumber = std::numeric_limits<std::int64_t>::max();
 
 /// The text of the file, and its census.
 struct DeclaredContent

@@ -23,7 +23,7 @@ struct PartBody
   /// Transform that is applied to the shape first: the scale of an instance, else the identity.
   Placement Scale;
   bool Solid = true;
-  int FileId = 0;
+  std::int64_t FileId = 0;
   std::string Name;
   std::string Material;
   double Density = 0.0;

@@ -17,7 +17,7 @@ struct RepairedShell
   bool IsReversed = false;
   bool IsKept = false;
   /// Entity number of a face.
-  int Face = 0;
+  std::int64_t Face = 0;
   /// The file's shells that its faces come from.
   std::unordered_set<const ShellShape*> Sources;
 };
@@ -30,7 +30,7 @@ struct ReversedShells
   /// Others were parts of one shell.
   int Declared = 0;
   /// Entity number of a face of the first reversed shell that is not declared, else of the first one.
-  int Face = 0;
+  std::int64_t Face = 0;
 };
 
 RepairedShell ExamineShell(const RepairLog& log, const ShellUse& shell)
@@ -92,7 +92,7 @@ void ReportReversedShells(const RepairLog& log, Document& document)
   {
     sound.insert(shell.get());
   }
-  std::set<int> whole;
+  std::set<std::int64_t> whole;
   for (const PartBody& body : document.Bodies)
   {
     if (!body.Solid || (log.Sides.empty() && sound.empty()))

@@ -228,7 +228,7 @@ private:
 
   static std::string GetLabel(const BodyShape& body, const ShapeData& data)
   {
-    const int id = body.IsSolid ? data.FileId : body.Shells.front().Shell->Data.FileId;
+    const std::int64_t id = body.IsSolid ? data.FileId : body.Shells.front().Shell->Data.FileId;
     return (body.IsSolid ? "Solid #" : "Shell #") + std::to_string(id);
   }
 

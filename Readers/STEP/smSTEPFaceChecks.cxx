@@ -77,7 +77,7 @@ std::string DescribeOverlap(const FaceStatement& statement)
 std::vector<StatedFace> CollectStatedFaces(const FaceStatements& statements, const ConvertedBody& body)
 {
   std::vector<StatedFace> faces;
-  std::unordered_map<int, std::size_t> places;
+  std::unordered_map<std::int64_t, std::size_t> places;
   for (std::size_t i = 0; i < body.Faces.size(); ++i)
   {
     const ConvertedFace& face = body.Faces[i];

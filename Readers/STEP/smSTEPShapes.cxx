@@ -94,7 +94,7 @@ private:
 
   static void Describe(std::uint64_t id, std::string_view name, ShapeData& data)
   {
-    data.FileId = static_cast<int>(id);
+    data.FileId = static_cast<std::int64_t>(id);
     data.Name = GetShapeName(name);
   }
 

@@ -13,7 +13,7 @@
 
 namespace sm
 {
-/// Options of MakeMassGlyphs().
+/// Options of MassGlyphs::Make().
 struct MassGlyphOptions
 {
   /// Radius of the sphere as a fraction of the diagonal of the bounding box of the body, or of all bodies; 0:

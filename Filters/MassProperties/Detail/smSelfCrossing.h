@@ -25,7 +25,7 @@ struct SelfCrossing
   /// A winding number other than 0 and 1; 0: none was found.
   int Winding = 0;
   /// Entity number of the face next to the point, and the point in coordinates of the part.
-  int Face = 0;
+  std::int64_t Face = 0;
   std::array<double, 3> Point{};
   /// Number of points that were tested, and of the undecided ones among them.
   std::size_t Samples = 0;

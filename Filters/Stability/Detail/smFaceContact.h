@@ -11,6 +11,7 @@
 #include "smSupportPolygon.h"
 #include "smTrimClassifier.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct Segment
   int End = 0;
   bool Clipped = false;
   int Coedge = -1;
-  int EdgeId = 0;
+  std::int64_t EdgeId = 0;
   GroundCurve Curve;
   bool Composed = false;
 };

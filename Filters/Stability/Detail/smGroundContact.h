@@ -74,8 +74,8 @@ struct GroundContacts
   std::vector<ContactSample> Samples;
   /// Entity numbers of the faces that touch with a whole patch, and of the edges that touch with a whole
   /// piece.
-  std::set<int> FaceIds;
-  std::set<int> EdgeIds;
+  std::set<std::int64_t> FaceIds;
+  std::set<std::int64_t> EdgeIds;
   /// Accuracy of stationary points, a length: rounding leaves the sign of slopes open in a region of this
   /// size. Inner points may be so far from true contacts, and true contacts so far outside the hull of all
   /// Outer points.

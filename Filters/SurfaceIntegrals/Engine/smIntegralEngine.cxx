@@ -134,18 +134,18 @@ void IntegralEngine::ReportIntegrands(const IntegralRequest& request)
 }
 
 std::vector<std::size_t> IntegralEngine::ChooseTasks(
-  const std::set<int>& faceIds, std::vector<FaceTask>& tasks)
+  const std::set<std::int64_t>& faceIds, std::vector<FaceTask>& tasks)
 {
   std::vector<std::size_t> chosen;
   if (faceIds.empty())
   {
     return chosen;
   }
-  std::set<int> missing = faceIds;
+  std::set<std::int64_t> missing = faceIds;
   std::vector<FaceTask> kept;
   for (FaceTask& task : tasks)
   {
-    const int id = task.Source->FileId;
+    const std::int64_t id = task.Source->FileId;
     missing.erase(id);
     chosen.push_back(faceIds.count(id) > 0 ? kept.size() : tasks.size());
     if (chosen.back() < tasks.size())

@@ -8,6 +8,7 @@
 #include "smIntegrand.h"
 #include "vtkSurfaceIntegralGPU.h"
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -24,7 +25,7 @@ struct vtkSurfaceIntegralGPU::Internals
   double ProjectedAreaDirection[3] = { 0.0, 0.0, 0.0 };
   sm::UserExpression::Constants Constants;
   /// Entity numbers of the faces to integrate over; empty: all.
-  std::set<int> FaceIds;
+  std::set<std::int64_t> FaceIds;
 
   /// Integrands of the last run, and totals with their bounds by name.
   std::vector<sm::Integrand> Integrated;

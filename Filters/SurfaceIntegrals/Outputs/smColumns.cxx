@@ -11,6 +11,7 @@
 #include "vtkNURBSDataSet.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,11 @@ double* Writer::AddDoubles(const std::string& name, int components)
 int* Writer::AddIntegers(const std::string& name)
 {
   return this->Add<vtkIntArray>(name);
+}
+
+vtkTypeInt64* Writer::AddEntityNumbers(const std::string& name)
+{
+  return this->Add<vtkTypeInt64Array>(name);
 }
 
 vtkStdString* Writer::AddStrings(const std::string& name)
@@ -138,7 +144,7 @@ void AddFaceRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies,
   vtkStdString* name = writer.AddStrings(names::Name);
   vtkStdString* solidId = writer.AddStrings(names::Id);
   int* index = writer.AddIntegers(vtkNURBSDataSet::FaceIndexArrayName());
-  int* id = writer.AddIntegers(names::FaceId);
+  vtkTypeInt64* id = writer.AddEntityNumbers(names::FaceId);
   std::vector<std::array<double*, 2>> values;
   for (const int k : wanted)
   {
@@ -194,7 +200,7 @@ void AddEdgeRows(KeptArrays& arrays, const std::vector<BodyIntegrals>& bodies, v
   int* solid = writer.AddIntegers(names::Solid);
   vtkStdString* solidId = writer.AddStrings(names::Id);
   int* index = writer.AddIntegers(names::EdgeIndex);
-  int* id = writer.AddIntegers(names::EdgeId);
+  vtkTypeInt64* id = writer.AddEntityNumbers(names::EdgeId);
   vtkStdString* name = writer.AddStrings(names::Name);
   int* uses = writer.AddIntegers(names::Uses);
   int* open = writer.AddIntegers(names::Open);

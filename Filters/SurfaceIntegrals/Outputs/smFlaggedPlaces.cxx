@@ -16,6 +16,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cmath>
@@ -280,8 +281,8 @@ private:
   vtkNew<vtkIntArray> Flag;
   vtkNew<vtkIntArray> Solid;
   vtkNew<vtkStringArray> Name;
-  vtkNew<vtkIntArray> FaceId;
-  vtkNew<vtkIntArray> EdgeId;
+  vtkNew<vtkTypeInt64Array> FaceId;
+  vtkNew<vtkTypeInt64Array> EdgeId;
   vtkNew<vtkDoubleArray> MaxGap;
   vtkNew<vtkDoubleArray> Area;
   vtkNew<vtkDoubleArray> Volume;

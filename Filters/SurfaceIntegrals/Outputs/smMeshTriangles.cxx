@@ -30,10 +30,7 @@ vtkPolyData* FindScaleMesh(vtkNURBSDataSet* instance)
   vtkTrimmedNURBSModel* model = instance ? instance->GetModel() : nullptr;
   return model ? model->GetScaleMesh() : nullptr;
 }
-}
 
-namespace
-{
 /// Visits triangles whose points, normals and faces `getPoint`, `getNormal` and `getFace` return by the ids
 /// of points and cells.
 template <class GetPoint, class GetNormal, class GetFace>
@@ -152,5 +149,12 @@ void VisitTriangles(vtkPolyData* instance, std::size_t faces, const TriangleVisi
       }
       visit(face, corners, normals);
     });
+}
+
+std::size_t CountTriangles(vtkPolyData* instance)
+{
+  vtkPolyData* const scale = FindScaleMesh(vtkNURBSDataSet::SafeDownCast(instance));
+  vtkPolyData* const mesh = scale ? scale : instance;
+  return mesh ? static_cast<std::size_t>(mesh->GetNumberOfPolys()) : 0;
 }
 }

@@ -313,7 +313,7 @@ int CountOpenBorders(const vtkTrimmedNURBSModel& model, double& gap)
 }
 }
 
-std::string ListIds(const std::vector<int>& ids)
+std::string ListIds(const std::vector<std::int64_t>& ids)
 {
   std::string list;
   for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
@@ -342,7 +342,7 @@ void CountOpenEdges(BodyIntegrals& body)
   }
   double gap = 0.0;
   const int borders = CountOpenBorders(*body.Model, gap);
-  std::vector<int> open;
+  std::vector<std::int64_t> open;
   for (const auto& [edge, sum] : uses)
   {
     if (sum != 0)

@@ -5,6 +5,7 @@
 #ifndef smOpenEdges_h
 #define smOpenEdges_h
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct BodyIntegrals;
 void CountOpenEdges(BodyIntegrals& body);
 
 /// Lists the first five entity numbers.
-std::string ListIds(const std::vector<int>& ids);
+std::string ListIds(const std::vector<std::int64_t>& ids);
 }
 
 #endif

@@ -19,6 +19,7 @@
 #include "Geometry/smPeriodicSurface.h"
 #include "Geometry/smPlacement.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -35,7 +36,7 @@ constexpr double DefaultTolerance = 1e-7;
 struct ShapeData
 {
   /// Number of the entity; 0: none.
-  int FileId = 0;
+  std::int64_t FileId = 0;
   std::string Name;
   /// Red, green, blue from 0 to 1; negative: none.
   Vector3 Color{ -1.0, -1.0, -1.0 };

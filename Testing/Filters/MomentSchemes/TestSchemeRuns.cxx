@@ -117,6 +117,7 @@ void CheckRefusals()
   broken->Id = sm::NewId();
   broken->FileId = 77;
   broken->Surface.Knots[0].pop_back();
+  const std::vector<sm::SchemeTask> tasks{ { good, 1.0 } };
   sm::SchemeIntegrator::Setup setup;
   for (const bool gpu : { true, false })
   {
@@ -130,12 +131,11 @@ void CheckRefusals()
     Results none;
     sm::SchemeIntegrator::Setup costly = setup;
     costly.MaximumEvaluations = 15;
-    CheckTrue("too costly", !integrator.Integrate({ { good, 1.0 } }, costly, none, nullptr) && none.empty());
+    CheckTrue("too costly", !integrator.Integrate(tasks, costly, none, nullptr) && none.empty());
     CheckTrue(
       "it says so", integrator.GetError().find("16 evaluations") != std::string::npos, integrator.GetError());
     costly.MaximumEvaluations = 16;
-    CheckTrue(
-      "just enough", integrator.Integrate({ { good, 1.0 } }, costly, none, nullptr), integrator.GetError());
+    CheckTrue("just enough", integrator.Integrate(tasks, costly, none, nullptr), integrator.GetError());
     double last = 0.0;
     const auto stop = [&last](double fraction)
     {
@@ -144,14 +144,12 @@ void CheckRefusals()
     };
     costly.MaximumEvaluations = 2000000000;
     costly.Options.Factor = 400;
-    CheckTrue(
-      "stopped", !integrator.Integrate({ { good, 1.0 } }, costly, none, stop) && integrator.WasAborted());
+    CheckTrue("stopped", !integrator.Integrate(tasks, costly, none, stop) && integrator.WasAborted());
     CheckTrue("half way", last >= 0.5 && last <= 1.0 && !integrator.WasTimedOut(), std::to_string(last));
     costly.MaximumSeconds = 1e-6;
     CheckTrue("out of time",
-      !integrator.Integrate({ { good, 1.0 } }, costly, none, nullptr) && integrator.WasTimedOut() &&
-        none.empty());
-    CheckTrue("and on", integrator.Integrate({ { good, 1.0 } }, setup, none, nullptr) && none.size() == 1);
+      !integrator.Integrate(tasks, costly, none, nullptr) && integrator.WasTimedOut() && none.empty());
+    CheckTrue("and on", integrator.Integrate(tasks, setup, none, nullptr) && none.size() == 1);
     CheckTrue("the same bits", GetAll(none[0]) == GetAll(results[0]));
   }
 }
@@ -169,6 +167,7 @@ void CheckPreparing()
   const std::int64_t all = 1024 * 1024;
   sm::SchemeIntegrator integrator;
   integrator.SetRunner(MakeRunner(false));
+  const std::vector<sm::SchemeTask> tasks{ { face, 1.0 } };
   Results none;
   for (const int last : { 1, 2, 3, 4, 6 })
   {
@@ -180,7 +179,7 @@ void CheckPreparing()
       return ++calls < last;
     };
     const std::string name = "stopped by call " + std::to_string(last);
-    CheckTrue(name, !integrator.Integrate({ { face, 1.0 } }, setup, none, stop) && integrator.WasAborted());
+    CheckTrue(name, !integrator.Integrate(tasks, setup, none, stop) && integrator.WasAborted());
     CheckEqual(name + ", calls", last, calls);
     CheckEqual(name + ", nothing is prepared after it", seen, integrator.GetPrepared().GetDeviations());
     // At the start, after the face's shape, and after portions of 256 sub-patches, at most twice as many, and
@@ -190,7 +189,7 @@ void CheckPreparing()
       name + ", sub-patches", last < 3 ? 0.0 : 256.0, static_cast<double>(seen), maximum, "portions");
   }
   setup.MaximumSeconds = 0.05;
-  CheckTrue("out of time", !integrator.Integrate({ { face, 1.0 } }, setup, none, nullptr));
+  CheckTrue("out of time", !integrator.Integrate(tasks, setup, none, nullptr));
   CheckTrue("it was the time", integrator.WasTimedOut());
   CheckRange("sub-patches prepared in time", 1.0,
     static_cast<double>(integrator.GetPrepared().GetDeviations()), static_cast<double>(all / 2),
@@ -199,28 +198,28 @@ void CheckPreparing()
   // The values are those of the face in one go, however it is divided, and what was stopped is not kept.
   setup.MaximumSeconds = 0.0;
   setup.Options.Factor = 64;
-  CheckTrue("and on", integrator.Integrate({ { face, 1.0 } }, setup, none, nullptr), integrator.GetError());
+  CheckTrue("and on", integrator.Integrate(tasks, setup, none, nullptr), integrator.GetError());
   CheckEqual("all of it", 64 * 64, integrator.GetPrepared().GetDeviations());
   sm::SchemeOptions options = setup.Options;
   options.ChordTolerance = 1.0;
   const sm::SubPatchFace whole = sm::PrepareSubPatchFace(face, options);
   sm::PreparedFaces parts;
-  CheckTrue("prepared", parts.Prepare({ { face, 1.0 } }, options, [](double) { return true; }));
+  CheckTrue("prepared", parts.Prepare(tasks, options, [](double) { return true; }));
   CheckTrue("the same deviations",
     parts.Get()[0]->Deviations == whole.Deviations &&
       std::count(whole.Deviations.begin(), whole.Deviations.end(), 0.0) == 0);
   CheckRange("in several portions", 256.0, static_cast<double>(parts.GetLargestPortion()), 2048.0);
-  CheckTrue("kept", parts.Prepare({ { face, 1.0 } }, options, nullptr) && parts.GetDeviations() == 0);
+  CheckTrue("kept", parts.Prepare(tasks, options, nullptr) && parts.GetDeviations() == 0);
 
   // Kept within the budget that all caches share; what it removed is prepared again, with the same values.
   sm::CacheBudget budget(std::size_t{ 1 } << 30);
   sm::PreparedFaces counted(budget);
-  CheckTrue("in a budget", counted.Prepare({ { face, 1.0 } }, options, [](double) { return true; }));
+  CheckTrue("in a budget", counted.Prepare(tasks, options, [](double) { return true; }));
   CheckTrue("its bytes count", budget.GetBytes() > whole.Deviations.size() * sizeof(double),
     std::to_string(budget.GetBytes()));
   budget.SetLimit(1);
   CheckEqual("and are freed", 0LL, static_cast<long long>(budget.GetBytes()));
-  CheckTrue("prepared again", counted.Prepare({ { face, 1.0 } }, options, [](double) { return true; }));
+  CheckTrue("prepared again", counted.Prepare(tasks, options, [](double) { return true; }));
   CheckTrue(
     "all of it", counted.GetDeviations() == 64 * 64 && counted.Get()[0]->Deviations == whole.Deviations);
 }

@@ -208,13 +208,14 @@ void CompareEdges(const std::string& path, EdgeTally& tally)
             GetAway(edge.Curve.GetEndPoint(), edge.EndVertex));
           if (gap > 1e-6 + 2.0 * own->Gap)
           {
-            std::printf("%s #%d: the reader's edge ends %g from its vertex, ours %g\n", path.c_str(),
-              edge.FileId, gap, own->Gap);
+            std::printf("%s #%lld: the reader's edge ends %g from its vertex, ours %g\n", path.c_str(),
+              static_cast<long long>(edge.FileId), gap, own->Gap);
           }
           if (!(difference <= 1e-6 + 2.0 * (own->Gap + gap) + 1e-12 * GetLargest(*own)))
           {
             ++tally.Different;
-            std::printf("%s #%d: %g, gap %g\n", path.c_str(), edge.FileId, difference, own->Gap);
+            std::printf("%s #%lld: %g, gap %g\n", path.c_str(), static_cast<long long>(edge.FileId),
+              difference, own->Gap);
           }
         }
       }

@@ -6,13 +6,17 @@
 #include "smReaderTesting.h"
 
 #include "vtkExecutive.h"
+#include "vtkNURBSDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkTrimmedNURBSModel.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <regex>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -24,6 +28,10 @@ struct Reading
   std::string Status;
   std::string Said;
   int Bodies = 0;
+  /// Entity number of the first face.
+  long long FirstFace = 0;
+  /// Half the width of each body.
+  std::vector<double> Radii;
 };
 
 Reading ReadText(const std::string& text)
@@ -35,7 +43,15 @@ Reading ReadText(const std::string& text)
   executive.Watch(reader->GetExecutive());
   reader->SetFileName(Make("reader_guards.step", MakeStepText(text)).c_str());
   reader->Update();
-  Reading reading{ reader->GetStatusAsString(), log.Text, reader->GetNumberOfBodies() };
+  Reading reading{ reader->GetStatusAsString(), log.Text, reader->GetNumberOfBodies(), 0, {} };
+  for (int i = 0; i < reading.Bodies; ++i)
+  {
+    auto* const body = vtkNURBSDataSet::SafeDownCast(
+      reader->GetOutput()->GetPartitionAsDataObject(static_cast<unsigned int>(i), 0));
+    reading.FirstFace = i > 0 ? reading.FirstFace : body->GetModel()->GetFaces()[0]->FileId;
+    reading.Radii.push_back(
+      0.5 * (body->GetModel()->GetLocalBounds()[1] - body->GetModel()->GetLocalBounds()[0]));
+  }
   for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
   {
     reading.Said += std::string("\n") + reader->GetMessage(i);
@@ -90,14 +106,34 @@ void CheckLists()
 void CheckLongNumbers()
 {
   const std::string ball = GetBallText() + GetAssemblyText();
-  for (const char* id : { "#4294967322", "#9223372036854775808" })
+  const auto renumber = [&ball](const std::string& from, const std::string& to)
+  { return Replace(Replace(ball, from + "=", to + "="), from + ")", to + ")"); };
+  const char* const tooLong = "#9223372036854775808";
+  CheckRefused(tooLong, renumber("#26", tooLong),
+    "the number of its entity " + std::string(tooLong) + " exceeds 9223372036854775807");
+  for (const char* id : { "#2147483648", "#4294967322", tooLong })
   {
-    CheckRefused(id, Replace(Replace(ball, "#26=", std::string(id) + "="), "#26)", std::string(id) + ")"),
-      "the number of its entity " + std::string(id) + " exceeds 2147483647");
     CheckUnused(std::string(id) + "=CARTESIAN_POINT('',(0.,0.,9.));");
   }
-  CheckEqual("the longest number", "ok",
-    ReadText(Replace(Replace(ball, "#26=", "#2147483647="), "#26)", "#0002147483647)")).Status);
+  CheckEqual("the longest number", "ok", ReadText(renumber("#26", "#9223372036854775807")).Status);
+  // More digits than a double or an int has: every one of them is kept.
+  const Reading face = ReadText(renumber("#29", "#9007199254740993"));
+  CheckEqual("a long number of a face", "ok", face.Status);
+  CheckEqual("  kept", 9007199254740993ll, face.FirstFace);
+  // Numbers that agree in their last 32 bits (findings/occt_entity_numbers_are_modulo_2_32.sh).
+  std::string second;
+  const std::string other = Replace(GetBallText(), "5.);\n#26", "7.);\n#26");
+  for (std::size_t at = 0; at < other.size(); ++at)
+  {
+    const std::size_t end = other[at] == '#' ? other.find_first_not_of("0123456789", at + 1) : at + 1;
+    second += end > at + 1 ? "#" + std::to_string(std::stoll(other.substr(at + 1)) + (1ll << 32))
+                           : std::string(1, other[at]);
+    at = end - 1;
+  }
+  const Reading two = ReadText(GetBallText() + second);
+  CheckEqual("the same numbers modulo 2^32", 2, two.Bodies);
+  CheckTrue("  are different balls",
+    two.Radii.size() == 2 && std::abs(two.Radii[0] - 5.0) < 1e-6 && std::abs(two.Radii[1] - 7.0) < 1e-6);
 }
 
 /// Shapes that refer to each other, but belong to no product, and a shape with two owners.

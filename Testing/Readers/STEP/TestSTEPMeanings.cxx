@@ -182,9 +182,6 @@ void CheckPlacements()
   // (0.5, 1, 1.5) less (5, 0, 0), rotated, and (100, 0, 0).
   const Vector center = { 99.0, -4.5, 1.5 };
   CheckBox("mapped", BoxText().Add(AddFrames()).Map("#810", "#811"), 1.0, center);
-  // New numbers are found below that of the last one that OpenCASCADE reads.
-  CheckBox("mapped_with_the_largest_number",
-    BoxText().Add(AddFrames() + "#2147483647=DIRECTION('',(0.,0.,1.));\n").Map("#810", "#811"), 1.0, center);
   CheckBox("assembled", BoxText().Add(AddFrames()).Assemble("#810", "#811", false), 1.0, center);
   CheckBox("interchanged", BoxText().Add(AddFrames()).Assemble("#810", "#811", true), 1.0, center);
   CheckBox("shifted", BoxText().Add(AddFrames()).Map("#810", "#810"), 1.0, BoxCenter);
