@@ -50,12 +50,15 @@ void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector
     largest = std::max(largest, this->Panels.Points[patch.FirstPoint + i][3]);
   }
   const double weight = this->Majorants->GetLowestWeight();
+  // The sum of the Bernstein polynomials' absolute values, over the weight.
+  const double basis = weight > 0.0 ? growth / weight : std::numeric_limits<double>::infinity();
   growth *= weight > 0.0 ? largest / weight : std::numeric_limits<double>::infinity();
   const double factor = 2.0 * growth * (1.0 + growth);
   const double slope[2] = { factor * patch.Degree[0] * moved, factor * patch.Degree[1] * moved };
   const double stretch[2] = { factor * patch.Degree[0] * patch.Radius,
     factor * patch.Degree[1] * patch.Radius };
-  FillIntegrandChange(patch, this->Request, growth * moved, slope, growth * patch.Radius, stretch, change);
+  FillIntegrandChange(
+    patch, this->Request, growth * moved, slope, growth * patch.Radius, stretch, basis, change);
 }
 
 const std::vector<double>& PanelBounds::GetChange()
@@ -248,9 +251,12 @@ void PanelBounds::SetPolynomialOrders(const Patch& patch)
     const BoundClass& c = this->Request.Classes[i];
     if (c.Kind != BoundClass::AreaMoment)
     {
+      // With equal weights a component of the normal has the degrees 2p - 1 and 2q - 1.
       const int more = c.Kind == BoundClass::HeightMoment ? 1 : 0;
-      const int inS = 3 * p - 2 + more + c.Degree * p;
-      const int inR = 3 * q - 2 + more + c.Degree * q;
+      const bool isNormal = c.Kind == BoundClass::NormalBasis;
+      const int basis = c.HasBasis() ? 1 : 0;
+      const int inS = (isNormal ? 2 * p - 1 : 3 * p - 2) + basis * p + more + c.Degree * p;
+      const int inR = (isNormal ? 2 * q - 1 : 3 * q - 2) + basis * q + more + c.Degree * q;
       const int inT = straight ? inR * d + d - 1 : (inS + inR) * d + 2 * d - 1;
       this->AcrossXi.SetExactOrder(i, inS / 2 + 1);
       this->AlongT.SetExactOrder(i, std::max(inT, 0) / 2 + 1);

@@ -57,13 +57,26 @@ double GetCovered(const FacePanels& panels, const Panel& panel, const double ext
   return extent[0] * way / panels.Patches[panel.Patch].Width[1];
 }
 
-/// Highest degree of the factors g. A height is one degree more than x.n along a straight ruling.
+/// Highest degree of the factors g along a straight ruling. A height is one degree more than x.n, and so is a
+/// Bernstein polynomial of the patch, which has degree 1 there.
 int GetDegree(const PlanRequest& request)
 {
   int degree = 0;
   for (const BoundClass& c : request.Classes)
   {
-    degree = std::max(degree, c.Degree + (c.Kind == BoundClass::HeightMoment ? 1 : 0));
+    degree = std::max(degree, c.Degree + (c.Kind == BoundClass::HeightMoment || c.HasBasis() ? 1 : 0));
+  }
+  return degree;
+}
+
+/// The same along a line of a parallelogram, where those polynomials have the degree 2: one of s times one of
+/// r.
+int GetFlatDegree(const PlanRequest& request)
+{
+  int degree = GetDegree(request);
+  for (const BoundClass& c : request.Classes)
+  {
+    degree = std::max(degree, c.Degree + (c.HasBasis() ? 2 : 0));
   }
   return degree;
 }
@@ -75,6 +88,7 @@ PanelPlanner::PanelPlanner(
   , Request(request)
   , Result(plan)
   , Degree(GetDegree(request))
+  , FlatDegree(GetFlatDegree(request))
   , Bounds(panels, request, series, Degree)
   , Series(series)
 {
@@ -101,11 +115,13 @@ void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], doub
   const double rotated =
     (std::max(extent[0], extent[1]) - 0.5) * moved * (patch.Stretch[0] + patch.Stretch[1] + moved);
   const double area = patch.Stretch[0] * patch.Stretch[1];
+  // Bernstein polynomials of degrees 1 and 1, over the weight.
+  const double basis = extent[0] * extent[1] / p[0][3];
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     this->Result.QuadratureBound[i] += 2.0 * GetCovered(this->Panels, panel, extent) *
       GetIntegrandChange(
-        this->Request.Classes[i], (extent[0] * extent[1] - 0.75) * moved, rotated, area, reach);
+        this->Request.Classes[i], (extent[0] * extent[1] - 0.75) * moved, rotated, area, reach, basis);
   }
 }
 
@@ -115,7 +131,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   // degree d - 1 in t, and xi^(D+1) .. across.
   const Panel& panel = this->Panels.Panels[index];
   const int trimDegree = std::max<int>(panel.TrimDegree, 1);
-  const int along = ((this->Degree + 2) * trimDegree + 1) / 2;
+  const int along = ((this->FlatDegree + 2) * trimDegree + 1) / 2;
   if (panel.Shape != PanelShape::Flat || along > LargestFlatOrder)
   {
     return false;

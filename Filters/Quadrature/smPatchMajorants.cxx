@@ -86,6 +86,22 @@ double PatchMajorants::GetFactorMajorant(const Ellipse& s, const Ellipse& r) con
   return factor;
 }
 
+double PatchMajorants::GetBasisMajorant(const Ellipse& s, const Ellipse& r) const
+{
+  // The sum of |B_i(z)| over i is (|z| + |1 - z|)^p, and no B-spline that is continued by the patch is
+  // larger, being a mean of the B_i. A point of the ellipse around [a,b] has |z - a| + |z - b| <= (b - a) A.
+  const double axes[2] = { s.GetHalfAxis(), r.GetHalfAxis() };
+  const int degree[2] = { this->P, this->Q };
+  double product = 1.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    const double half = this->Box.Half[d];
+    const double outside = std::abs(this->Box.Middle[d] - half) + std::abs(1.0 - this->Box.Middle[d] - half);
+    product *= IntegerPower(2.0 * half * axes[d] + outside, degree[d]);
+  }
+  return product;
+}
+
 void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const
 {
   const Ellipse real = Ellipse::FromRadius(1.0);
@@ -105,7 +121,10 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
   {
     const double power = IntegerPower(reach, classes[i].Degree);
     const double length = this->Dropped[this->IsPolynomialLength() && this->Traits.PolynomialLength ? 2 : 1];
-    dropped[i] = classes[i].Kind == BoundClass::VolumeMoment
+    const double basis = classes[i].HasBasis() ? this->GetBasisMajorant(real, real) / weight : 1.0;
+    dropped[i] = classes[i].Kind == BoundClass::FluxBasis ? basis * this->Dropped[0] * power / cube
+      : classes[i].Kind == BoundClass::NormalBasis        ? basis * factor * this->Dropped[1] * power / cube
+      : classes[i].Kind == BoundClass::VolumeMoment
       ? this->Dropped[0] * power / ((3 + classes[i].Degree) * cube)
       : classes[i].Kind == BoundClass::HeightMoment
       ? factor * this->Dropped[1] * power * reach / cube
@@ -195,6 +214,12 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
       case BoundClass::HeightMoment:
         // |z| <= |x|, |n_z| <= |n|, for complex vectors, too.
         bounds[i] = normal * power * reach / cube;
+        break;
+      case BoundClass::NormalBasis:
+        bounds[i] = this->GetBasisMajorant(s, r) * normal * power / (cube * weight);
+        break;
+      case BoundClass::FluxBasis:
+        bounds[i] = this->GetBasisMajorant(s, r) * numerator * power / (cube * weight);
         break;
       default:
         bounds[i] = length * power / cube;

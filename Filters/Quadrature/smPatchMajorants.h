@@ -36,10 +36,17 @@ struct BoundClass
     /// |n| g(x).
     AreaMoment,
     /// z n_z g(x) / (k + 1), k the power of z in g.
-    HeightMoment
+    HeightMoment,
+    /// A component of n, times B_ij(s,r) g(x) / w(s,r) with any Bernstein polynomial B_ij of the patch.
+    NormalBasis,
+    /// x.n B_ij(s,r) g(x) / w(s,r).
+    FluxBasis
   };
   KindType Kind;
   int Degree;
+
+  /// Returns true if the integrand has the factor B_ij / w.
+  bool HasBasis() const { return this->Kind == NormalBasis || this->Kind == FluxBasis; }
 
   bool operator==(const BoundClass& other) const
   {
@@ -160,6 +167,8 @@ private:
       (collapsed[3] ? 1 - r : Real(1));
   }
   double GetFactorMajorant(const Ellipse& s, const Ellipse& r) const;
+  /// The largest sum of |B_ij| in the ellipses.
+  double GetBasisMajorant(const Ellipse& s, const Ellipse& r) const;
 
   int P = 1;
   int Q = 1;

@@ -49,7 +49,9 @@ private:
   const FacePanels& Panels;
   const PlanRequest& Request;
   FacePlan& Result;
+  /// Highest degree of the factors g, across a straight panel and along a flat one.
   int Degree;
+  int FlatDegree;
   double FlatReach = 0.0;
   PanelBounds Bounds;
   const FaceSeries& Series;
