@@ -69,8 +69,9 @@ private:
 struct Entry
 {
   Wide Sums[channel::Count] = {};
-  /// Bounds of the quadrature errors: of n and of x.n with a moment of degree 0, 1, 2.
-  double Quadrature[6] = {};
+  /// Bounds of the quadrature errors: of n and of x.n with a moment of degree 0, 1, 2, and of the area's
+  /// vector and scalar, these with roundings and what residuals of trim curves sweep.
+  double Quadrature[8] = {};
   /// Bound of the area of strips where the point moves.
   double Strips = 0.0;
 };
@@ -85,6 +86,8 @@ std::vector<BoundClass> GetClasses()
       classes.push_back({ kind, degree });
     }
   }
+  classes.push_back({ BoundClass::AreaBasis, 0 });
+  classes.push_back({ BoundClass::AreaBasis, 1 });
   return classes;
 }
 
@@ -128,6 +131,57 @@ double GetSpeed(const FacePanels& panels, const Patch& patch, double growth)
   return (*least)[3] == (*largest)[3] ? growth
     : lowest > 0.0                    ? 1.0 + 2.0 * negative / lowest
                                       : std::numeric_limits<double>::infinity();
+}
+
+/// A bound of the area of the parameters of a patch that residuals of trim curves sweep: a curve that moves
+/// by ds and dr sweeps ds |r'| + dr |s'|, and a coordinate's way is no longer than that of its coefficients.
+double GetSweptParameters(
+  const FacePanels& panels, std::uint32_t patch, const std::vector<const Coedge*>& coedges, bool isTransposed)
+{
+  double area = 0.0;
+  for (const Ribbon& ribbon : panels.Ribbons)
+  {
+    if (ribbon.Patch != patch || ribbon.Coedge < 0)
+    {
+      continue;
+    }
+    const TrimCurve::Point& residual = coedges[ribbon.Coedge]->Curve.GetResidual(ribbon.Piece);
+    const double* trim = panels.Coefficients.data() + ribbon.Trim;
+    double way[2] = { 0.0, 0.0 };
+    for (int i = 0; i < ribbon.TrimDegree; ++i)
+    {
+      way[0] += std::abs(trim[2 * i + 2] - trim[2 * i]);
+      way[1] += std::abs(trim[2 * i + 3] - trim[2 * i + 1]);
+    }
+    area += (residual[isTransposed ? 1 : 0] * way[1] + residual[isTransposed ? 0 : 1] * way[0]) /
+      (panels.Patches[patch].Width[0] * panels.Patches[patch].Width[1]);
+  }
+  return area;
+}
+
+/// A bound of |R_s| |Sr| + |R_r| |Ss| on a patch, with the sums of all R.
+double GetAreaSlope(const FacePanels& panels, const Patch& patch)
+{
+  const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
+  const int columns = patch.Degree[0] + 1;
+  double lightest = points[0][3];
+  double steps[2] = { 0.0, 0.0 };
+  for (int j = 0; j <= patch.Degree[1]; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const double weight = points[i + columns * j][3];
+      lightest = std::min(lightest, weight);
+      steps[0] = i > 0 ? std::max(steps[0], std::abs(weight - points[i - 1 + columns * j][3])) : steps[0];
+      steps[1] = j > 0 ? std::max(steps[1], std::abs(weight - points[i + columns * (j - 1)][3])) : steps[1];
+    }
+  }
+  double slope = 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    slope += patch.Degree[d] * (2.0 + steps[d] / lightest) / lightest * patch.Stretch[1 - d];
+  }
+  return slope;
 }
 
 double GetUnknown(double bound)
@@ -191,16 +245,21 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
   const double spans = (surface.Degree[0] + 1.0) * (surface.Degree[1] + 1.0);
   for (const BoundClass& c : request.Classes)
   {
-    request.Tolerances.push_back(task.Tolerance / (heaviest * spans) *
-      std::pow(task.Length, c.Degree + (c.Kind == BoundClass::FluxBasis ? 1 : 0)));
+    const int power = c.Degree +
+      (c.Kind == BoundClass::FluxBasis      ? 1
+          : c.Kind == BoundClass::AreaBasis ? -1
+                                            : 0);
+    request.Tolerances.push_back(task.Tolerance / (heaviest * spans) * std::pow(task.Length, power));
   }
   const std::vector<PatchPlan> plans = PlanPatches(panels, request);
   std::vector<const Edge*> edges;
+  std::vector<const Coedge*> coedges;
   for (const Loop& loop : face.Loops)
   {
     for (const Coedge& coedge : loop.Coedges)
     {
       edges.push_back(coedge.Use.get());
+      coedges.push_back(&coedge);
     }
   }
 
@@ -216,6 +275,17 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
     result.Evaluations += sums.GetEvaluations();
     const double strips = GetStripArea(task, k, edges);
     const double moving = strips > 0.0 ? strips * GetSpeed(panels, patch, sums.GetGrowth()) : 0.0;
+    const double swept = GetSweptParameters(panels, k, coedges, patch.Exchanged);
+    // Beyond the patch the bound of the slopes does not hold.
+    const double ofSwept = swept == 0.0 ? 0.0
+      : sums.GetGrowth() <= 1.01        ? 1.1 * swept * GetAreaSlope(panels, patch)
+                                        : std::numeric_limits<double>::infinity();
+    double ofArea[2];
+    for (int c = 0; c < 2; ++c)
+    {
+      ofArea[c] = UnitRoundoff * sums.GetAreaNoise(c) +
+        (ofSwept > 0.0 ? ofSwept * (c == 0 ? 1.0 : 3.0 * task.Reach) : 0.0);
+    }
     const int directions[2] = { patch.Exchanged ? 1 : 0, patch.Exchanged ? 0 : 1 };
     const Extraction inS(
       surface.Knots[directions[0]], patch.Degree[0], patch.Start[0], patch.Start[0] + patch.Width[0]);
@@ -244,6 +314,8 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
         {
           entry.Quadrature[c] += plans[k].QuadratureBound[c];
         }
+        entry.Quadrature[6] += ofArea[0];
+        entry.Quadrature[7] += ofArea[1];
         entry.Strips += moving;
       }
     }
@@ -290,19 +362,24 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
               moving * (distance + task.Reach) / weight) +
           FinalRoundings * size);
       }
-      Wide along = 0;
+      // The area, with trim curves that stay in (u,v).
+      Wide along = -entry.Sums[channel::Area + 3];
+      double size = static_cast<double>(std::abs(entry.Sums[channel::Area + 3]));
       for (int c = 0; c < 3; ++c)
       {
         const Wide sum = entry.Sums[channel::Area + c];
-        result.Values[result.GetIndex(i, j, c) + NumberOfMoments] = static_cast<double>(weight * sum);
+        const double value = static_cast<double>(weight * sum);
+        result.Values[result.GetIndex(i, j, c) + NumberOfMoments] = value;
+        result.Bounds[result.GetIndex(i, j, c) + NumberOfMoments] =
+          GetUnknown(BoundGrowth * weight * entry.Quadrature[6] + FinalRoundings * std::abs(value));
         along += position[c] * sum;
+        size += static_cast<double>(std::abs(position[c] * sum));
       }
-      result.Values[result.GetIndex(i, j, 3) + NumberOfMoments] =
-        static_cast<double>(along - entry.Sums[channel::Area + 3]);
-      for (int c = 0; c < 4; ++c)
-      {
-        result.Bounds[result.GetIndex(i, j, c) + NumberOfMoments] = std::numeric_limits<double>::quiet_NaN();
-      }
+      result.Values[result.GetIndex(i, j, 3) + NumberOfMoments] = static_cast<double>(along);
+      result.Bounds[result.GetIndex(i, j, 3) + NumberOfMoments] = GetUnknown(BoundGrowth *
+          ((std::abs(position[0]) + std::abs(position[1]) + std::abs(position[2])) * entry.Quadrature[6] +
+            entry.Quadrature[7]) +
+        FinalRoundings * size);
     }
   }
   return result;

@@ -149,6 +149,7 @@ void PatchGradient::Compute(const FacePanels& panels, std::uint32_t patch, const
   this->RowR.resize(p + 1);
   this->Evaluations = 0;
   this->Growth = 1.0;
+  this->AreaNoise[0] = this->AreaNoise[1] = 0.0;
   // Each polynomial has at most 3 roundings a degree, a sum over the net p + q, and 16 more are differences,
   // quotients and products of a tangent. Terms of the same sign bound those of any sign.
   this->Roundings = 4.0 * (p + q) + 16.0;
@@ -347,7 +348,27 @@ void PatchGradient::AddPoint(const Line& line, double s, double weight)
     alongA[c] *= coverage;
     alongB[c] *= coverage;
   }
-  values[channel::AreaNoise] = values[channel::AreaNoise + 1] = 0.0;
+  // The sums of |R_s| and of |R_r| over all control points; K roundings of each and of the tangents, and the
+  // normal's direction, off by twice its relative error but by no more than 2.
+  const double slopeS = (2.0 * p + std::abs(hs[3]) * inverse) * inverse;
+  const double slopeR = (2.0 * this->Degree[1] + std::abs(hr[3]) * inverse) * inverse;
+  const double few = this->Roundings + this->Additions + 24.0;
+  const double offNormal = (this->Roundings + 4.0) * (stretchS * lengthR + lengthS * stretchR) +
+    4.0 * length + offS * lengthR + offR * lengthS;
+  const double offDirection = std::min(2.0 / UnitRoundoff, 2.0 * offNormal / length);
+  const double steps = slopeS * stretchR + slopeR * stretchS;
+  const double ofArea = edge *
+      (few * steps + (slopeS * lengthR + slopeR * lengthS) * offDirection + slopeS * offR + slopeR * offS) +
+    line.TrimRounding * steps;
+  const double scale = std::abs(weight) * line.Growth * line.Growth;
+  this->AreaNoise[0] += scale * ofArea;
+  this->AreaNoise[1] += scale *
+    (size * ofArea +
+      edge *
+        ((slopeS * lengthR + slopeR * lengthS) *
+            ((this->Roundings + 2.0) * this->Source->Radius + 2.0 * size + off) +
+          2.0 * inverse * (offNormal + few * length)) +
+      2.0 * inverse * line.TrimRounding * stretchS * stretchR);
 
   for (int i = 0; i <= p; ++i)
   {

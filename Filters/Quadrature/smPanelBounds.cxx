@@ -191,15 +191,23 @@ void PanelBounds::BoundAcross(const Panel& panel)
   {
     // Along a straight ruling x.n is linear, |n| too unless it vanishes somewhere, and g has its degree.
     const int order = (this->Degree + 3) / 2;
+    bool hasDirection = false;
     for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
     {
-      if (this->Request.Classes[i].Kind != BoundClass::AreaMoment || panel.Shape == PanelShape::Prismatic ||
-        this->Majorants->HasLength())
+      const BoundClass& c = this->Request.Classes[i];
+      // The direction of the normal is constant to 1e-13 only, which matters to derivatives of an area.
+      hasDirection = hasDirection || c.Kind == BoundClass::AreaBasis;
+      if (c.Kind != BoundClass::AreaBasis &&
+        (c.Kind != BoundClass::AreaMoment || panel.Shape == PanelShape::Prismatic ||
+          this->Majorants->HasLength()))
       {
         this->AcrossXi.SetExactOrder(i, order);
       }
     }
-    return;
+    if (!hasDirection)
+    {
+      return;
+    }
   }
   const Ellipse real = Ellipse::FromRadius(1.0);
   SearchEllipses(PanelRadii,
@@ -249,7 +257,7 @@ void PanelBounds::SetPolynomialOrders(const Patch& patch)
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
-    if (c.Kind != BoundClass::AreaMoment)
+    if (!c.HasLength())
     {
       // With equal weights a component of the normal has the degrees 2p - 1 and 2q - 1.
       const int more = c.Kind == BoundClass::HeightMoment ? 1 : 0;

@@ -5,6 +5,7 @@
 #include "smVector.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace sm
 {
@@ -44,6 +45,7 @@ double GetIntegrandChange(
     : c.Kind == BoundClass::HeightMoment  ? moment(k + 1)
     : c.Kind == BoundClass::NormalBasis   ? basis * moment(k)
     : c.Kind == BoundClass::FluxBasis     ? basis * moment(k + 1)
+    : c.Kind == BoundClass::AreaBasis     ? std::numeric_limits<double>::infinity()
                                           : moment(k + 1) / (3 + k);
 }
 

@@ -36,10 +36,9 @@ constexpr int Flux = 3 * NumberOfMoments;
 /// Three components of the vector of the area, and its scalar.
 constexpr int Area = Flux + NumberOfMoments;
 /// Bounds of roundings relative to u: that of g R n with a g of degree k is at Noise + k, that of g R x.n at
-/// Noise + k + 1; those of the area's vector and scalar.
+/// Noise + k + 1.
 constexpr int Noise = Area + 4;
-constexpr int AreaNoise = Noise + 4;
-constexpr int Count = AreaNoise + 2;
+constexpr int Count = Noise + 4;
 }
 
 /// Returns a bound of the sums of the absolute values of the patch's Bernstein polynomials on a panel: 1
@@ -59,6 +58,9 @@ public:
   {
     return this->Sums.data() + channel::Count * (i + (this->Degree[0] + 1) * static_cast<std::size_t>(j));
   }
+  /// Returns the bound, relative to u, of the roundings of the area's vector (0) and scalar (1), of all
+  /// control points together and so of each.
+  double GetAreaNoise(int which) const { return this->AreaNoise[which]; }
   std::int64_t GetEvaluations() const { return this->Evaluations; }
   /// The largest BoundBasis() of the panels.
   double GetGrowth() const { return this->Growth; }
@@ -80,6 +82,7 @@ private:
   double Roundings = 0.0;
   double Additions = 0.0;
   double Growth = 1.0;
+  double AreaNoise[2] = { 0.0, 0.0 };
   std::int64_t Evaluations = 0;
   std::vector<double> Sums;
 

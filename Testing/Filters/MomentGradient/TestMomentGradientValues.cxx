@@ -85,7 +85,10 @@ void CheckBall()
       [&](const auto&, const std::array<double, 4>& p) -> std::array<double, 3> {
         return { (p[0] - center[0]) / r, (p[1] - center[1]) / r, (p[2] - center[2]) / r };
       });
-    Check("radius SurfaceArea", 8.0 * Pi * r, static_cast<double>(grown.Value), 1e-9 * area);
+    // The rows of the poles are points except for the rounding of cos(90 degrees): there the area has no
+    // bound.
+    Check("radius SurfaceArea", 8.0 * Pi * r, static_cast<double>(grown.Value), 1e-9 * area, "the tolerance");
+    CheckTrue("radius SurfaceArea bound", std::isnan(grown.Bound));
     const sm::FaceMomentGradient& face = result.Faces[0];
     bool isUnknown = true;
     for (int k = 1; k <= 3; ++k)
@@ -152,10 +155,8 @@ void CheckTorus()
         { "PrincipalMoment_3", 4.0 * Pi * Pi * ring * ring * ring * tube + 6.0 * Pi * Pi * ring * tube * r2 },
         { "Inertia_YY", 2.0 * Pi * Pi * ring * ring * ring * tube + 5.0 * Pi * Pi * ring * tube * r2 } },
       8.0, byTube);
-    Check("ring SurfaceArea", 4.0 * Pi * Pi * tube,
-      static_cast<double>(SumOverPoints(result, FindQuantity("SurfaceArea"), byRing).Value), 1e-9);
-    Check("tube SurfaceArea", 4.0 * Pi * Pi * ring,
-      static_cast<double>(SumOverPoints(result, FindQuantity("SurfaceArea"), byTube).Value), 1e-9);
+    CheckDirection("ring", result, { { "SurfaceArea", 4.0 * Pi * Pi * tube } }, 8.0, byRing);
+    CheckDirection("tube", result, { { "SurfaceArea", 4.0 * Pi * Pi * ring } }, 8.0, byTube);
     const sm::FaceMomentGradient& face = result.Faces[0];
     const std::size_t at = face.GetIndex(1, 1, 0, FindQuantity("PrincipalMoment_1"));
     CheckTrue("the other two coincide", std::isnan(face.Values[at]));
@@ -229,9 +230,8 @@ void CheckBox(bool placed)
         }
         expected["PrincipalMoment_" + std::to_string(k + 1)] = slope * moment + volume * change;
       }
+      expected["SurfaceArea"] = 2.0 * (sides[0] + sides[1] + sides[2] - sides[d]);
       CheckDirection("side", result, expected, placed ? 60.0 : 12.0, direction);
-      Check("side SurfaceArea", 2.0 * (sides[0] + sides[1] + sides[2] - sides[d]),
-        static_cast<double>(SumOverPoints(result, FindQuantity("SurfaceArea"), direction).Value), 1e-9);
     }
     if (tied)
     {
