@@ -11,8 +11,9 @@ namespace sm
 namespace
 {
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
-// Roundings of the entries of a map, products of few sums, and of the sums of ten products.
-constexpr double MapRoundings = 64.0 * UnitRoundoff;
+// Roundings of the entries of a placement (96, Bounds.md, 4), of products of few sums, and of sums of ten
+// products.
+constexpr double MapRoundings = 160.0 * UnitRoundoff;
 constexpr double FewRoundings = 32.0 * UnitRoundoff;
 /// Pairs of axes of second moments, XX YY ZZ XY YZ XZ, and the index of a pair.
 constexpr int Pairs[6][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 0, 2 } };

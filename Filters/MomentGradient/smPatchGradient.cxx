@@ -150,9 +150,11 @@ void PatchGradient::Compute(const FacePanels& panels, std::uint32_t patch, const
   this->Evaluations = 0;
   this->Growth = 1.0;
   this->AreaNoise[0] = this->AreaNoise[1] = 0.0;
-  // Each polynomial has at most 3 roundings a degree, a sum over the net p + q, and 16 more are differences,
-  // quotients and products of a tangent. Terms of the same sign bound those of any sign.
-  this->Roundings = 4.0 * (p + q) + 16.0;
+  // A polynomial has at most 3 roundings a degree and a sum over the net one for each term: 4 (p + q) and a
+  // few more for a numerator, and as many for the weight that it is divided by. Differences, quotients and
+  // products of a tangent are the rest. All polynomials and weights are positive, so that these are relative
+  // errors.
+  this->Roundings = 8.0 * (p + q) + 24.0;
   std::size_t lines = 0;
   int longest = 1;
   for (const PlannedItem& item : plan.Items)
