@@ -174,6 +174,12 @@ bool GetControlPoint(
   return exists;
 }
 
+std::vector<std::vector<int>> FindTiedPoints(vtkTrimmedNURBSModel* model)
+{
+  return model ? NetChange(model, EditRule::MoveSharedBoundary).FindGroups()
+               : std::vector<std::vector<int>>();
+}
+
 ModelEdit SetControlPoints(vtkTrimmedNURBSModel* model, int face,
   const std::vector<std::pair<ControlPointIndex, std::array<double, 4>>>& points, EditRule rule)
 {

@@ -98,6 +98,11 @@ struct ModelEdit
 SMFILTERSNURBSEDIT_EXPORT bool GetControlPoint(
   vtkTrimmedNURBSModel* model, int face, ControlPointIndex index, std::array<double, 4>& point);
 
+/// Returns the control points that MoveSharedBoundary moves together: for each face, in the order of its
+/// ControlPoints, the number of the group that a point belongs to. Points of equal numbers follow each other;
+/// their weights keep their ratios. Empty without a model.
+SMFILTERSNURBSEDIT_EXPORT std::vector<std::vector<int>> FindTiedPoints(vtkTrimmedNURBSModel* model);
+
 /// Sets homogeneous control points (w x, w y, w z, w): finite, with a weight above 0. If a control point
 /// occurs twice, the last value counts.
 SMFILTERSNURBSEDIT_EXPORT ModelEdit SetControlPoints(vtkTrimmedNURBSModel* model, int face,

@@ -285,6 +285,54 @@ void NetChange::Propagate()
   }
 }
 
+std::vector<std::vector<int>> NetChange::FindGroups()
+{
+  // Union-find over all control points, face after face.
+  std::vector<std::size_t> first(1, 0);
+  for (const FacePointer& face : this->Faces)
+  {
+    first.push_back(first.back() + face->Surface.ControlPoints.size());
+  }
+  std::vector<std::size_t> other(first.back());
+  std::iota(other.begin(), other.end(), std::size_t{ 0 });
+  const auto find = [&other](std::size_t at)
+  {
+    while (other[at] != at)
+    {
+      at = other[at] = other[other[at]];
+    }
+    return at;
+  };
+  this->CollectEdges();
+  for (EdgeUses& edge : this->Edges)
+  {
+    if (!this->FindRows(edge))
+    {
+      continue;
+    }
+    const Use& leader = edge.Uses.front();
+    const NURBSSurface& surface = this->GetFace(leader.Face).Surface;
+    for (int k = 0; k < leader.Row.GetSize(surface); ++k)
+    {
+      for (const Use& use : edge.Uses)
+      {
+        const std::size_t a = find(first[leader.Face] + leader.Row.GetEntry(surface, k));
+        const std::size_t b = find(first[use.Face] + use.Row.GetEntry(this->GetFace(use.Face).Surface, k));
+        other[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  }
+  std::vector<std::vector<int>> groups(this->Faces.size());
+  for (std::size_t f = 0; f < groups.size(); ++f)
+  {
+    for (std::size_t at = first[f]; at < first[f + 1]; ++at)
+    {
+      groups[f].push_back(static_cast<int>(find(at)));
+    }
+  }
+  return groups;
+}
+
 std::shared_ptr<const EdgeOrigin> NetChange::GetOrigin(const EdgeUses& edge, const RowCurve& row)
 {
   const std::shared_ptr<const EdgeOrigin>& older = edge.Source->Origin;

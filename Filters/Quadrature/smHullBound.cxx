@@ -141,6 +141,11 @@ double HullBound::GetMagnitude(const BoundClass& integrand) const
       return this->Area * IntegerPower(this->Reach, k + 1);
     case BoundClass::AreaMoment:
       return this->Area * IntegerPower(this->Reach, k);
+    case BoundClass::NormalBasis:
+    case BoundClass::FluxBasis:
+    case BoundClass::AreaBasis:
+      // The hull does not bound the weight.
+      return std::numeric_limits<double>::infinity();
     default:
       return this->Area;
   }

@@ -50,12 +50,15 @@ void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector
     largest = std::max(largest, this->Panels.Points[patch.FirstPoint + i][3]);
   }
   const double weight = this->Majorants->GetLowestWeight();
+  // The sum of the Bernstein polynomials' absolute values, over the weight.
+  const double basis = weight > 0.0 ? growth / weight : std::numeric_limits<double>::infinity();
   growth *= weight > 0.0 ? largest / weight : std::numeric_limits<double>::infinity();
   const double factor = 2.0 * growth * (1.0 + growth);
   const double slope[2] = { factor * patch.Degree[0] * moved, factor * patch.Degree[1] * moved };
   const double stretch[2] = { factor * patch.Degree[0] * patch.Radius,
     factor * patch.Degree[1] * patch.Radius };
-  FillIntegrandChange(patch, this->Request, growth * moved, slope, growth * patch.Radius, stretch, change);
+  FillIntegrandChange(
+    patch, this->Request, growth * moved, slope, growth * patch.Radius, stretch, basis, change);
 }
 
 const std::vector<double>& PanelBounds::GetChange()
@@ -188,15 +191,23 @@ void PanelBounds::BoundAcross(const Panel& panel)
   {
     // Along a straight ruling x.n is linear, |n| too unless it vanishes somewhere, and g has its degree.
     const int order = (this->Degree + 3) / 2;
+    bool hasDirection = false;
     for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
     {
-      if (this->Request.Classes[i].Kind != BoundClass::AreaMoment || panel.Shape == PanelShape::Prismatic ||
-        this->Majorants->HasLength())
+      const BoundClass& c = this->Request.Classes[i];
+      // The direction of the normal is constant to 1e-13 only, which matters to derivatives of an area.
+      hasDirection = hasDirection || c.Kind == BoundClass::AreaBasis;
+      if (c.Kind != BoundClass::AreaBasis &&
+        (c.Kind != BoundClass::AreaMoment || panel.Shape == PanelShape::Prismatic ||
+          this->Majorants->HasLength()))
       {
         this->AcrossXi.SetExactOrder(i, order);
       }
     }
-    return;
+    if (!hasDirection)
+    {
+      return;
+    }
   }
   const Ellipse real = Ellipse::FromRadius(1.0);
   SearchEllipses(PanelRadii,
@@ -246,11 +257,14 @@ void PanelBounds::SetPolynomialOrders(const Patch& patch)
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     const BoundClass& c = this->Request.Classes[i];
-    if (c.Kind != BoundClass::AreaMoment)
+    if (!c.HasLength())
     {
+      // With equal weights a component of the normal has the degrees 2p - 1 and 2q - 1.
       const int more = c.Kind == BoundClass::HeightMoment ? 1 : 0;
-      const int inS = 3 * p - 2 + more + c.Degree * p;
-      const int inR = 3 * q - 2 + more + c.Degree * q;
+      const bool isNormal = c.Kind == BoundClass::NormalBasis;
+      const int basis = c.HasBasis() ? 1 : 0;
+      const int inS = (isNormal ? 2 * p - 1 : 3 * p - 2) + basis * p + more + c.Degree * p;
+      const int inR = (isNormal ? 2 * q - 1 : 3 * q - 2) + basis * q + more + c.Degree * q;
       const int inT = straight ? inR * d + d - 1 : (inS + inR) * d + 2 * d - 1;
       this->AcrossXi.SetExactOrder(i, inS / 2 + 1);
       this->AlongT.SetExactOrder(i, std::max(inT, 0) / 2 + 1);

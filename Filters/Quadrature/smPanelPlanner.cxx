@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sm
 {
@@ -20,6 +21,8 @@ constexpr int LargestDepth = 30;
 constexpr std::size_t MaxParts = 128;
 constexpr std::size_t MaxAbreast = 16;
 constexpr int DepthOfLines = 6;
+// The same where an area's derivatives are bounded, whose bounds are never replaced by comparisons.
+constexpr int DepthOfDirections = 4;
 // The limit of parts where the moments, too, need more points than one part may have, because weights differ
 // much.
 constexpr std::size_t MaxPartsOfMoments = 8192;
@@ -57,13 +60,26 @@ double GetCovered(const FacePanels& panels, const Panel& panel, const double ext
   return extent[0] * way / panels.Patches[panel.Patch].Width[1];
 }
 
-/// Highest degree of the factors g. A height is one degree more than x.n along a straight ruling.
+/// Highest degree of the factors g along a straight ruling. A height is one degree more than x.n, and so is a
+/// Bernstein polynomial of the patch, which has degree 1 there.
 int GetDegree(const PlanRequest& request)
 {
   int degree = 0;
   for (const BoundClass& c : request.Classes)
   {
-    degree = std::max(degree, c.Degree + (c.Kind == BoundClass::HeightMoment ? 1 : 0));
+    degree = std::max(degree, c.Degree + (c.Kind == BoundClass::HeightMoment || c.HasBasis() ? 1 : 0));
+  }
+  return degree;
+}
+
+/// The same along a line of a parallelogram, where those polynomials have the degree 2: one of s times one of
+/// r.
+int GetFlatDegree(const PlanRequest& request)
+{
+  int degree = GetDegree(request);
+  for (const BoundClass& c : request.Classes)
+  {
+    degree = std::max(degree, c.Degree + (c.HasBasis() ? 2 : 0));
   }
   return degree;
 }
@@ -75,6 +91,9 @@ PanelPlanner::PanelPlanner(
   , Request(request)
   , Result(plan)
   , Degree(GetDegree(request))
+  , FlatDegree(GetFlatDegree(request))
+  , HasDirection(std::any_of(request.Classes.begin(), request.Classes.end(),
+      [](const BoundClass& c) { return c.Kind == BoundClass::AreaBasis; }))
   , Bounds(panels, request, series, Degree)
   , Series(series)
 {
@@ -101,11 +120,37 @@ void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], doub
   const double rotated =
     (std::max(extent[0], extent[1]) - 0.5) * moved * (patch.Stretch[0] + patch.Stretch[1] + moved);
   const double area = patch.Stretch[0] * patch.Stretch[1];
+  // Bernstein polynomials of degrees 1 and 1, over the weight.
+  const double basis = extent[0] * extent[1] / p[0][3];
+  const double position = (extent[0] * extent[1] - 0.75) * moved;
+  // The derivatives of those polynomials, and the normal's direction, which changes by at most twice what the
+  // normal does over the shorter one.
+  double tangents[2][3];
+  for (int c = 0; c < 3; ++c)
+  {
+    tangents[0][c] = 0.5 * (p[1][c] - p[0][c] + p[3][c] - p[2][c]) / p[0][3];
+    tangents[1][c] = 0.5 * (p[2][c] - p[0][c] + p[3][c] - p[1][c]) / p[0][3];
+  }
+  const double shortest = Norm(Cross(tangents[0], tangents[1])) - rotated;
+  const double stretch = patch.Stretch[0] + patch.Stretch[1];
+  const double turned = shortest > 0.0 ? 2.0 * rotated / shortest : std::numeric_limits<double>::infinity();
+  const double slope = (std::max(extent[0], extent[1]) - 0.5) * moved;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    this->Result.QuadratureBound[i] += 2.0 * GetCovered(this->Panels, panel, extent) *
-      GetIntegrandChange(
-        this->Request.Classes[i], (extent[0] * extent[1] - 0.75) * moved, rotated, area, reach);
+    const BoundClass& c = this->Request.Classes[i];
+    double change = 0.0;
+    if (c.Kind == BoundClass::AreaBasis)
+    {
+      change = 2.0 * basis * (turned * (stretch + 2.0 * slope) + 2.0 * slope);
+      change = c.Degree == 0
+        ? change
+        : change * reach + 2.0 * basis * (stretch + 2.0 * slope) * position + 2.0 * basis * rotated;
+    }
+    else
+    {
+      change = GetIntegrandChange(c, position, rotated, area, reach, basis);
+    }
+    this->Result.QuadratureBound[i] += 2.0 * GetCovered(this->Panels, panel, extent) * change;
   }
 }
 
@@ -115,7 +160,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   // degree d - 1 in t, and xi^(D+1) .. across.
   const Panel& panel = this->Panels.Panels[index];
   const int trimDegree = std::max<int>(panel.TrimDegree, 1);
-  const int along = ((this->Degree + 2) * trimDegree + 1) / 2;
+  const int along = ((this->FlatDegree + 2) * trimDegree + 1) / 2;
   if (panel.Shape != PanelShape::Flat || along > LargestFlatOrder)
   {
     return false;
@@ -162,7 +207,7 @@ bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& acro
   const auto wanted = [&](std::size_t i)
   {
     const double tolerance = share * this->Request.Tolerances[i];
-    return (withArea || this->Request.Classes[i].Kind != BoundClass::AreaMoment) && tolerance > 0.0 &&
+    return (withArea || !this->Request.Classes[i].HasLength()) && tolerance > 0.0 &&
       !(2.0 * this->Bounds.GetSupremum(i) <= tolerance);
   };
   for (std::size_t i = 0; i < count; ++i)
@@ -304,12 +349,33 @@ void PanelPlanner::Keep(
     }
   }
   this->Result.Estimated = this->Result.Estimated || compared;
+  if (this->Bounds.GetMajorants().GetKink(0) + this->Bounds.GetMajorants().GetKink(1) > 0.0)
+  {
+    // Beyond a collapsed edge the normal's direction is reversed.
+    for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+    {
+      this->Result.QuadratureBound[i] += this->Request.Classes[i].Kind == BoundClass::AreaBasis
+        ? std::numeric_limits<double>::infinity()
+        : 0.0;
+    }
+  }
   this->Bounds.GetMajorants().GetDropped(this->Request.Classes, this->Dropped);
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
     // A rule is off by at most twice the largest value.
     this->Result.QuadratureBound[i] +=
       this->Dropped[i] > 0.0 ? 2.0 * this->Dropped[i] * this->Bounds.GetJacobian() : 0.0;
+  }
+  const double turned = this->Bounds.GetMajorants().GetDirectionDeviation();
+  for (std::size_t i = 0; turned > 0.0 && i < this->Request.Classes.size(); ++i)
+  {
+    const BoundClass& c = this->Request.Classes[i];
+    if (c.Kind == BoundClass::AreaBasis)
+    {
+      this->Result.QuadratureBound[i] += 2.0 * turned * this->Bounds.GetMajorants().GetBasisSlope() *
+          IntegerPower(this->GetReach(), c.Degree) * this->Bounds.GetJacobian() +
+        (c.Degree > 0 ? 4.0 * turned * this->Bounds.GetSupremum(i) : 0.0);
+    }
   }
   const std::vector<double>& change = this->Bounds.GetChange();
   for (std::size_t i = 0; i < change.size(); ++i)
@@ -385,6 +451,16 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
   int across = 1;
   const bool found = this->FindOrders(share, true, along, across);
   if (found && this->IsSmall(kinkArea, share))
+  {
+    this->Keep(index, part, along, across, false, noise);
+    return;
+  }
+  // Where only the bounds of an area's derivatives are too large, few parts must do, with the orders of the
+  // other integrands; where the normal may vanish, or an edge is nearly one point, these bounds are infinite.
+  const bool isDirection = !found && this->HasDirection && this->FindOrders(share, false, along, across);
+  const int deepest =
+    majorants.HasLength() && kink == 0.0 && this->Bounds.GetChange().empty() ? DepthOfDirections : 0;
+  if (isDirection && part.Depth >= deepest)
   {
     this->Keep(index, part, along, across, false, noise);
     return;

@@ -315,10 +315,40 @@ void PatchMajorants::ExpandWithoutNormal(
   }
 }
 
+void PatchMajorants::MeasureNet(const std::array<double, 4>* points)
+{
+  const int columns = this->P + 1;
+  this->NetRadius = 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    this->NetSteps[d] = this->WeightSteps[d] = 0.0;
+  }
+  for (int j = 0; j <= this->Q; ++j)
+  {
+    for (int i = 0; i <= this->P; ++i)
+    {
+      const std::array<double, 4>& a = points[i + columns * j];
+      this->NetRadius = std::max(this->NetRadius, Norm(a.data()));
+      for (int d = 0; d < 2; ++d)
+      {
+        if (d == 0 ? i < this->P : j < this->Q)
+        {
+          const std::array<double, 4>& b = points[i + columns * j + (d == 0 ? 1 : columns)];
+          const double degree = d == 0 ? this->P : this->Q;
+          this->NetSteps[d] =
+            std::max(this->NetSteps[d], degree * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
+          this->WeightSteps[d] = std::max(this->WeightSteps[d], degree * std::abs(b[3] - a[3]));
+        }
+      }
+    }
+  }
+}
+
 void PatchMajorants::ExpandSamples(const std::array<double, 4>* points, int p, int q,
   const PatchTraits& traits, const ParameterBox& box, const Vector3& origin)
 {
   this->ExpandWithoutNormal(points, p, q, traits, box);
+  this->MeasureNet(points);
   this->ExpandDerivatives(points);
   const std::vector<double>& series = this->Series[0];
   const double fromOrigin[3] = { origin[0] + series[0] / series[3], origin[1] + series[1] / series[3],

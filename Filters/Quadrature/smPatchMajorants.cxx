@@ -86,6 +86,47 @@ double PatchMajorants::GetFactorMajorant(const Ellipse& s, const Ellipse& r) con
   return factor;
 }
 
+double PatchMajorants::GetSpread(const Ellipse& ellipse, int d) const
+{
+  // A point of the ellipse around [a,b] has |z - a| + |z - b| <= (b - a) A.
+  const double half = this->Box.Half[d];
+  const double outside = std::abs(this->Box.Middle[d] - half) + std::abs(1.0 - this->Box.Middle[d] - half);
+  return std::max(1.0, 2.0 * half * ellipse.GetHalfAxis() + outside);
+}
+
+double PatchMajorants::GetBasisMajorant(const Ellipse& s, const Ellipse& r) const
+{
+  // The sum of |B_i(z)| over i is (|z| + |1 - z|)^p, and no B-spline that is continued by the patch is
+  // larger, being a mean of the B_i.
+  return IntegerPower(this->GetSpread(s, 0), this->P) * IntegerPower(this->GetSpread(r, 1), this->Q);
+}
+
+double PatchMajorants::GetBasisSlope(const Ellipse& s, const Ellipse& r, double weight) const
+{
+  // Derivatives are sums of differences: p (B_(i-1) - B_i) of degree p - 1, and p (P_(i+1) - P_i).
+  const double basis = this->GetBasisMajorant(s, r);
+  const double spread[2] = { this->GetSpread(s, 0), this->GetSpread(r, 1) };
+  const int degree[2] = { this->P, this->Q };
+  const double position = this->NetRadius * basis / weight;
+  double ofBasis[2];
+  double ofSurface[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    const double lower = basis / spread[d];
+    const double ofWeight = this->WeightSteps[d] * lower / weight;
+    ofBasis[d] = (2.0 * degree[d] * lower + ofWeight * basis) / weight;
+    ofSurface[d] = this->NetSteps[d] * lower / weight + ofWeight * position;
+  }
+  return ofBasis[0] * ofSurface[1] + ofBasis[1] * ofSurface[0];
+}
+
+double PatchMajorants::GetBasisSlope() const
+{
+  const Ellipse real = Ellipse::FromRadius(1.0);
+  const double weight = this->GetLowestWeight();
+  return weight > 0.0 ? this->GetBasisSlope(real, real, weight) : std::numeric_limits<double>::infinity();
+}
+
 void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const
 {
   const Ellipse real = Ellipse::FromRadius(1.0);
@@ -105,7 +146,10 @@ void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vec
   {
     const double power = IntegerPower(reach, classes[i].Degree);
     const double length = this->Dropped[this->IsPolynomialLength() && this->Traits.PolynomialLength ? 2 : 1];
-    dropped[i] = classes[i].Kind == BoundClass::VolumeMoment
+    const double basis = classes[i].HasBasis() ? this->GetBasisMajorant(real, real) / weight : 1.0;
+    dropped[i] = classes[i].Kind == BoundClass::FluxBasis ? basis * this->Dropped[0] * power / cube
+      : classes[i].Kind == BoundClass::NormalBasis        ? basis * factor * this->Dropped[1] * power / cube
+      : classes[i].Kind == BoundClass::VolumeMoment
       ? this->Dropped[0] * power / ((3 + classes[i].Degree) * cube)
       : classes[i].Kind == BoundClass::HeightMoment
       ? factor * this->Dropped[1] * power * reach / cube
@@ -161,9 +205,12 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   const double normal = factor * products[Normal];
   double length = std::numeric_limits<double>::infinity();
   const double along = this->FirstLength + products[Along];
+  // A lower bound of |m~|, or of |(m~.m~)^(1/2)|; not positive where there is none.
+  double shortest = 0.0;
   if (this->IsPolynomialLength())
   {
     length = factor * along;
+    shortest = this->FirstLength - products[Along];
   }
   else
   {
@@ -173,6 +220,8 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
     if (along - this->FirstLength + across < 0.999999 * this->FirstLength)
     {
       length = factor * std::hypot(along, across);
+      const double shortestAlong = this->FirstLength - products[Along];
+      shortest = std::sqrt((shortestAlong - across) * (shortestAlong + across));
     }
     else if (s.GetHalfAxis() == 1.0 && r.GetHalfAxis() == 1.0)
     {
@@ -195,6 +244,19 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
       case BoundClass::HeightMoment:
         // |z| <= |x|, |n_z| <= |n|, for complex vectors, too.
         bounds[i] = normal * power * reach / cube;
+        break;
+      case BoundClass::NormalBasis:
+        bounds[i] = this->GetBasisMajorant(s, r) * normal * power / (cube * weight);
+        break;
+      case BoundClass::FluxBasis:
+        bounds[i] = this->GetBasisMajorant(s, r) * numerator * power / (cube * weight);
+        break;
+      case BoundClass::AreaBasis:
+        // |e| <= |m~| / |(m~.m~)^(1/2)|, the modulus of a product of complex vectors at most that of theirs.
+        bounds[i] = shortest > 1e-6 * this->FirstLength
+          ? products[Normal] / shortest * this->GetBasisSlope(s, r, weight) * power +
+            (classes[i].Degree > 0 ? 2.0 * this->GetBasisMajorant(s, r) / weight * length / cube : 0.0)
+          : std::numeric_limits<double>::infinity();
         break;
       default:
         bounds[i] = length * power / cube;
@@ -242,6 +304,13 @@ double PatchMajorants::GetLengthDeviation() const
   const double weight = this->GetLowestWeight();
   return this->Traits.SquareDeviation / this->MinimumLength * this->GetFactorMajorant(real, real) /
     (weight * weight * weight);
+}
+
+double PatchMajorants::GetDirectionDeviation() const
+{
+  return this->IsPolynomialLength() && this->Traits.SquareDeviation > 0.0
+    ? this->Traits.SquareDeviation / (this->MinimumLength * this->MinimumLength)
+    : 0.0;
 }
 
 void PatchMajorants::EvaluatePosition(

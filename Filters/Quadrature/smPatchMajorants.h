@@ -36,10 +36,25 @@ struct BoundClass
     /// |n| g(x).
     AreaMoment,
     /// z n_z g(x) / (k + 1), k the power of z in g.
-    HeightMoment
+    HeightMoment,
+    /// A component of n, times B_ij(s,r) g(x) / w(s,r) with any Bernstein polynomial B_ij of the patch.
+    NormalBasis,
+    /// x.n B_ij(s,r) g(x) / w(s,r).
+    FluxBasis,
+    /// With R = B_ij / w and e = n / |n|, of degree 0: a component of R_s (Sr x e) + R_r (e x Ss); of degree
+    /// 1: x . that + 2 R |n|.
+    AreaBasis
   };
   KindType Kind;
   int Degree;
+
+  /// Returns true if the integrand has the factor B_ij / w, or its derivatives.
+  bool HasBasis() const
+  {
+    return this->Kind == NormalBasis || this->Kind == FluxBasis || this->Kind == AreaBasis;
+  }
+  /// Returns true if the integrand depends on |n|.
+  bool HasLength() const { return this->Kind == AreaMoment || this->Kind == AreaBasis; }
 
   bool operator==(const BoundClass& other) const
   {
@@ -92,6 +107,13 @@ public:
   /// polynomial.
   double GetLengthDeviation() const;
 
+  /// Upper bound, for real parameters, of the relative difference between |n| and its series where |n| is
+  /// taken for a polynomial.
+  double GetDirectionDeviation() const;
+  /// A bound, for real parameters, of |R_s| |Sr| + |R_r| |Ss|, see BoundClass::AreaBasis, with the sums of
+  /// all R.
+  double GetBasisSlope() const;
+
   /// |n| has no zero on the box, but at collapsed edges.
   bool HasLength() const;
   /// Bounds, for real parameters, of the terms that the series omit as rounding; without the Jacobian.
@@ -142,6 +164,7 @@ private:
   /// The first part of Expand(): samples the numerators.
   void ExpandSamples(const std::array<double, 4>* points, int p, int q, const PatchTraits& traits,
     const ParameterBox& box, const std::array<double, 3>& origin);
+  void MeasureNet(const std::array<double, 4>* points);
   void ExpandNet(const double* net, int countS, int countR, std::vector<double>& series);
   void ExpandDerivatives(const std::array<double, 4>* points);
   void SampleNumerators(const std::array<double, 3>& origin);
@@ -160,6 +183,12 @@ private:
       (collapsed[3] ? 1 - r : Real(1));
   }
   double GetFactorMajorant(const Ellipse& s, const Ellipse& r) const;
+  /// |z| + |1 - z| in an ellipse of direction d, no less than 1.
+  double GetSpread(const Ellipse& ellipse, int d) const;
+  /// The largest sum of |B_ij| in the ellipses.
+  double GetBasisMajorant(const Ellipse& s, const Ellipse& r) const;
+  /// GetBasisSlope() in the ellipses, where |w| is at least `weight`.
+  double GetBasisSlope(const Ellipse& s, const Ellipse& r, double weight) const;
 
   int P = 1;
   int Q = 1;
@@ -168,6 +197,11 @@ private:
   /// |w_00|, and |m~_00| or |h_00|.
   double FirstWeight = 1.0;
   double FirstLength = 0.0;
+  /// The largest difference of neighbours in s and r, times the degree: of control points relative to the
+  /// patch's centre, and of weights; and the largest |w x| of a control point.
+  double NetSteps[2] = { 0.0, 0.0 };
+  double WeightSteps[2] = { 0.0, 0.0 };
+  double NetRadius = 0.0;
   /// A lower bound of |m~| or |h| on the box, where that is positive.
   double MinimumLength = 0.0;
   /// h, or m~ . e with its direction e at the middle, is positive on the box; and |m~| is.

@@ -4,6 +4,9 @@
 #include "Detail/smTrimSeries.h"
 #include "smVector.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace sm
 {
 namespace
@@ -28,7 +31,8 @@ ParameterBox GetPatchBox(const PatchTraits& traits)
 }
 }
 
-double GetIntegrandChange(const BoundClass& c, double moved, double rotated, double normal, double reach)
+double GetIntegrandChange(
+  const BoundClass& c, double moved, double rotated, double normal, double reach, double basis)
 {
   const int k = c.Degree;
   const auto moment = [&](int degree)
@@ -39,11 +43,14 @@ double GetIntegrandChange(const BoundClass& c, double moved, double rotated, dou
   return c.Kind == BoundClass::VectorArea ? rotated
     : c.Kind == BoundClass::AreaMoment    ? moment(k)
     : c.Kind == BoundClass::HeightMoment  ? moment(k + 1)
+    : c.Kind == BoundClass::NormalBasis   ? basis * moment(k)
+    : c.Kind == BoundClass::FluxBasis     ? basis * moment(k + 1)
+    : c.Kind == BoundClass::AreaBasis     ? std::numeric_limits<double>::infinity()
                                           : moment(k + 1) / (3 + k);
 }
 
 void FillIntegrandChange(const Patch& patch, const PlanRequest& request, double moved, const double slope[2],
-  double radius, const double stretch[2], std::vector<double>& change)
+  double radius, const double stretch[2], double basis, std::vector<double>& change)
 {
   const double rotated = slope[0] * stretch[1] + stretch[0] * slope[1] + slope[0] * slope[1];
   const double normal = (stretch[0] + slope[0]) * (stretch[1] + slope[1]);
@@ -51,7 +58,7 @@ void FillIntegrandChange(const Patch& patch, const PlanRequest& request, double 
   change.clear();
   for (const BoundClass& c : request.Classes)
   {
-    change.push_back(GetIntegrandChange(c, moved, rotated, normal, reach));
+    change.push_back(GetIntegrandChange(c, moved, rotated, normal, reach, basis));
   }
 }
 
@@ -113,8 +120,13 @@ std::unique_ptr<PatchSeries> FaceSeries::Make(const Patch& patch, Poles poles, b
     const auto grown = [](double x) { return TrimSeries::OnPatchGrowth * x; };
     const double slope[2] = { grown(difference.Stretch[0]), grown(difference.Stretch[1]) };
     const double stretch[2] = { grown(patch.Stretch[0]), grown(patch.Stretch[1]) };
-    FillIntegrandChange(
-      patch, this->Request, grown(series->Moved), slope, grown(patch.Radius), stretch, series->Change);
+    double lightest = points[0][3];
+    for (int i = 1; i < (p + 1) * (q + 1); ++i)
+    {
+      lightest = std::min(lightest, points[i][3]);
+    }
+    FillIntegrandChange(patch, this->Request, grown(series->Moved), slope, grown(patch.Radius), stretch,
+      grown(1.0 / lightest), series->Change);
   }
   return series;
 }

@@ -99,13 +99,27 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
 def run_filter(file, density=None, *, content=None, unit="mm", input_unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(),
                backend="auto", max_seconds=None, repair="needed"):
     """The reader and the filter of mass_properties(), with its options, after their run."""
+    mass = make_filter(density, tolerance, backend, density_tolerance, max_seconds)
+    reader = make_reader(file, content=content, unit=unit, input_unit=input_unit, max_seconds=max_seconds, repair=repair)
+    mass.SetInputConnection(reader.GetOutputPort())
+    for pattern, material, value in materials:
+        before = mass.GetNumberOfMaterials()
+        mass.AddMaterial(pattern, material, "" if value is None else float(value))
+        if mass.GetNumberOfMaterials() == before:
+            raise ValueError(f"the material {material!r} is not known and needs a density above 0, or its density {value} is not one")
+    read(file, reader)
+    mass.Update()
+    return reader, mass
+
+
+def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=None, repair="needed"):
+    """The reader of a file, with the options of mass_properties(), before its run."""
     from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
     if repair not in ("needed", "always", "never"):
         raise ValueError(f"repair is {repair!r}; it has to be 'needed', 'always' or 'never'")
     check_unit(unit, input_unit)
-    mass = make_filter(density, tolerance, backend, density_tolerance, max_seconds)
     if content is None and not os.path.exists(file):
         raise FileNotFoundError(file)
     is_brep = vtkBREPReader.CanReadFile(file) if content is None else vtkBREPReader.CanReadContent(bytes(content))
@@ -122,17 +136,14 @@ def run_filter(file, density=None, *, content=None, unit="mm", input_unit="mm", 
     else:
         reader.SetRepair({"needed": reader.ON_NEED, "always": reader.ALWAYS, "never": reader.NEVER}[repair])
     reader.SetMaximumSeconds(max_seconds or 0.0)
-    mass.SetInputConnection(reader.GetOutputPort())
-    for pattern, material, value in materials:
-        before = mass.GetNumberOfMaterials()
-        mass.AddMaterial(pattern, material, "" if value is None else float(value))
-        if mass.GetNumberOfMaterials() == before:
-            raise ValueError(f"the material {material!r} is not known and needs a density above 0, or its density {value} is not one")
+    return reader
+
+
+def read(file, reader):
+    """Runs a reader. Raises SolidMomentsError if the file cannot be read."""
     reader.Update()
     if reader.GetStatus() not in (reader.OK, reader.EMPTY):
         raise _no_result(file, "unreadable", _messages(reader))
-    mass.Update()
-    return reader, mass
 
 
 def make_filter(density, tolerance, backend, density_tolerance=0.0, max_seconds=None):

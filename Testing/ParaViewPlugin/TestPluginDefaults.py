@@ -25,6 +25,7 @@ PROXIES = (("sources", "STEPReader", "STEP Reader", "smReadersSTEP", "vtkSTEPRea
            ("filters", "SolidSection", "Section", "smFiltersSection", "vtkSolidSection"),
            ("filters", "NURBSTransform", "NURBS Transform", "smFiltersNURBSEdit", "vtkNURBSTransform"),
            ("filters", "NURBSDeform", "NURBS Deform", "smFiltersNURBSEdit", "vtkNURBSDeform"),
+           ("filters", "MomentGradient", "Moment Gradient", "smFiltersMomentGradient", "vtkMomentGradient"),
            ("filters", "SolidStability", "Static Stability", "smFiltersStability", "vtkSolidStability"))
 
 simple.LoadPlugin(sys.argv[1], ns=globals())

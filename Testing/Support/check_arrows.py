@@ -28,6 +28,7 @@ ROOMS = {
     "FiltersSection": ("Filters/Section", ["FiltersBuoyancy"]),
     "FiltersMomentSchemes": ("Filters/MomentSchemes", ["FiltersMassProperties", "RenderingCompute", "RenderingNURBS"]),
     "FiltersNURBSEdit": ("Filters/NURBSEdit", ["FiltersNURBS"]),
+    "FiltersMomentGradient": ("Filters/MomentGradient", ["FiltersMassProperties", "FiltersNURBSEdit"]),
     "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),
     "RenderingCompute": ("Rendering/Compute", ["FiltersCommon"]),
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),

@@ -42,6 +42,10 @@ public:
   void SetMap(const std::vector<bool>& faces, const PointMap& map);
   void SetPoint(int face, std::size_t entry, const std::array<double, 4>& point);
 
+  /// Returns, for each control point of each face, the number of its group: points of one group follow each
+  /// other, whichever of them is set.
+  std::vector<std::vector<int>> FindGroups();
+
   /// Moves the dependent rows, edges and vertices, and stores the changed faces in a copy of the model. It
   /// changes nothing if the map gives a value for an edge that is not finite.
   void Finish(ModelEdit& edit);

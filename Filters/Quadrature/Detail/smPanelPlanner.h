@@ -49,7 +49,11 @@ private:
   const FacePanels& Panels;
   const PlanRequest& Request;
   FacePlan& Result;
+  /// Highest degree of the factors g, across a straight panel and along a flat one.
   int Degree;
+  int FlatDegree;
+  /// True if derivatives of an area are among the integrands.
+  bool HasDirection;
   double FlatReach = 0.0;
   PanelBounds Bounds;
   const FaceSeries& Series;

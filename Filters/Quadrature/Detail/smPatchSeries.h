@@ -17,13 +17,14 @@
 namespace sm
 {
 /// The largest change of an integrand where points move by `moved` and normals by `rotated`; normals are at
-/// most `normal` long, and points no farther than `reach`.
-double GetIntegrandChange(const BoundClass& c, double moved, double rotated, double normal, double reach);
+/// most `normal` long, points no farther than `reach`, and Bernstein polynomials over the weight `basis`.
+double GetIntegrandChange(
+  const BoundClass& c, double moved, double rotated, double normal, double reach, double basis);
 
 /// The changes of the integrands of all classes where points move by `moved` and derivatives by `slope`, if
-/// the patch has the radius and derivatives of at most `stretch`; without the Jacobian.
+/// the patch has the radius and derivatives of at most `stretch`; without the Jacobian. `basis`: see above.
 void FillIntegrandChange(const Patch& patch, const PlanRequest& request, double moved, const double slope[2],
-  double radius, const double stretch[2], std::vector<double>& change);
+  double radius, const double stretch[2], double basis, std::vector<double>& change);
 
 /// The centre of a patch as seen from the point that moments are about.
 std::array<double, 3> GetOrigin(const Patch& patch, const PlanRequest& request);

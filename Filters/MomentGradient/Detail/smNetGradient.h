@@ -1,0 +1,74 @@
+/**
+ * @file smNetGradient.h
+ * @brief Gradients of the moments and the area of one face by its control points and weights
+ *
+ * In stored coordinates of the model, moments about their origin, outwards as the face says. Each control
+ * point and weight is a variable of its own.
+ */
+#ifndef smNetGradient_h
+#define smNetGradient_h
+
+#include "smFacePanelsCache.h"
+#include "smPatchGradient.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sm
+{
+/// Derivatives of the ten moments and of the area, in this order.
+constexpr int NumberOfIntegrals = NumberOfMoments + 1;
+
+struct NetGradient
+{
+  int Count[2] = { 0, 0 };
+  /// Derivatives by x, y, z and the weight (0 .. 3) of control point (i,j) of the face's net, and their
+  /// bounds: NaN where unknown.
+  std::vector<double> Values;
+  std::vector<double> Bounds;
+  std::int64_t Evaluations = 0;
+
+  std::size_t GetIndex(int i, int j, int component) const
+  {
+    return NumberOfIntegrals * (4 * (static_cast<std::size_t>(i) * this->Count[1] + j) + component);
+  }
+};
+
+/// Bounds of the areas of ribbons along each edge, over all its uses.
+using EdgeStrips = std::map<const Edge*, double>;
+
+/// Bounds of ribbons and caps of one face.
+struct FaceStrips
+{
+  std::vector<StripBound> Ribbons;
+  /// The area of all ribbons along each coedge, counted through all loops.
+  std::vector<double> Coedges;
+  double Caps = 0.0;
+  /// Largest distance of patches and ribbons from the origin.
+  double Reach = 0.0;
+
+  /// `tolerance`: an area that is negligible.
+  static FaceStrips Make(const CutFace& face, double tolerance);
+};
+
+struct NetGradientTask
+{
+  const CutFace* Cut = nullptr;
+  const FaceStrips* Strips = nullptr;
+  const EdgeStrips* Edges = nullptr;
+  /// Largest distance of the body from the origin.
+  double Reach = 0.0;
+  /// Absolute tolerance of a derivative of the volume by a control point, and the length that scales those of
+  /// higher moments.
+  double Tolerance = 0.0;
+  double Length = 1.0;
+};
+
+/// Throws std::bad_alloc. Thread safe.
+NetGradient ComputeNetGradient(const NetGradientTask& task);
+}
+
+#endif

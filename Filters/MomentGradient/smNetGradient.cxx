@@ -1,0 +1,387 @@
+#include "Detail/smNetGradient.h"
+
+#include "smUnitRoundoff.h"
+#include "smVector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace sm
+{
+namespace
+{
+using Wide = long double;
+
+// Roundings of the few operations at the end.
+constexpr double FinalRoundings = 32.0 * UnitRoundoff;
+// Makes up for the rounding of sums of bounds.
+constexpr double BoundGrowth = 1.0 + 1e-10;
+
+/// Row k: the coefficients of control points span - p .. span in the Bezier point k of [start, end], which
+/// lies in that span. They are not negative, and their sum is 1: a blossom of the B-splines.
+class Extraction
+{
+public:
+  Extraction(const std::vector<double>& knots, int degree, double start, double end)
+    : Degree(degree)
+    , Rows((degree + 1) * (degree + 1))
+  {
+    const double middle = 0.5 * (start + end);
+    const auto first = knots.begin() + degree;
+    const auto last = knots.end() - degree - 1;
+    this->Span = static_cast<int>(
+      std::clamp(std::upper_bound(first, last, middle) - 1, first, last - 1) - knots.begin());
+    std::vector<Wide> values(degree + 1);
+    for (int i = 0; i <= degree; ++i)
+    {
+      for (int k = 0; k <= degree; ++k)
+      {
+        std::fill(values.begin(), values.end(), Wide(0));
+        values[i] = 1;
+        for (int level = 1; level <= degree; ++level)
+        {
+          const Wide x = level <= k ? end : start;
+          for (int j = degree; j >= level; --j)
+          {
+            const Wide low = knots[this->Span - degree + j];
+            const Wide high = knots[this->Span + j - level + 1];
+            const Wide alpha = (x - low) / (high - low);
+            values[j] = (1 - alpha) * values[j - 1] + alpha * values[j];
+          }
+        }
+        this->Rows[k * (degree + 1) + i] = values[degree];
+      }
+    }
+  }
+
+  int GetFirst() const { return this->Span - this->Degree; }
+  Wide Get(int k, int i) const { return this->Rows[k * (this->Degree + 1) + i]; }
+
+private:
+  int Degree;
+  int Span = 0;
+  std::vector<Wide> Rows;
+};
+
+/// Sums for one control point.
+struct Entry
+{
+  Wide Sums[channel::Count] = {};
+  /// Bounds of the quadrature errors: of n and of x.n with a moment of degree 0, 1, 2, and of the area's
+  /// vector and scalar, these with roundings and what residuals of trim curves sweep.
+  double Quadrature[8] = {};
+  /// Bound of the area of strips where the point moves.
+  double Strips = 0.0;
+};
+
+std::vector<BoundClass> GetClasses()
+{
+  std::vector<BoundClass> classes;
+  for (const BoundClass::KindType kind : { BoundClass::NormalBasis, BoundClass::FluxBasis })
+  {
+    for (int degree = 0; degree < 3; ++degree)
+    {
+      classes.push_back({ kind, degree });
+    }
+  }
+  classes.push_back({ BoundClass::AreaBasis, 0 });
+  classes.push_back({ BoundClass::AreaBasis, 1 });
+  return classes;
+}
+
+/// The area of strips by which the derivative depends on how edges follow the faces: the ribbons in a patch,
+/// and those of other faces along the same edges. Their points move at most as fast as those of the patch's
+/// border, by less than 1 for a unit of a control point.
+double GetStripArea(const NetGradientTask& task, std::uint32_t patch, const std::vector<const Edge*>& edges)
+{
+  const FacePanels& panels = task.Cut->Panels;
+  std::set<int> coedges;
+  double area = 0.0;
+  bool hasRibbon = false;
+  for (std::size_t i = 0; i < panels.Ribbons.size(); ++i)
+  {
+    const Ribbon& ribbon = panels.Ribbons[i];
+    if (ribbon.Patch == patch)
+    {
+      hasRibbon = true;
+      area += task.Strips->Ribbons[i].Area + task.Strips->Ribbons[i].Swept;
+      if (ribbon.Coedge >= 0 && coedges.insert(ribbon.Coedge).second)
+      {
+        area += std::max(0.0, task.Edges->at(edges[ribbon.Coedge]) - task.Strips->Coedges[ribbon.Coedge]);
+      }
+    }
+  }
+  return area + (hasRibbon ? task.Strips->Caps : 0.0);
+}
+
+/// A bound of the speed of points of the patch's border. On the patch R is at most 1. Where trim curves leave
+/// it, the Bernstein polynomials' absolute values add up to at most `growth` and they to 1, so that negative
+/// ones add up to less than (growth - 1) / 2: w is no less than the smallest weight minus that times the
+/// largest, and the sum of all |R| no more than w plus twice that times the largest, over w.
+double GetSpeed(const FacePanels& panels, const Patch& patch, double growth)
+{
+  const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
+  const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
+  const auto [least, largest] =
+    std::minmax_element(points, points + count, [](const auto& a, const auto& b) { return a[3] < b[3]; });
+  const double negative = 0.5 * (growth - 1.0) * (*largest)[3];
+  const double lowest = (*least)[3] - negative;
+  return (*least)[3] == (*largest)[3] ? growth
+    : lowest > 0.0                    ? 1.0 + 2.0 * negative / lowest
+                                      : std::numeric_limits<double>::infinity();
+}
+
+/// A bound of the area of the parameters of a patch that residuals of trim curves sweep: a curve that moves
+/// by ds and dr sweeps ds |r'| + dr |s'|, and a coordinate's way is no longer than that of its coefficients.
+double GetSweptParameters(
+  const FacePanels& panels, std::uint32_t patch, const std::vector<const Coedge*>& coedges, bool isTransposed)
+{
+  double area = 0.0;
+  for (const Ribbon& ribbon : panels.Ribbons)
+  {
+    if (ribbon.Patch != patch || ribbon.Coedge < 0)
+    {
+      continue;
+    }
+    const TrimCurve::Point& residual = coedges[ribbon.Coedge]->Curve.GetResidual(ribbon.Piece);
+    const double* trim = panels.Coefficients.data() + ribbon.Trim;
+    double way[2] = { 0.0, 0.0 };
+    for (int i = 0; i < ribbon.TrimDegree; ++i)
+    {
+      way[0] += std::abs(trim[2 * i + 2] - trim[2 * i]);
+      way[1] += std::abs(trim[2 * i + 3] - trim[2 * i + 1]);
+    }
+    area += (residual[isTransposed ? 1 : 0] * way[1] + residual[isTransposed ? 0 : 1] * way[0]) /
+      (panels.Patches[patch].Width[0] * panels.Patches[patch].Width[1]);
+  }
+  return area;
+}
+
+/// A bound of |R_s| |Sr| + |R_r| |Ss| on a patch, with the sums of all R.
+double GetAreaSlope(const FacePanels& panels, const Patch& patch)
+{
+  const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
+  const int columns = patch.Degree[0] + 1;
+  double lightest = points[0][3];
+  double steps[2] = { 0.0, 0.0 };
+  for (int j = 0; j <= patch.Degree[1]; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const double weight = points[i + columns * j][3];
+      lightest = std::min(lightest, weight);
+      steps[0] = i > 0 ? std::max(steps[0], std::abs(weight - points[i - 1 + columns * j][3])) : steps[0];
+      steps[1] = j > 0 ? std::max(steps[1], std::abs(weight - points[i + columns * (j - 1)][3])) : steps[1];
+    }
+  }
+  double slope = 0.0;
+  for (int d = 0; d < 2; ++d)
+  {
+    slope += patch.Degree[d] * (2.0 + steps[d] / lightest) / lightest * patch.Stretch[1 - d];
+  }
+  return slope;
+}
+
+double GetUnknown(double bound)
+{
+  return std::isfinite(bound) ? bound : std::numeric_limits<double>::quiet_NaN();
+}
+}
+
+FaceStrips FaceStrips::Make(const CutFace& face, double tolerance)
+{
+  FaceStrips strips;
+  const FacePanels& panels = face.Panels;
+  strips.Ribbons = BoundStrips(*face.Source, panels, { 0.0, 0.0, 0.0 }, tolerance);
+  std::size_t coedges = 0;
+  for (const Loop& loop : face.Source->Loops)
+  {
+    coedges += loop.Coedges.size();
+  }
+  strips.Coedges.assign(coedges, 0.0);
+  for (std::size_t i = 0; i < panels.Ribbons.size(); ++i)
+  {
+    const Ribbon& ribbon = panels.Ribbons[i];
+    if (ribbon.Coedge >= 0)
+    {
+      strips.Coedges[ribbon.Coedge] += strips.Ribbons[i].Area;
+    }
+    for (int k = 0; k <= ribbon.EdgeDegree; ++k)
+    {
+      strips.Reach = std::max(strips.Reach, Norm(panels.Coefficients.data() + ribbon.Edge + 3 * k));
+    }
+  }
+  for (const Patch& patch : panels.Patches)
+  {
+    strips.Reach = std::max(strips.Reach, Norm(patch.Center) + patch.Radius);
+  }
+  strips.Reach += panels.Outside.Distance;
+  for (const Cap& cap : panels.Caps)
+  {
+    strips.Caps += 0.5 * Norm(Subtract(cap.From, cap.Apex)) * Norm(Subtract(cap.To, cap.Apex));
+    strips.Reach = std::max({ strips.Reach, Norm(cap.Apex), Norm(cap.From), Norm(cap.To) });
+  }
+  return strips;
+}
+
+NetGradient ComputeNetGradient(const NetGradientTask& task)
+{
+  const Face& face = *task.Cut->Source;
+  const FacePanels& panels = task.Cut->Panels;
+  const NURBSSurface& surface = face.Surface;
+  NetGradient result;
+  std::copy_n(surface.NumberOfControlPoints, 2, result.Count);
+  std::vector<Entry> entries(surface.ControlPoints.size());
+
+  PlanRequest request;
+  request.Classes = GetClasses();
+  double heaviest = 0.0;
+  for (const std::array<double, 4>& point : surface.ControlPoints)
+  {
+    heaviest = std::max(heaviest, point[3]);
+  }
+  const double spans = (surface.Degree[0] + 1.0) * (surface.Degree[1] + 1.0);
+  for (const BoundClass& c : request.Classes)
+  {
+    const int power = c.Degree +
+      (c.Kind == BoundClass::FluxBasis      ? 1
+          : c.Kind == BoundClass::AreaBasis ? -1
+                                            : 0);
+    request.Tolerances.push_back(task.Tolerance / (heaviest * spans) * std::pow(task.Length, power));
+  }
+  const std::vector<PatchPlan> plans = PlanPatches(panels, request);
+  std::vector<const Edge*> edges;
+  std::vector<const Coedge*> coedges;
+  for (const Loop& loop : face.Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      edges.push_back(coedge.Use.get());
+      coedges.push_back(&coedge);
+    }
+  }
+
+  PatchGradient sums;
+  for (std::uint32_t k = 0; k < panels.Patches.size(); ++k)
+  {
+    if (plans[k].Items.empty())
+    {
+      continue;
+    }
+    const Patch& patch = panels.Patches[k];
+    sums.Compute(panels, k, plans[k], request.Shift, surface.Rounding);
+    result.Evaluations += sums.GetEvaluations();
+    const double strips = GetStripArea(task, k, edges);
+    const double moving = strips > 0.0 ? strips * GetSpeed(panels, patch, sums.GetGrowth()) : 0.0;
+    const double swept = GetSweptParameters(panels, k, coedges, patch.Exchanged);
+    // Beyond the patch the bound of the slopes does not hold.
+    const double ofSwept = swept == 0.0 ? 0.0
+      : sums.GetGrowth() <= 1.01        ? 1.1 * swept * GetAreaSlope(panels, patch)
+                                        : std::numeric_limits<double>::infinity();
+    double ofArea[2];
+    for (int c = 0; c < 2; ++c)
+    {
+      ofArea[c] = UnitRoundoff * sums.GetAreaNoise(c) +
+        (ofSwept > 0.0 ? ofSwept * (c == 0 ? 1.0 : 3.0 * task.Reach) : 0.0);
+    }
+    const int directions[2] = { patch.Exchanged ? 1 : 0, patch.Exchanged ? 0 : 1 };
+    const Extraction inS(
+      surface.Knots[directions[0]], patch.Degree[0], patch.Start[0], patch.Start[0] + patch.Width[0]);
+    const Extraction inR(
+      surface.Knots[directions[1]], patch.Degree[1], patch.Start[1], patch.Start[1] + patch.Width[1]);
+    for (int j = 0; j <= patch.Degree[1]; ++j)
+    {
+      for (int i = 0; i <= patch.Degree[0]; ++i)
+      {
+        const int place[2] = { inS.GetFirst() + i, inR.GetFirst() + j };
+        Entry& entry = entries[static_cast<std::size_t>(place[directions[0]]) +
+          static_cast<std::size_t>(surface.NumberOfControlPoints[0]) * place[directions[1]]];
+        for (int l = 0; l <= patch.Degree[1]; ++l)
+        {
+          for (int m = 0; m <= patch.Degree[0]; ++m)
+          {
+            const Wide factor = inS.Get(m, i) * inR.Get(l, j);
+            const double* from = sums.Get(m, l);
+            for (int c = 0; factor != 0 && c < channel::Count; ++c)
+            {
+              entry.Sums[c] += factor * from[c];
+            }
+          }
+        }
+        for (std::size_t c = 0; c < request.Classes.size(); ++c)
+        {
+          entry.Quadrature[c] += plans[k].QuadratureBound[c];
+        }
+        entry.Quadrature[6] += ofArea[0];
+        entry.Quadrature[7] += ofArea[1];
+        entry.Strips += moving;
+      }
+    }
+  }
+
+  result.Values.resize(4 * NumberOfIntegrals * entries.size());
+  result.Bounds.resize(result.Values.size());
+  for (int i = 0; i < result.Count[0]; ++i)
+  {
+    for (int j = 0; j < result.Count[1]; ++j)
+    {
+      const std::size_t at = i + static_cast<std::size_t>(result.Count[0]) * j;
+      const Entry& entry = entries[at];
+      const std::array<double, 4>& point = surface.ControlPoints[at];
+      const double weight = point[3];
+      const double position[3] = { point[0] / weight, point[1] / weight, point[2] / weight };
+      const double distance = Norm(position);
+      for (int g = 0; g < NumberOfMoments; ++g)
+      {
+        const int degree = MomentDegrees[g];
+        const double noise = UnitRoundoff * static_cast<double>(entry.Sums[channel::Noise + degree]);
+        const double ofNormal = entry.Quadrature[degree] + noise;
+        const double moving = entry.Strips > 0.0 ? entry.Strips * std::pow(task.Reach, degree) : 0.0;
+        Wide along = 0;
+        double size = 0.0;
+        for (int c = 0; c < 3; ++c)
+        {
+          const Wide sum = entry.Sums[channel::Normal + 3 * g + c];
+          const double value = static_cast<double>(weight * sum);
+          result.Values[result.GetIndex(i, j, c) + g] = value;
+          result.Bounds[result.GetIndex(i, j, c) + g] =
+            GetUnknown(BoundGrowth * (weight * ofNormal + moving) + FinalRoundings * std::abs(value));
+          along += position[c] * sum;
+          size += static_cast<double>(std::abs(position[c] * sum));
+        }
+        const Wide flux = entry.Sums[channel::Flux + g];
+        size += static_cast<double>(std::abs(flux));
+        result.Values[result.GetIndex(i, j, 3) + g] = static_cast<double>(along - flux);
+        // With a weight the surface moves by R (P - x) / w.
+        result.Bounds[result.GetIndex(i, j, 3) + g] = GetUnknown(BoundGrowth *
+            ((std::abs(position[0]) + std::abs(position[1]) + std::abs(position[2])) * ofNormal +
+              entry.Quadrature[3 + degree] +
+              UnitRoundoff * static_cast<double>(entry.Sums[channel::Noise + degree + 1]) +
+              moving * (distance + task.Reach) / weight) +
+          FinalRoundings * size);
+      }
+      // The area, with trim curves that stay in (u,v).
+      Wide along = -entry.Sums[channel::Area + 3];
+      double size = static_cast<double>(std::abs(entry.Sums[channel::Area + 3]));
+      for (int c = 0; c < 3; ++c)
+      {
+        const Wide sum = entry.Sums[channel::Area + c];
+        const double value = static_cast<double>(weight * sum);
+        result.Values[result.GetIndex(i, j, c) + NumberOfMoments] = value;
+        result.Bounds[result.GetIndex(i, j, c) + NumberOfMoments] =
+          GetUnknown(BoundGrowth * weight * entry.Quadrature[6] + FinalRoundings * std::abs(value));
+        along += position[c] * sum;
+        size += static_cast<double>(std::abs(position[c] * sum));
+      }
+      result.Values[result.GetIndex(i, j, 3) + NumberOfMoments] = static_cast<double>(along);
+      result.Bounds[result.GetIndex(i, j, 3) + NumberOfMoments] = GetUnknown(BoundGrowth *
+          ((std::abs(position[0]) + std::abs(position[1]) + std::abs(position[2])) * entry.Quadrature[6] +
+            entry.Quadrature[7]) +
+        FinalRoundings * size);
+    }
+  }
+  return result;
+}
+}

@@ -1,0 +1,111 @@
+"""TestMomentGradient.py FOLDER: the filter of VTK and moment_gradient() of the package: arrays, shapes, progress, abort, errors."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Support"))
+from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
+
+import numpy  # noqa: E402
+import solidmoments  # noqa: E402
+from solidmoments.smFiltersMomentGradient import vtkMomentGradient  # noqa: E402
+from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
+from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+
+BOX = Manifest(sys.argv[1]).solid("box", "plain")
+CONE = Manifest(sys.argv[1]).solid("cone", "plain")
+
+
+def check_package():
+    """The identities of the volume on the arrays, and their shapes."""
+    gradient = solidmoments.moment_gradient(BOX["path"], tied=False)
+    check_equal("status", "ok", gradient.status)
+    check_equal("unit", "mm", gradient.length_unit)
+    check_equal("quantities", 23, len(gradient.quantities))
+    check_equal("the last one", ("SurfaceArea", 2), (gradient.quantities[-1], gradient.length_powers[-1]))
+    check_equal("faces", list(range(6)), [face.face for face in gradient.faces])
+    q = gradient.index("Volume")
+    euler = error = 0.0
+    for face in gradient.faces:
+        check_equal("shapes", [(2, 2, 4, 23), (2, 2, 4, 23), (2, 2, 3), (2, 2), (2, 2), (2, 2)],
+                    [array.shape for array in (face.values, face.bounds, face.points, face.weights, face.point_variables, face.weight_variables)])
+        euler += float((face.points * face.values[..., :3, q]).sum())
+        error += float((abs(face.points) * face.bounds[..., :3, q]).sum())
+    check("sum of P . dV/dP = 3 V", 3.0 * BOX["volume"], euler, error + 3e-15 * BOX["volume"])
+    check_true("whose bound is small", error < 1e-7 * BOX["volume"], str(error))
+    tied = solidmoments.moment_gradient(BOX["path"])
+    check_equal("8 corners are the variables", 8, len({int(i) for face in tied.faces for i in face.point_variables.ravel()}))
+    one = solidmoments.moment_gradient(BOX["path"], faces=[3])
+    check_equal("one face", [3], [face.face for face in one.faces])
+    check_true("has the numbers of the whole", numpy.array_equal(one.faces[0].values, tied.faces[3].values, equal_nan=True))
+    cone = solidmoments.moment_gradient(CONE["path"])
+    check_true("coinciding moments are NaN, and said so", any("coincide" in text for text in cone.messages) and
+               numpy.isnan(cone.faces[0].values[..., cone.index("PrincipalMoment_2")]).any())
+    for text, call in (("no such face", lambda: solidmoments.moment_gradient(BOX["path"], faces=[6])),
+                       ("tolerance", lambda: solidmoments.moment_gradient(BOX["path"], tolerance=2.0))):
+        try:
+            call()
+            check_true(text, False)
+        except ValueError as error_:
+            check_true(text, True, str(error_))
+    try:
+        solidmoments.moment_gradient(os.path.join(sys.argv[1], "no such file.step"))
+        check_true("a file that does not exist", False)
+    except FileNotFoundError:
+        check_true("a file that does not exist", True)
+
+
+def check_filter():
+    """The dataset, progress, abort and errors."""
+    reader = vtkSTEPReader()
+    reader.SetFileName(BOX["path"])
+    reader.Update()
+    gradient = vtkMomentGradient()
+    gradient.SetInputConnection(reader.GetOutputPort())
+    seen = []
+    gradient.AddObserver("ProgressEvent", lambda caller, _event: seen.append(caller.GetProgress()))
+    gradient.Update()
+    check_true("progress grows", len(seen) > 3 and seen == sorted(seen), str(seen[:3]))
+    output = gradient.GetOutput()
+    check_equal("points", 24, output.GetNumberOfPoints())
+    check_equal("lines", 24, output.GetNumberOfLines())
+    data = output.GetPointData()
+    check_equal("vectors", "VolumeByPoint", data.GetVectors().GetName())
+    values = vtk_to_numpy(gradient.GetValues(2)).reshape(2, 2, 4, 23)
+    for q in range(gradient.GetNumberOfQuantities()):
+        name = gradient.GetQuantityName(q)
+        for suffix, components in (("ByPoint", 3), ("ByPointBound", 3), ("ByWeight", 1), ("ByWeightBound", 1)):
+            array = data.GetArray(name + suffix)
+            check_true(name + suffix, array is not None and array.GetNumberOfComponents() == components)
+        check_true(name + " agrees with the array of its face", numpy.array_equal(
+            vtk_to_numpy(data.GetArray(name + "ByPoint"))[8:12].reshape(2, 2, 3), values[..., :3, q], equal_nan=True))
+    check_equal("no such face", (None, 0, -1), (gradient.GetValues(6), gradient.GetCountU(6), gradient.GetSolid(-1)))
+    check_equal("no such quantity", "", gradient.GetQuantityName(23))
+
+    errors = []
+
+    def note(_caller, _event, text):
+        errors.append(text)
+
+    note.CallDataType = "string0"
+    gradient.AddObserver("ErrorEvent", note)
+    gradient.SetRelativeTolerance(0.0)
+    check_true("a tolerance of 0 is refused", len(errors) == 1 and gradient.GetRelativeTolerance() == 1e-9, errors[-1])
+    gradient.AddFace(17)
+    gradient.Update()
+    check_true("a face that does not exist", len(errors) > 1 and "face 17" in errors[1], errors[-1])
+    check_equal("no points then", 0, gradient.GetOutput().GetNumberOfPoints())
+    check_equal("status", "not-computed", gradient.GetStatus())
+    gradient.ClearFaces()
+    count = len(errors)
+    stop = gradient.AddObserver("ProgressEvent", lambda caller, _event: caller.SetAbortExecute(1))
+    gradient.Update()
+    check_equal("stopped", ("not-computed", 0, count), (gradient.GetStatus(), gradient.GetOutput().GetNumberOfPoints(), len(errors)))
+    gradient.RemoveObserver(stop)
+    gradient.Modified()
+    gradient.Update()
+    check_equal("and again", ("ok", 24), (gradient.GetStatus(), gradient.GetOutput().GetNumberOfPoints()))
+
+
+check_package()
+check_filter()
+finish()

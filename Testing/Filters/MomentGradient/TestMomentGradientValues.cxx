@@ -1,0 +1,350 @@
+// Gradients by control points and weights against closed forms: a ball by its radius and as an ellipsoid, a
+// torus by both radii, a box by its sides, a conic cylinder by its weight. Each within its bound, and the
+// bound within the tolerance.
+#include "smBoxBodies.h"
+#include "smGradientSums.h"
+#include "smMomentGradient.h"
+#include "smRoundFaces.h"
+
+#include <vtkMatrix4x4.h>
+#include <vtkNURBSDataSet.h>
+
+#include <map>
+
+namespace
+{
+using namespace smtest;
+using Names = std::map<std::string, double>;
+
+constexpr double Pi = 3.14159265358979323846;
+
+/// Checks the derivatives of quantities in a direction; `size` scales the largest bound that is accepted, by
+/// the quantity's power of the length unit.
+template <class Direction>
+void CheckDirection(const std::string& what, const sm::MomentGradientResult& result, const Names& expected,
+  double size, const Direction& direction)
+{
+  for (const auto& [name, value] : expected)
+  {
+    const int q = FindQuantity(name);
+    const GradientSum sum = SumOverPoints(result, q, direction);
+    const double scale = std::pow(size, sm::GetGradientQuantities()[q].LengthPower - 1);
+    Check(what + " " + name, value, static_cast<double>(sum.Value), sum.Bound + 4e-16 * std::abs(value),
+      "the bound");
+    CheckRange(
+      what + " " + name + " bound", 0.0, sum.Bound, 1e-7 * scale, "tolerance 1e-9, a hundred points");
+  }
+}
+
+sm::MomentGradientResult Compute(
+  vtkNURBSDataSet* leaf, bool tied, const std::vector<int>& faces = {}, const char* status = "ok")
+{
+  sm::MomentGradientOptions options;
+  options.Tied = tied;
+  options.Faces = faces;
+  const sm::MomentGradientResult result = sm::ComputeMomentGradient(leaf, options);
+  CheckEqual("status", status, result.Status);
+  if (result.Status != status)
+  {
+    std::printf("     %s\n", result.Reason.c_str());
+  }
+  return result;
+}
+
+void CheckBall()
+{
+  const sm::Vector3 center{ 1.5, -2.0, 3.0 };
+  const double r = 2.0;
+  const auto ball = MakeRoundBody({ MakeBall(center, r) });
+  const double area = 4.0 * Pi * r * r;
+  const double volume = area * r / 3.0;
+  for (const bool tied : { false, true })
+  {
+    std::printf("--- ball, %s\n", tied ? "tied" : "separate");
+    const sm::MomentGradientResult result = Compute(ball, tied);
+    CheckDirection("radius", result,
+      { { "Volume", area }, { "FirstMoment_X", area * 1.5 }, { "FirstMoment_Y", area * -2.0 },
+        { "FirstMoment_Z", area * 3.0 }, { "SecondMoment_XX", area * 2.25 + area * r * r / 3.0 },
+        { "SecondMoment_YZ", area * -6.0 }, { "CenterOfMass_X", 0.0 }, { "CenterOfMass_Y", 0.0 },
+        { "CenterOfMass_Z", 0.0 }, { "Inertia_XX", 8.0 / 3.0 * Pi * r * r * r * r },
+        { "Inertia_ZZ", 8.0 / 3.0 * Pi * r * r * r * r }, { "Inertia_XY", 0.0 } },
+      4.0,
+      [&](const auto&, const std::array<double, 4>& p) -> std::array<double, 3> {
+        return { (p[0] - center[0]) / r, (p[1] - center[1]) / r, (p[2] - center[2]) / r };
+      });
+    // The semi-axis a along x of the ellipsoid: V = 4/3 pi a b c, C_xx = V a^2 / 5.
+    CheckDirection("semi-axis", result,
+      { { "Volume", volume / r }, { "CenterOfMass_X", 0.0 }, { "Inertia_XX", 2.0 * volume * r / 5.0 },
+        { "Inertia_YY", 4.0 * volume * r / 5.0 }, { "Inertia_ZZ", 4.0 * volume * r / 5.0 },
+        { "Inertia_XZ", 0.0 } },
+      4.0,
+      [&](const auto&, const std::array<double, 4>& p) -> std::array<double, 3> {
+        return { (p[0] - center[0]) / r, 0.0, 0.0 };
+      });
+    const GradientSum grown = SumOverPoints(result, FindQuantity("SurfaceArea"),
+      [&](const auto&, const std::array<double, 4>& p) -> std::array<double, 3> {
+        return { (p[0] - center[0]) / r, (p[1] - center[1]) / r, (p[2] - center[2]) / r };
+      });
+    // The rows of the poles are points except for the rounding of cos(90 degrees): there the area has no
+    // bound.
+    Check("radius SurfaceArea", 8.0 * Pi * r, static_cast<double>(grown.Value), 1e-9 * area, "the tolerance");
+    CheckTrue("radius SurfaceArea bound", std::isnan(grown.Bound));
+    const sm::FaceMomentGradient& face = result.Faces[0];
+    bool isUnknown = true;
+    for (int k = 1; k <= 3; ++k)
+    {
+      const std::size_t at = face.GetIndex(1, 1, 0, FindQuantity("PrincipalMoment_" + std::to_string(k)));
+      isUnknown = isUnknown && std::isnan(face.Values[at]) && std::isnan(face.Bounds[at]);
+    }
+    CheckTrue("principal moments coincide: NaN", isUnknown);
+    CheckTrue("with a reason",
+      !result.Messages.empty() && result.Messages.back().find("coincide") != std::string::npos,
+      result.Messages.empty() ? "" : result.Messages.back());
+    std::set<std::int64_t> points(face.PointVariables.begin(), face.PointVariables.end());
+    std::set<std::int64_t> weights(face.WeightVariables.begin(), face.WeightVariables.end());
+    // 9 columns of 5 points, of which the first and the last are one; two poles.
+    CheckEqual("variables", tied ? 8 * 3 + 2 : 45, static_cast<long long>(points.size()));
+    CheckEqual("weights", tied ? 40 : 45, static_cast<long long>(weights.size()));
+  }
+}
+
+void CheckTorus()
+{
+  const sm::Vector3 center{ -1.0, 4.0, 2.0 };
+  const double ring = 3.0;
+  const double tube = 1.25;
+  const auto torus = MakeRoundBody({ MakeTorus(center, ring, tube) });
+  for (const bool tied : { false, true })
+  {
+    std::printf("--- torus, %s\n", tied ? "tied" : "separate");
+    const sm::MomentGradientResult result = Compute(torus, tied);
+    const auto radial = [&](const std::array<double, 4>& p) {
+      return std::array<double, 2>{ p[0] - center[0], p[1] - center[1] };
+    };
+    // The net around the axis: a point at the distance d from it stands for the circle of radius d cos(45
+    // degrees) where its weight has that factor. Its own angle has the unit point (cos, sin) / w of the arc.
+    const CircularArc arc(0.0, 2.0 * Pi);
+    const auto byRing = [&](const sm::FaceMomentGradient& face, const std::array<double, 4>& p)
+    {
+      (void)face;
+      const std::array<double, 2> at = radial(p);
+      // The arc point whose direction this is has the length 1 or 1 / w.
+      const double length = std::hypot(at[0], at[1]);
+      const double angle = std::atan2(at[1], at[0]) / (0.25 * Pi);
+      const bool isInner = std::lround(angle) % 2 != 0;
+      const double factor = (isInner ? std::sqrt(2.0) : 1.0) / length;
+      return std::array<double, 3>{ at[0] * factor, at[1] * factor, 0.0 };
+    };
+    const auto byTube = [&](const sm::FaceMomentGradient& face, const std::array<double, 4>& p)
+    {
+      const std::array<double, 3> out = byRing(face, p);
+      const std::array<double, 2> at = radial(p);
+      const double unit = std::hypot(out[0], out[1]);
+      const double along = (std::hypot(at[0], at[1]) / unit - ring) / tube;
+      return std::array<double, 3>{ out[0] * along, out[1] * along, (p[2] - center[2]) / tube };
+    };
+    const double r2 = tube * tube;
+    CheckDirection("ring", result,
+      { { "Volume", 2.0 * Pi * Pi * r2 }, { "FirstMoment_X", -2.0 * Pi * Pi * r2 },
+        { "FirstMoment_Z", 4.0 * Pi * Pi * r2 }, { "CenterOfMass_Z", 0.0 },
+        { "PrincipalMoment_3", 6.0 * Pi * Pi * ring * ring * r2 + 1.5 * Pi * Pi * r2 * r2 },
+        { "Inertia_XX", 3.0 * Pi * Pi * ring * ring * r2 + 1.25 * Pi * Pi * r2 * r2 } },
+      8.0, byRing);
+    CheckDirection("tube", result,
+      { { "Volume", 4.0 * Pi * Pi * ring * tube }, { "FirstMoment_Y", 16.0 * Pi * Pi * ring * tube },
+        { "PrincipalMoment_3", 4.0 * Pi * Pi * ring * ring * ring * tube + 6.0 * Pi * Pi * ring * tube * r2 },
+        { "Inertia_YY", 2.0 * Pi * Pi * ring * ring * ring * tube + 5.0 * Pi * Pi * ring * tube * r2 } },
+      8.0, byTube);
+    CheckDirection("ring", result, { { "SurfaceArea", 4.0 * Pi * Pi * tube } }, 8.0, byRing);
+    CheckDirection("tube", result, { { "SurfaceArea", 4.0 * Pi * Pi * ring } }, 8.0, byTube);
+    const sm::FaceMomentGradient& face = result.Faces[0];
+    const std::size_t at = face.GetIndex(1, 1, 0, FindQuantity("PrincipalMoment_1"));
+    CheckTrue("the other two coincide", std::isnan(face.Values[at]));
+  }
+}
+
+void CheckBox(bool placed)
+{
+  const std::array<double, 3> low{ 1.0, 2.0, 3.0 };
+  const std::array<double, 3> high{ 4.0, 6.0, 9.0 };
+  BoxBody body;
+  body.Add({ low, high });
+  const auto leaf = body.Make();
+  vtkNew<vtkMatrix4x4> placement;
+  if (placed)
+  {
+    // A rotation about z with exact entries, and a mirror.
+    const double rows[16] = { 0.6, -0.8, 0, 10, 0.8, 0.6, 0, -20, 0, 0, -1, 30, 0, 0, 0, 1 };
+    placement->DeepCopy(rows);
+    leaf->SetPlacement(placement);
+  }
+  const double sides[3] = { 3.0, 4.0, 6.0 };
+  const double volume = 72.0;
+  for (const bool tied : { false, true })
+  {
+    const sm::MomentGradientResult result = Compute(leaf, tied);
+    for (int d = 0; d < 3; ++d)
+    {
+      std::printf("--- box, side %d, %s, %s\n", d, placed ? "placed" : "at home", tied ? "tied" : "separate");
+      // In world coordinates the side's points move along the placed axis.
+      std::array<double, 3> axis{};
+      for (int a = 0; a < 3; ++a)
+      {
+        axis[a] = placement->GetElement(a, d);
+      }
+      const auto direction = [&](const auto&, const std::array<double, 4>& p)
+      {
+        double local = 0.0;
+        for (int a = 0; a < 3; ++a)
+        {
+          local += placement->GetElement(a, d) * (p[a] - placement->GetElement(a, 3));
+        }
+        const double step = std::abs(local - high[d]) < 1e-9 ? 1.0 : 0.0;
+        return std::array<double, 3>{ step * axis[0], step * axis[1], step * axis[2] };
+      };
+      const double slope = volume / sides[d];
+      Names expected{ { "Volume", slope } };
+      // The centre moves by half, and the first moment by the side's centroid times its area.
+      std::array<double, 3> centroid{};
+      for (int a = 0; a < 3; ++a)
+      {
+        centroid[a] = placement->GetElement(a, 3);
+        for (int c = 0; c < 3; ++c)
+        {
+          centroid[a] += placement->GetElement(a, c) * (c == d ? high[c] : 0.5 * (low[c] + high[c]));
+        }
+        const std::string name = std::string("_") + "XYZ"[a];
+        expected["CenterOfMass" + name] = 0.5 * axis[a];
+        expected["FirstMoment" + name] = slope * centroid[a];
+      }
+      // Principal moments ascend with the sum of the other two squares: about z, y and x.
+      for (int k = 0; k < 3; ++k)
+      {
+        const int about = 2 - k;
+        double moment = 0.0;
+        double change = 0.0;
+        for (int c = 0; c < 3; ++c)
+        {
+          moment += c == about ? 0.0 : sides[c] * sides[c] / 12.0;
+          change += c == d && c != about ? sides[c] / 6.0 : 0.0;
+        }
+        expected["PrincipalMoment_" + std::to_string(k + 1)] = slope * moment + volume * change;
+      }
+      expected["SurfaceArea"] = 2.0 * (sides[0] + sides[1] + sides[2] - sides[d]);
+      CheckDirection("side", result, expected, placed ? 60.0 : 12.0, direction);
+    }
+    if (tied)
+    {
+      std::set<std::int64_t> variables;
+      for (const sm::FaceMomentGradient& face : result.Faces)
+      {
+        variables.insert(face.PointVariables.begin(), face.PointVariables.end());
+      }
+      CheckEqual("corners", 8, static_cast<long long>(variables.size()));
+      // One face alone has the same numbers, those of the variables, which its neighbours follow.
+      const sm::MomentGradientResult one = Compute(leaf, true, { 2 });
+      CheckEqual("one face", 1, static_cast<long long>(one.Faces.size()));
+      bool isEqual = one.Faces[0].Face == 2;
+      for (std::size_t k = 0; k < one.Faces[0].Values.size(); ++k)
+      {
+        isEqual = isEqual && one.Faces[0].Values[k] == result.Faces[2].Values[k];
+      }
+      CheckTrue("has the numbers of the whole", isEqual);
+    }
+  }
+}
+
+/**
+ * The face of a cylinder of height h over the conic with the control points (1,0), (0,0), (0,1) and weights
+ * 1, w, 1: the area between its chord's corner and the curve is a(w) = (1 - w acos(w) / k) / (2 k^2), k^2 = 1
+ * - w^2: the integral of z / (1 + 2 w z + z^2)^2 over z > 0.
+ */
+void CheckWeight()
+{
+  const double h = 2.5;
+  for (const double w : { 0.3, std::sqrt(0.5), 0.9 })
+  {
+    std::printf("--- conic cylinder, weight %g\n", w);
+    auto face = std::make_shared<sm::Face>();
+    face->Id = sm::NewId();
+    face->Surface.Rational = true;
+    face->Surface.Degree[0] = 2;
+    face->Surface.Knots[0] = { 0, 0, 0, 1, 1, 1 };
+    face->Surface.Knots[1] = { 0, 0, 1, 1 };
+    face->Surface.NumberOfControlPoints[0] = 3;
+    face->Surface.NumberOfControlPoints[1] = 2;
+    for (const double z : { 0.0, h })
+    {
+      face->Surface.ControlPoints.push_back({ 1.0, 0.0, z, 1.0 });
+      face->Surface.ControlPoints.push_back({ 0.0, 0.0, w * z, w });
+      face->Surface.ControlPoints.push_back({ 0.0, 1.0, z, 1.0 });
+    }
+    const auto body = MakeRoundBody({ face });
+    const sm::MomentGradientResult result =
+      Compute(body, false, {}, sm::ComputeMomentGradient(body).Status.c_str());
+    const double k2 = 1.0 - w * w;
+    const double k = std::sqrt(k2);
+    const double angle = std::acos(w);
+    // a = (1 - w angle / k) / (2 k2), with angle' = -1/k, k' = -w/k.
+    const double a = (1.0 - w * angle / k) / (2.0 * k2);
+    const double slope = -(angle / k - w / k2 + w * w * angle / (k * k2)) / (2.0 * k2) + 2.0 * w * a / k2;
+    // Su x Sv points away from the corner, so that the part between the axes and the curve is inside. Other
+    // faces of the solid do not depend on the weight.
+    for (int q = 0; q < 2; ++q)
+    {
+      GradientSum sum;
+      const sm::FaceMomentGradient& first = result.Faces[0];
+      for (int j = 0; j < 2; ++j)
+      {
+        const int quantity = FindQuantity(q == 0 ? "Volume" : "FirstMoment_Z");
+        sum.Add(1.0, first.Values[first.GetIndex(1, j, 3, quantity)],
+          first.Bounds[first.GetIndex(1, j, 3, quantity)]);
+      }
+      const double expected = slope * h * (q == 0 ? 1.0 : 0.5 * h);
+      Check(q == 0 ? "Volume" : "FirstMoment_Z", expected, static_cast<double>(sum.Value), sum.Bound,
+        "the bound");
+      CheckRange("bound", 0.0, sum.Bound, 1e-7, "tolerance 1e-9");
+      CheckTrue("not zero", std::abs(expected) > 1e-3);
+    }
+  }
+}
+
+void CheckErrors()
+{
+  std::printf("--- errors\n");
+  CheckEqual("null", "empty", sm::ComputeMomentGradient(nullptr).Status);
+  const auto ball = MakeRoundBody({ MakeBall({ 0, 0, 0 }, 1.0) });
+  sm::MomentGradientOptions options;
+  options.Solids = { 1 };
+  sm::MomentGradientResult result = sm::ComputeMomentGradient(ball, options);
+  CheckEqual("no such solid", "not-computed", result.Status);
+  CheckTrue("said so", result.Reason.find("solid 1") != std::string::npos, result.Reason);
+  options.Solids = {};
+  options.Faces = { -1 };
+  result = sm::ComputeMomentGradient(ball, options);
+  CheckEqual("no such face", "not-computed", result.Status);
+  CheckTrue("said so", result.Reason.find("face -1") != std::string::npos, result.Reason);
+  options.Faces = {};
+  options.RelativeTolerance = 0.0;
+  result = sm::ComputeMomentGradient(ball, options);
+  CheckEqual("tolerance", "not-computed", result.Status);
+  CheckTrue("said so", result.Reason.find("RelativeTolerance") != std::string::npos, result.Reason);
+  options.RelativeTolerance = 1e-9;
+  options.Progress = [](double fraction) { return fraction < 0.5; };
+  result = sm::ComputeMomentGradient(ball, options);
+  CheckEqual("stopped", "not-computed", result.Status);
+  CheckTrue("without faces", result.Faces.empty() && !result.Reason.empty(), result.Reason);
+}
+}
+
+int TestMomentGradientValues(int argc, char*[])
+{
+  RequireUsage(argc == 1, "TestMomentGradientValues");
+  CheckBall();
+  CheckTorus();
+  CheckBox(false);
+  CheckBox(true);
+  CheckWeight();
+  CheckErrors();
+  return Finish();
+}
