@@ -28,6 +28,7 @@ ROOMS = {
     "FiltersSection": ("Filters/Section", ["FiltersBuoyancy"]),
     "FiltersMomentSchemes": ("Filters/MomentSchemes", ["FiltersMassProperties", "RenderingCompute", "RenderingNURBS"]),
     "FiltersNURBSEdit": ("Filters/NURBSEdit", ["FiltersNURBS"]),
+    "FiltersVariants": ("Filters/Variants", ["FiltersMassProperties"]),
     "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),
     "RenderingCompute": ("Rendering/Compute", ["FiltersCommon"]),
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),
