@@ -25,27 +25,17 @@ void VisitPanel(const VariantFaceChain& chain, const VariantPanel& panel,
   const std::function<void(const VariantSample&)>& visit)
 {
   const VariantPatch& patch = chain.Patches[panel.Patch];
-  const double* ruleT = GetRule(panel.Along);
-  const double* ruleX = GetRule(panel.Across);
-  const double width = panel.End - panel.Start;
-  const double across = panel.AcrossEnd - panel.AcrossStart;
   PatchBasis basis;
   VariantSample sample;
   Resize(sample, patch.Variables);
-  for (int i = 0; i < panel.Along; ++i)
-  {
-    double point[2];
-    double slope[2];
-    EvaluateTrim(chain.Coefficients.data() + panel.Trim, panel.TrimDegree, panel.Start + width * ruleT[2 * i],
-      point, slope);
-    for (int k = 0; k < panel.Across; ++k)
+  VisitPanelNodes(chain, panel,
+    [&](double weight, double s, double r)
     {
-      patch.FillBasis((panel.AcrossStart + across * ruleX[2 * k]) * point[0], point[1], basis);
+      patch.FillBasis(s, r, basis);
       patch.Sample(basis, sample.Position.data(), sample.First.data(), sample.Second.data(), false);
-      sample.Weight = panel.Sign * ruleT[2 * i + 1] * ruleX[2 * k + 1] * width * across * slope[1] * point[0];
+      sample.Weight = weight;
       visit(sample);
-    }
-  }
+    });
 }
 
 constexpr int StripPoints = 3;
@@ -132,6 +122,27 @@ void EvaluateTrim(const double* trim, int degree, double t, double point[2], dou
     }
     point[d] = isConstant ? trim[d] : point[d];
     slope[d] = isConstant ? 0.0 : slope[d];
+  }
+}
+
+void VisitPanelNodes(const VariantFaceChain& chain, const VariantPanel& panel,
+  const std::function<void(double weight, double s, double r)>& visit)
+{
+  const double* ruleT = GetRule(panel.Along);
+  const double* ruleX = GetRule(panel.Across);
+  const double width = panel.End - panel.Start;
+  const double across = panel.AcrossEnd - panel.AcrossStart;
+  for (int i = 0; i < panel.Along; ++i)
+  {
+    double point[2];
+    double slope[2];
+    EvaluateTrim(chain.Coefficients.data() + panel.Trim, panel.TrimDegree, panel.Start + width * ruleT[2 * i],
+      point, slope);
+    for (int k = 0; k < panel.Across; ++k)
+    {
+      visit(panel.Sign * ruleT[2 * i + 1] * ruleX[2 * k + 1] * width * across * slope[1] * point[0],
+        (panel.AcrossStart + across * ruleX[2 * k]) * point[0], point[1]);
+    }
   }
 }
 

@@ -123,6 +123,10 @@ void VisitRibbonNodes(const VariantFaceChain& chain, const VariantRibbon& ribbon
 /// Evaluates a trim piece, degree + 1 pairs (s, r), and its derivative.
 void EvaluateTrim(const double* trim, int degree, double t, double point[2], double slope[2]);
 
+/// Calls visit(weight, s, r) for the nodes of a panel.
+void VisitPanelNodes(const VariantFaceChain& chain, const VariantPanel& panel,
+  const std::function<void(double weight, double s, double r)>& visit);
+
 /// Returns how many samples there are, without those of caps.
 std::int64_t CountSamples(const VariantFaceChain& chain);
 }
