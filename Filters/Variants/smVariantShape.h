@@ -40,6 +40,15 @@ struct MovedModel
   double Amount = 1.0;
 };
 
+/**
+ * Moves a face along its outward normal by 1, as far as its control points can: their displacements
+ * interpolate the unit normal at as many points, so that planes, cylinders, cones, spheres and tori move
+ * exactly. Edges stay, and ribbons lead to them. Returns null with the reason for a face that does not exist,
+ * has more than 400 control points, or no normal at a point.
+ */
+SMFILTERSVARIANTS_EXPORT vtkSmartPointer<vtkTrimmedNURBSModel> MakeNormalOffset(
+  vtkTrimmedNURBSModel* base, int face, std::string& error);
+
 /// An edge of the base in pieces that suit all directions, and its displacements.
 struct VariantEdge
 {

@@ -1,4 +1,4 @@
-// Benchmark variants [FILE.step]: variants a second as polynomials and at frozen points, beside full updates.
+// Benchmark variants [FILE.step]: variants a second as polynomials and at frozen points, and full updates.
 #include "smBenchmark.h"
 #include "smComputeMassProperties.h"
 #include "smEditSession.h"
@@ -232,11 +232,11 @@ void Add(CLI::App& app, int& status)
 {
   static VariantBenchmark benchmark;
   CLI::App* command = app.add_subcommand("variants",
-    "Variants a second of a solid whose control points move along directions: as polynomials and at frozen "
+    "Variants a second of a solid whose control points move along directions: as polynomials, at frozen "
     "points, "
-    "beside full updates, all on one thread. Variants are compared with the mass properties of their models. "
-    "Without "
-    "a file the solid is a free-form one of 42 faces. Exit status 1: a variant is outside both bounds");
+    "and full updates, all on one thread. Variants are compared with the mass properties of their models. "
+    "Without a file the solid is a free-form one of 42 faces. Exit status 1: a variant is outside both "
+    "bounds");
   command->add_option("FILE", benchmark.Path, "STEP file, of which the first solid is taken");
   command->add_option("--directions", benchmark.Directions, "Number of directions, 1 to 24")
     ->check(CLI::Range(1, 24));

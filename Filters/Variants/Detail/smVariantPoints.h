@@ -20,9 +20,9 @@ enum class PointsKind
   Cap
 };
 
-/// Items that have one layout: `Count` records, and the first number of their net. Of a patch the net has the
-/// centre, the points, the steps in s and those in r, each as x, y, z of all; of an edge its coefficients; of
-/// a triangle its corners. Records have the weight, and the values of the basis.
+/// Items that have one layout: `Count` records, and the first number of their net. The net of a patch has the
+/// centre, the points, the steps in s and those in r, each as x, y, z of all; that of an edge its
+/// coefficients; that of a triangle its corners. Records have the weight and the values of the basis.
 struct PointsBlock
 {
   PointsKind Kind;
