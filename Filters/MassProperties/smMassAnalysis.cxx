@@ -1,7 +1,6 @@
 #include "smMassAnalysis.h"
 
 #include "Detail/smMassSpread.h"
-#include "Detail/smMoments.h"
 #include "Detail/smPlausibility.h"
 #include "Detail/smSelfCrossing.h"
 #include "Detail/smTotalMass.h"
@@ -9,6 +8,7 @@
 #include "smCoincidentFaces.h"
 #include "smFormat.h"
 #include "smMassIntegrands.h"
+#include "smMoments.h"
 #include "smPlacementError.h"
 #include "smUnitRoundoff.h"
 

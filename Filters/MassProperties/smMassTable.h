@@ -6,11 +6,11 @@
 #define smMassTable_h
 
 #include "Detail/smMassSpread.h"
-#include "Detail/smMoments.h"
 #include "Detail/smReferenceFrame.h"
 #include "smColumns.h"
 #include "smFiltersMassPropertiesModule.h"
 #include "smLengthUnits.h"
+#include "smMoments.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "Detail/smMoments.h"
+#include "smMoments.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
 

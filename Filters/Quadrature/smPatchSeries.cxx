@@ -1,7 +1,7 @@
 #include "Detail/smPatchSeries.h"
 
 #include "Detail/smIntegerPower.h"
-#include "Detail/smTrimSeries.h"
+#include "smTrimSeries.h"
 #include "smVector.h"
 
 #include <algorithm>

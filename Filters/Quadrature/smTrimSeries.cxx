@@ -1,4 +1,4 @@
-#include "Detail/smTrimSeries.h"
+#include "smTrimSeries.h"
 
 #include <algorithm>
 #include <cmath>

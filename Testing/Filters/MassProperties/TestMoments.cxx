@@ -1,6 +1,6 @@
 // Moments of point masses, where everything is a finite sum: moved, placed, added, and converted to mass
 // properties, against extended precision; and every bound holds when the inputs are off by their bounds.
-#include "Detail/smMoments.h"
+#include "smMoments.h"
 #include "smTesting.h"
 
 #include <algorithm>

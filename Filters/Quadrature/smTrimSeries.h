@@ -6,6 +6,7 @@
 #define smTrimSeries_h
 
 #include "smFacePanels.h"
+#include "smFiltersQuadratureModule.h"
 #include "smPatchMajorants.h"
 
 #include <array>
@@ -14,7 +15,7 @@
 namespace sm
 {
 /// (s(t), r(t)) in the parameters of a patch for t on [start, end] of the piece, mapped to [-1,1].
-class TrimSeries
+class SMFILTERSQUADRATURE_EXPORT TrimSeries
 {
 public:
   /// `coefficients`: degree + 1 pairs (u,v) in Bernstein form.

@@ -1,0 +1,249 @@
+// Benchmark variants [FILE.step]: variants a second as polynomials and at frozen points, and full updates.
+#include "smBenchmark.h"
+#include "smComputeMassProperties.h"
+#include "smEditSession.h"
+#include "smFreeFormBody.h"
+#include "smModelEdit.h"
+#include "smVariantIntegrator.h"
+
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkSMPTools.h>
+#include <vtkSTEPReader.h>
+#include <vtkTrimmedNURBSModel.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace smtest;
+
+struct VariantBenchmark
+{
+  std::string Path;
+  int Directions = 10;
+  int Checks = 1000;
+  double Seconds = 1.0;
+
+  int Run() const;
+  std::shared_ptr<const sm::VariantShape> MakeShape(vtkTrimmedNURBSModel* model) const;
+  bool Measure(const char* title, const sm::VariantIntegrator& variants, double range, double updates) const;
+  bool Check(const sm::VariantIntegrator& variants, const sm::VariantShape& shape, double range) const;
+  std::vector<double> MakeNumbers(std::size_t count, double range) const;
+};
+
+double GetSeconds(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+vtkSmartPointer<vtkNURBSDataSet> ReadPart(const std::string& path)
+{
+  if (path.empty())
+  {
+    return FreeFormBody().Make();
+  }
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  auto* product = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
+  return product && product->GetNumberOfPartitionedDataSets() > 0
+    ? vtkNURBSDataSet::SafeDownCast(product->GetPartition(0, 0))
+    : nullptr;
+}
+
+/// One control point for each direction, of faces in the order of their numbers of control points, with what
+/// is tied to it.
+std::shared_ptr<const sm::VariantShape> VariantBenchmark::MakeShape(vtkTrimmedNURBSModel* model) const
+{
+  const std::vector<sm::FacePointer>& faces = model->GetFaces();
+  std::vector<int> order(faces.size());
+  for (std::size_t f = 0; f < order.size(); ++f)
+  {
+    order[f] = static_cast<int>(f);
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&](int a, int b)
+    { return faces[a]->Surface.ControlPoints.size() > faces[b]->Surface.ControlPoints.size(); });
+  std::vector<sm::MovedModel> moved;
+  for (int k = 0; k < this->Directions; ++k)
+  {
+    const int face = order[static_cast<std::size_t>(k) % order.size()];
+    const int* count = faces[face]->Surface.NumberOfControlPoints;
+    const sm::ControlPointIndex index{ (k + 1) % count[0], (k / 2 + 1) % count[1] };
+    const sm::ModelEdit edit =
+      sm::MoveControlPoints(model, face, { index }, { 0.3, 0.5, 1.0 }, sm::EditRule::MoveSharedBoundary);
+    moved.push_back({ edit.Model, 1.0 });
+  }
+  std::string error;
+  const auto shape = sm::VariantShape::Make(model, moved, error);
+  if (!shape)
+  {
+    std::fprintf(stderr, "%s\n", error.c_str());
+  }
+  return shape;
+}
+
+std::vector<double> VariantBenchmark::MakeNumbers(std::size_t count, double range) const
+{
+  std::mt19937 random(3);
+  std::vector<double> c(count * static_cast<std::size_t>(this->Directions));
+  for (double& number : c)
+  {
+    number = std::uniform_real_distribution<double>(-range, range)(random);
+  }
+  return c;
+}
+
+/// Prints rows of values alone, with bounds, and with gradients.
+bool VariantBenchmark::Measure(
+  const char* title, const sm::VariantIntegrator& variants, double range, double updates) const
+{
+  const std::size_t count = variants.GetPolynomial() ? 16384 : 512;
+  const std::vector<double> c = this->MakeNumbers(count, range);
+  std::vector<double> values(10 * count);
+  std::vector<double> bounds(values.size());
+  std::vector<double> gradients(values.size() * static_cast<std::size_t>(this->Directions));
+  for (int mode = 0; mode < (variants.GetPolynomial() ? 3 : 2); ++mode)
+  {
+    double best = 0.0;
+    const auto start = std::chrono::steady_clock::now();
+    do
+    {
+      const auto begin = std::chrono::steady_clock::now();
+      if (mode == 2)
+      {
+        variants.GetPolynomial()->Evaluate(c.data(), count, values.data(), bounds.data(), gradients.data());
+      }
+      else
+      {
+        variants.Evaluate(c.data(), count, values.data(), mode == 1 ? bounds.data() : nullptr);
+      }
+      best = std::max(best, static_cast<double>(count) / GetSeconds(begin));
+    } while (GetSeconds(start) < this->Seconds);
+    const char* const names[] = { "values", "values, bounds", "values, bounds, gradients" };
+    std::printf("| %s, %s | %.0f | %.1f |\n", title, names[mode], best, best / updates);
+  }
+  std::fflush(stdout);
+  return true;
+}
+
+/// Compares variants with the mass properties of their models; returns false if one is outside both bounds.
+bool VariantBenchmark::Check(
+  const sm::VariantIntegrator& variants, const sm::VariantShape& shape, double range) const
+{
+  const auto count = static_cast<std::size_t>(this->Checks);
+  const std::vector<double> c = this->MakeNumbers(count, range);
+  std::vector<double> values(10 * count);
+  std::vector<double> bounds(values.size());
+  variants.Evaluate(c.data(), count, values.data(), bounds.data());
+  int outside = 0;
+  double ratio = 0.0;
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    vtkNew<vtkNURBSDataSet> leaf;
+    leaf->SetModel(shape.MakeModel(c.data() + t * static_cast<std::size_t>(this->Directions)));
+    const sm::BodyMassProperties full = sm::ComputeMassProperties(leaf).Total;
+    const sm::VariantProperties own =
+      sm::DeriveProperties(values.data() + 10 * t, bounds.data() + 10 * t, variants.GetReference());
+    bool isInside = std::abs(own.Volume - full.Volume.Value) <= own.VolumeBound + full.Volume.Bound;
+    for (int i = 0; i < 9; ++i)
+    {
+      isInside =
+        isInside && std::abs(own.Inertia[i] - full.Inertia.Value[i]) <= own.InertiaBound + full.Inertia.Bound;
+      isInside = isInside &&
+        (i > 2 || std::abs(own.Center[i] - full.Center.Value[i]) <= own.CenterBound + full.Center.Bound);
+    }
+    outside += isInside ? 0 : 1;
+    ratio = std::max(ratio, own.VolumeBound / full.Volume.Bound);
+  }
+  std::printf(
+    "%zu variants compared with their own models, %d outside both bounds; the volume's bound is up to %.2g "
+    "times that of the full path\n",
+    count, outside, ratio);
+  return outside == 0;
+}
+
+int VariantBenchmark::Run() const
+{
+  // One thread.
+  vtkSMPTools::SetBackend("Sequential");
+  const vtkSmartPointer<vtkNURBSDataSet> leaf = ReadPart(this->Path);
+  if (!leaf || !leaf->GetModel())
+  {
+    std::fprintf(stderr, "%s holds no solid.\n", this->Path.c_str());
+    return 1;
+  }
+  const auto shape = this->MakeShape(leaf->GetModel());
+  if (!shape)
+  {
+    return 1;
+  }
+  const double* box = leaf->GetModel()->GetLocalBounds();
+  const double range = 0.005 * std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+  EditSession session(leaf, vtkMassPropertiesGPU::CPU, 1e-9);
+  session.Update(EditKind::FullRun, 0);
+  int updates = 0;
+  const auto start = std::chrono::steady_clock::now();
+  do
+  {
+    session.Update(EditKind::FullRun, ++updates);
+  } while (GetSeconds(start) < this->Seconds);
+  const double rate = updates / GetSeconds(start);
+  std::printf(
+    "%d faces, %d directions, one thread\n\n| one variant | a second | times a full update |\n|---|---|---|\n"
+    "| full update | %.0f | 1 |\n",
+    static_cast<int>(leaf->GetModel()->GetNumberOfFaces()), this->Directions, rate);
+  sm::VariantOptions options;
+  options.Ranges.assign(static_cast<std::size_t>(this->Directions), range);
+  bool isGood = true;
+  std::string notes;
+  std::vector<std::shared_ptr<const sm::VariantIntegrator>> all;
+  for (const sm::VariantMethod method : { sm::VariantMethod::Points, sm::VariantMethod::Polynomial })
+  {
+    std::string error;
+    const auto variants = sm::VariantIntegrator::Make(shape, options, error, method);
+    if (!variants)
+    {
+      std::fprintf(stderr, "%s\n", error.c_str());
+      return 1;
+    }
+    all.push_back(variants);
+    isGood = this->Measure(method == sm::VariantMethod::Points ? "frozen points" : "polynomials", *variants,
+               range, rate) &&
+      isGood;
+  }
+  std::printf("\n");
+  for (const auto& variants : all)
+  {
+    std::printf(
+      "%s: %s\n", variants->GetPolynomial() ? "polynomials" : "frozen points", variants->GetReason().c_str());
+    isGood = this->Check(*variants, *shape, range) && isGood;
+  }
+  return isGood ? 0 : 1;
+}
+
+void Add(CLI::App& app, int& status)
+{
+  static VariantBenchmark benchmark;
+  CLI::App* command = app.add_subcommand("variants",
+    "Variants a second of a solid whose control points move along directions: as polynomials, at frozen "
+    "points, "
+    "and full updates, all on one thread. Variants are compared with the mass properties of their models. "
+    "Without a file the solid is a free-form one of 42 faces. Exit status 1: a variant is outside both "
+    "bounds");
+  command->add_option("FILE", benchmark.Path, "STEP file, of which the first solid is taken");
+  command->add_option("--directions", benchmark.Directions, "Number of directions, 1 to 24")
+    ->check(CLI::Range(1, 24));
+  command->add_option("--checks", benchmark.Checks, "Number of variants to compare")
+    ->check(CLI::Range(1, 100000));
+  command->add_option("--seconds", benchmark.Seconds, "Seconds of each row")->check(CLI::Range(0.0, 100.0));
+  command->callback([&status]() { status = benchmark.Run(); });
+}
+const BenchmarkEntry Entry(Add);
+}
