@@ -83,6 +83,7 @@ constexpr const char* FaceBound = "FaceBound"; // 1, L^3, bound of the face's pa
 // each component, with _X, _Y, _Z, or _1, _2, _3 for the principal moments.
 constexpr const char* VolumePerOffset = "VolumePerOffset";                     // 1, L^2
 constexpr const char* MassPerOffset = "MassPerOffset";                         // 1, kg/L
+constexpr const char* SurfaceAreaPerOffset = "SurfaceAreaPerOffset";           // 1, L
 constexpr const char* CenterOfMassPerOffset = "CenterOfMassPerOffset";         // 3, 1
 constexpr const char* PrincipalMomentsPerOffset = "PrincipalMomentsPerOffset"; // 3, L^4
 // Cell data of the glyph on port 0: its colour.

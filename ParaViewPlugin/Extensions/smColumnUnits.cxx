@@ -48,6 +48,7 @@ constexpr Unit Units[] = {
   { names::ClosureCorrection, "", 3 },
   { names::ClosureSpread, "", 3 },
   { names::VolumePerOffset, "", 2 },
+  { names::SurfaceAreaPerOffset, "", 1 },
   { names::PrincipalMomentsPerOffset, "", 4 },
   { names::GapSquared, "", 3 },
   { names::MaxGap, "", 1 },
