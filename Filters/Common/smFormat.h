@@ -35,8 +35,8 @@ SMFILTERSCOMMON_EXPORT std::string FormatBoundOfShown(double bound, int digits =
 SMFILTERSCOMMON_EXPORT std::string FormatBoundNote(
   double bound, double doubt = 0.0, const std::string& word = "gaps");
 /// Value, unit and FormatBoundNote().
-SMFILTERSCOMMON_EXPORT std::string FormatWithBound(double value, double bound, const std::string& unit,
-  double doubt = 0.0, const std::string& word = "gaps");
+SMFILTERSCOMMON_EXPORT std::string FormatWithBound(
+  double value, double bound, const std::string& unit, double doubt = 0.0, const std::string& word = "gaps");
 
 /// A count with the noun in the right number: "1 face", "3 faces".
 SMFILTERSCOMMON_EXPORT std::string FormatCount(std::size_t count, const char* one, const char* many);
