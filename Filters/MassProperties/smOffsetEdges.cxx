@@ -67,6 +67,30 @@ Vector3 GetTangent(const Coedge& coedge, double t)
   return speed > 0.0 ? ScaleBy((coedge.Reversed ? -1.0 : 1.0) / speed, velocity) : Vector3{};
 }
 
+/// Returns by how much the normal of a face turns across an edge per length, over a step.
+double MeasureAcross(const OffsetUse& use, double t, const Vector3& tangent, double step)
+{
+  const Point2 at = use.Boundary->Curve.Evaluate(t);
+  Vector3 point;
+  Vector3 du;
+  Vector3 dv;
+  use.Source->Surface.Evaluate(at[0], at[1], point.data(), du.data(), dv.data());
+  const Vector3 normal = Cross(du, dv);
+  const double squared = Dot(normal, normal);
+  const Vector3 across = Cross(normal, tangent);
+  const double size = Norm(across);
+  if (!(squared > 0.0) || !(size > 0.0))
+  {
+    return 0.0;
+  }
+  const Vector3 unit = ScaleBy(1.0 / size, across);
+  const double u = Dot(Cross(unit, dv), normal) / squared;
+  const double v = Dot(Cross(du, unit), normal) / squared;
+  return Norm(Subtract(use.GetLoopNormal({ at[0] + step * u, at[1] + step * v }),
+           use.GetLoopNormal({ at[0] - step * u, at[1] - step * v }))) /
+    (2.0 * step);
+}
+
 /// Evaluates the angle between two faces; false where a normal is missing.
 bool EvaluateAngle(const OffsetUse& first, const OffsetUse& second, double t, OffsetEdgeSample& sample)
 {
@@ -98,6 +122,9 @@ bool AddSamples(const OffsetUse& first, const OffsetUse& second, double start, d
       Subtract(GetTangent(*first.Boundary, t + step), GetTangent(*first.Boundary, t - step));
     sample.Bend = Norm(velocity) > 0.0 ? Norm(turn) / (2.0 * step * Norm(velocity)) : 0.0;
     isKnown = EvaluateAngle(first, second, t, sample) && isKnown;
+    const double across = step * Norm(velocity);
+    const Vector3 tangent = GetTangent(*first.Boundary, t);
+    sample.Across = { MeasureAcross(first, t, tangent, across), MeasureAcross(second, t, tangent, across) };
     samples.push_back(sample);
   }
   return isKnown;
@@ -128,15 +155,19 @@ bool MeasureOffsetEdge(const OffsetUse& first, const OffsetUse& second, OffsetEd
     }
   }
   double other = 0.0;
+  double ways = 0.0;
   for (const OffsetEdgeSample& sample : coarse)
   {
     other += sample.Length * sample.GetHalfTangent();
+    ways += sample.Length * sample.GetWay();
   }
   for (const OffsetEdgeSample& sample : edge.Samples)
   {
     edge.HalfTangent += sample.Length * sample.GetHalfTangent();
+    ways -= sample.Length * sample.GetWay();
     edge.Length += sample.Length;
   }
+  edge.WayError = 10.0 * std::abs(ways);
   edge.HalfTangentError = 10.0 * std::abs(other - edge.HalfTangent);
   return isKnown && std::isfinite(edge.HalfTangent + other);
 }

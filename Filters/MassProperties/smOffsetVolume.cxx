@@ -17,9 +17,8 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double FewRoundings = 64.0 * UnitRoundoff;
 /// Normals at a vertex with a smaller sine between them count as one.
 constexpr double SameNormal = 0.02;
-/// Faces are continued to meet at an edge if the edge moves across them by no more than so many offsets;
-/// elsewhere a step joins them.
-constexpr double LongestWay = 10.0;
+/// Smallest factor by which a curvature radius is taken to shrink; where it shrinks more the face is named.
+constexpr double SmallestShrink = 0.1;
 /// Distance of an offset plane from the point where others meet, relative to the offsets.
 constexpr double MeetTolerance = 1e-9;
 /// Smallest product of normals with their mean direction that bounds how far a vertex moves.
@@ -133,12 +132,11 @@ private:
   double AddEdge(const OffsetEdge& edge)
   {
     const double t[2] = { this->Offsets[edge.Faces[0]], this->Offsets[edge.Faces[1]] };
-    const double curvature[2] = { this->GetCurvature(edge.Faces[0]), this->GetCurvature(edge.Faces[1]) };
     const double largest = std::max(std::abs(t[0]), std::abs(t[1]));
     double whole = 0.0;
     for (const OffsetEdgeSample& sample : edge.Samples)
     {
-      const double half = sample.GetHalfTangent();
+      const double half = sample.GetWay();
       // Ways of the edge across both faces.
       double way[2];
       const double step = t[0] - t[1];
@@ -147,7 +145,7 @@ private:
       {
         const double lead = step == 0.0 ? 0.0 : (i == 0 ? -step : step) / sample.Sine;
         way[i] = t[i] * half + lead;
-        isMet = isMet && (step == 0.0 || std::abs(way[i]) <= LongestWay * largest);
+        isMet = isMet && (step == 0.0 || std::abs(way[i]) <= LongestOffsetWay * largest);
       }
       double volume = 0.5 * (t[0] * way[0] + t[1] * way[1]);
       if (!isMet)
@@ -160,12 +158,16 @@ private:
       }
       const double reach = std::hypot(largest, std::max(std::abs(way[0]), std::abs(way[1])));
       const double swept = 0.5 * (std::abs(t[0] * way[0]) + std::abs(t[1] * way[1]));
-      const double slope = 1.0 + 1.0 / std::max(std::abs(sample.Sine), std::numeric_limits<double>::min());
+      // Edges that are cut off meet nowhere.
+      const bool isCut = std::abs(half) >= LongestOffsetWay;
+      const double slope = 1.0 +
+        (isCut ? LongestOffsetWay
+               : 1.0 / std::max(std::abs(sample.Sine), std::numeric_limits<double>::min()));
       double rest = sample.Bend * reach * swept;
       for (int i = 0; i < 2; ++i)
       {
         // On planes, and at tangent neighbours, ways are straight or have no length.
-        rest += way[i] == 0.0 ? 0.0 : curvature[i] * way[i] * way[i] * reach * slope;
+        rest += way[i] == 0.0 ? 0.0 : GetCurvature(sample.Across[i], t[i]) * way[i] * way[i] * reach * slope;
         this->Growth[edge.Faces[i]] += sample.Length * std::abs(way[i]);
       }
       whole += sample.Length * volume;
@@ -174,17 +176,14 @@ private:
       this->Change.Reach = std::max(this->Change.Reach, reach);
     }
     this->Change.Volume += whole;
-    this->Change.Remainder += edge.HalfTangentError * largest * largest;
+    this->Change.Remainder += edge.WayError * largest * largest;
     return whole;
   }
 
-  /// Returns the largest curvature of a face, and of its offsets.
-  double GetCurvature(std::size_t f) const
+  /// Returns no less than a curvature, and than that of the face with an offset.
+  static double GetCurvature(double curvature, double offset)
   {
-    const OffsetFace& face = this->Geometry.Faces[f];
-    const double curvature = std::max(-face.Smallest, face.Largest);
-    const double shrink = 1.0 - curvature * std::abs(this->Offsets[f]);
-    return curvature / std::max(shrink, 0.1);
+    return curvature / std::max(1.0 - curvature * std::abs(offset), SmallestShrink);
   }
 
   void AddVertex(const OffsetVertex& vertex)

@@ -22,6 +22,7 @@
 #include "smFiltersMassPropertiesModule.h"
 #include "smVector.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -56,6 +57,11 @@ struct OffsetFace
   Vector3 High{};
 };
 
+/// Faces are continued to meet at an edge if the edge moves across them by no more than so many offsets. A
+/// sharper edge is cut off there; between faces that are nearly tangent, and have different offsets, there is
+/// a step.
+constexpr double LongestOffsetWay = 10.0;
+
 /// A point of an edge between two faces.
 struct OffsetEdgeSample
 {
@@ -64,11 +70,16 @@ struct OffsetEdgeSample
   /// Cosine and sine of the angle between the outward normals; the sine is negative at concave edges.
   double Cosine = 1.0;
   double Sine = 0.0;
-  /// Curvature of the edge.
+  /// Curvature of the edge, and of both faces across it, without signs.
   double Bend = 0.0;
+  std::array<double, 2> Across{};
 
-  /// Tangent of half the angle.
+  /// Tangent of half the angle: the way of the edge across both faces by an offset of 1.
   double GetHalfTangent() const { return this->Sine / (1.0 + this->Cosine); }
+  double GetWay() const
+  {
+    return std::min(std::max(this->GetHalfTangent(), -LongestOffsetWay), LongestOffsetWay);
+  }
 };
 
 struct OffsetEdge
@@ -78,6 +89,8 @@ struct OffsetEdge
   /// Integral of the tangent of half the angle, and ten times the difference of two rules.
   double HalfTangent = 0.0;
   double HalfTangentError = 0.0;
+  /// The same difference for GetWay().
+  double WayError = 0.0;
   double Length = 0.0;
 };
 
