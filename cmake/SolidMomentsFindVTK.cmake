@@ -1,8 +1,8 @@
 # Finds the VTK to build against: ParaView's own by default, a plain VTK when the plugin is off.
 set(_vtk_components
-  CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore FiltersGeneral FiltersSources IOCore IOGeometry IOImage IOPLY IOXML ImagingCore InteractionStyle ParallelCore
-  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering vtksys
+  RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI TestingRendering vtksys
   zlib)
 if (SOLIDMOMENTS_WRAP_PYTHON)
   if (NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)

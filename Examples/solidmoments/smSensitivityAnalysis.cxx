@@ -41,6 +41,7 @@ SensitivityEntry ReadEntry(vtkFieldData* data, vtkIdType row)
   entry.Face = GetCount(data, row, names::FaceId);
   entry.Volume = GetQuantity<1>(data, row, names::VolumePerOffset);
   entry.Mass = GetQuantity<1>(data, row, names::MassPerOffset);
+  entry.Area = GetQuantity<1>(data, row, names::SurfaceAreaPerOffset);
   entry.Center = GetVector(data, row, names::CenterOfMassPerOffset);
   entry.PrincipalMoments = GetVector(data, row, names::PrincipalMomentsPerOffset);
   return entry;
@@ -60,6 +61,7 @@ void SensitivityResult::Visit(Fields& fields, const char* key)
         fields.Note("", "entity number").Count("face", entry.Face);
         fields.Note("L^2", "volume per offset").Number("volume", entry.Volume);
         fields.Note("kg/L", "mass per offset").Number("mass", entry.Mass);
+        fields.Note("L", "area of the solid per offset, edges intersected anew").Number("area", entry.Area);
         fields.Note("1", "centre of mass of the solid per offset")
           .Point("center_of_mass", entry.Center.Value);
         fields.Note("L^4", "per offset; unknown where moments coincide")
@@ -67,6 +69,7 @@ void SensitivityResult::Visit(Fields& fields, const char* key)
         fields.Note("", "of the quantities with the same names").Begin("bounds");
         fields.Number("volume", entry.Volume.Bound);
         fields.Number("mass", entry.Mass.Bound);
+        fields.Number("area", entry.Area.Bound);
         fields.Number("center_of_mass", entry.Center.Bound);
         fields.Number("principal_moments", entry.PrincipalMoments.Bound);
         fields.End();
@@ -81,6 +84,9 @@ std::string SensitivityResult::FormatRows(const std::string& unit) const
     std::string value = "face #" + std::to_string(entry.Face) + " of solid " + entry.Solid + ": " +
       FormatValue(entry.Volume.Get(), entry.Volume.Bound) + " " + RaiseUnit(unit, 3);
     value += entry.Mass.IsKnown() ? ", " + FormatValue(entry.Mass.Get(), entry.Mass.Bound) + " kg" : "";
+    value += entry.Area.IsKnown()
+      ? ", area " + FormatValue(entry.Area.Get(), entry.Area.Bound) + " " + RaiseUnit(unit, 2)
+      : "";
     value += ", centre " + FormatVector(entry.Center.Value, entry.Center.Bound) + " " + unit;
     text += Row(text.empty() ? "per " + unit + " of offset" : "", value, "");
   }
@@ -91,7 +97,7 @@ void SensitivityAnalysis::Declare(CLI::App& app)
 {
   app.option_defaults()->group("Analyses");
   app.add_flag("--sensitivity", this->Wanted,
-    "How volume, mass, centre and principal moments of each solid change if one\n"
+    "How volume, mass, area, centre and principal moments of each solid change if one\n"
     "face is moved outwards, per unit of length");
 }
 

@@ -17,7 +17,7 @@ struct SensitivityEntry
 {
   std::string Solid;
   long long Face = -1;
-  ScalarQuantity Volume, Mass;
+  ScalarQuantity Volume, Mass, Area;
   VectorQuantity Center, PrincipalMoments;
 };
 

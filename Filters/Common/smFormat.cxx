@@ -97,17 +97,19 @@ std::string FormatBoundOfShown(double bound, int digits)
   return FormatBound((1.0 + RoundingShare) * bound, digits);
 }
 
-std::string FormatBoundNote(double bound, double gaps)
+std::string FormatBoundNote(double bound, double doubt, const std::string& word)
 {
-  const std::string note = gaps > bound ? ", gaps " + FormatDigits(gaps, 2) + ")" : std::string(")");
+  const bool isNotable = std::isnan(doubt) || doubt > bound;
+  const std::string note = isNotable ? ", " + word + " " + FormatBound(doubt, 2) + ")" : std::string(")");
   return std::isfinite(bound) ? " (+- " + FormatBoundOfShown(bound) + note
                               : std::string(" (bound not known)");
 }
 
-std::string FormatWithBound(double value, double bound, const std::string& unit, double gaps)
+std::string FormatWithBound(
+  double value, double bound, const std::string& unit, double doubt, const std::string& word)
 {
   return std::isfinite(value)
-    ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + FormatBoundNote(bound, gaps)
+    ? FormatNumber(value, bound) + (unit.empty() ? "" : " ") + unit + FormatBoundNote(bound, doubt, word)
     : std::string("not known");
 }
 

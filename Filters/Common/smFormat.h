@@ -29,13 +29,14 @@ SMFILTERSCOMMON_EXPORT std::string FormatBound(double bound, int digits = 1);
 SMFILTERSCOMMON_EXPORT std::string FormatNumber(double value, double bound);
 /// The bound of the number that FormatNumber() prints: includes the rounding of the printed digits.
 SMFILTERSCOMMON_EXPORT std::string FormatBoundOfShown(double bound, int digits = 1);
-/// " (+- bound)", to follow the number of FormatNumber() and its unit. `gaps` is what gaps of the model
-/// change or leave in doubt, which no bound includes: where it is larger than the bound, the note is " (+-
-/// bound, gaps 40)".
-SMFILTERSCOMMON_EXPORT std::string FormatBoundNote(double bound, double gaps = 0.0);
+/// " (+- bound)", to follow the number of FormatNumber() and its unit. `doubt` is what gaps of the model
+/// change or leave in doubt, which no bound includes: where it is larger than the bound, the note names it by
+/// `word` and rounds it up, " (+- bound, gaps 40)"; where it is NaN, the note ends in "gaps not known".
+SMFILTERSCOMMON_EXPORT std::string FormatBoundNote(
+  double bound, double doubt = 0.0, const std::string& word = "gaps");
 /// Value, unit and FormatBoundNote().
 SMFILTERSCOMMON_EXPORT std::string FormatWithBound(
-  double value, double bound, const std::string& unit, double gaps = 0.0);
+  double value, double bound, const std::string& unit, double doubt = 0.0, const std::string& word = "gaps");
 
 /// A count with the noun in the right number: "1 face", "3 faces".
 SMFILTERSCOMMON_EXPORT std::string FormatCount(std::size_t count, const char* one, const char* many);

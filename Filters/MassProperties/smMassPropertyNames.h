@@ -83,8 +83,28 @@ constexpr const char* FaceBound = "FaceBound"; // 1, L^3, bound of the face's pa
 // each component, with _X, _Y, _Z, or _1, _2, _3 for the principal moments.
 constexpr const char* VolumePerOffset = "VolumePerOffset";                     // 1, L^2
 constexpr const char* MassPerOffset = "MassPerOffset";                         // 1, kg/L
+constexpr const char* SurfaceAreaPerOffset = "SurfaceAreaPerOffset";           // 1, L
 constexpr const char* CenterOfMassPerOffset = "CenterOfMassPerOffset";         // 3, 1
 constexpr const char* PrincipalMomentsPerOffset = "PrincipalMomentsPerOffset"; // 3, L^4
+// Field data and columns of vtkMassTolerances: the limits of the worst case, how far it reaches from the
+// nominal value, and standard deviations of independent offsets.
+constexpr const char* VolumeLower = "VolumeLower";                             // 1, L^3
+constexpr const char* VolumeUpper = "VolumeUpper";                             // 1, L^3
+constexpr const char* VolumeDeviation = "VolumeDeviation";                     // 1, L^3
+constexpr const char* MassLower = "MassLower";                                 // 1, kg
+constexpr const char* MassUpper = "MassUpper";                                 // 1, kg
+constexpr const char* MassDeviation = "MassDeviation";                         // 1, kg
+constexpr const char* CenterOfMassReach = "CenterOfMassReach";                 // 1, L
+constexpr const char* CenterOfMassDeviation = "CenterOfMassDeviation";         // 3, L
+constexpr const char* VolumeInertiaReach = "VolumeInertiaReach";               // 1, L^5
+constexpr const char* VolumeInertiaDeviation = "VolumeInertiaDeviation";       // 9, L^5
+constexpr const char* PrincipalMomentsReach = "PrincipalMomentsReach";         // 1, L^5
+constexpr const char* PrincipalMomentsDeviation = "PrincipalMomentsDeviation"; // 3, L^5
+// Its columns of the table of faces, and cell data: the range of offsets, and what it adds to the worst case.
+constexpr const char* ToleranceLower = "ToleranceLower";       // 1, L
+constexpr const char* ToleranceUpper = "ToleranceUpper";       // 1, L
+constexpr const char* VolumeByTolerance = "VolumeByTolerance"; // 1, L^3
+constexpr const char* MassByTolerance = "MassByTolerance";     // 1, kg
 // Cell data of the glyph on port 0: its colour.
 constexpr const char* Color = "Color"; // 3 (uchar), sRGB: green, red where the result is flagged
 }

@@ -1,5 +1,6 @@
 #include "Detail/smMassSensitivity.h"
 
+#include "Detail/smOffsetGeometry.h"
 #include "smBodyIntegrals.h"
 #include "smBodyScales.h"
 #include "smMassIntegrands.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace sm
 {
@@ -25,19 +27,52 @@ constexpr double CoincidentMoments = 1e-9;
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/// Moments of the area of a face about the centre of its body, in axes of the world, with one bound for all
-/// of each order.
-struct AreaMoments
+/// Returns whether a principal moment is apart from both others.
+bool IsSingle(const MassProperties& properties, int k)
 {
-  double Area, AreaBound;
-  Vector3 First{};
-  double FirstBound = 0.0;
-  Matrix Second{};
-  double SecondBound = 0.0;
-};
+  const double limit =
+    std::max(2.0 * properties.PrincipalBound, CoincidentMoments * std::abs(properties.Principal[2]));
+  for (int j = 0; j < 3; ++j)
+  {
+    if (j != k && !(std::abs(properties.Principal[j] - properties.Principal[k]) > limit))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
 
-AreaMoments GetAreaMoments(const BodyIntegrals& body, const MassRow& row, const FaceIntegrals& face)
+void AreaMoments::Move(const Vector3& way)
 {
+  const Vector3 first = this->First;
+  double size = 0.0;
+  double distance = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->First[i] -= way[i] * this->Area;
+    size = std::max(size, std::abs(first[i]));
+    distance = std::max(distance, std::abs(way[i]));
+    for (int j = 0; j < 3; ++j)
+    {
+      this->Second[i][j] += way[i] * way[j] * this->Area - way[i] * first[j] - way[j] * first[i];
+    }
+  }
+  this->SecondBound += 2.0 * distance * this->FirstBound + distance * distance * this->AreaBound +
+    FewRoundings * distance * (distance * this->Area + 2.0 * size);
+  this->FirstBound += distance * this->AreaBound + FewRoundings * (distance * this->Area + size);
+}
+
+bool HasAreaMoments(const BodyIntegrals& body, const MassRow& row, std::size_t face)
+{
+  const FaceIntegrals* integrals = body.Faces ? &(*body.Faces)[face] : nullptr;
+  return integrals && integrals->Error.empty() && !integrals->Skipped &&
+    std::isfinite(row.Properties.Center[0]) && row.Properties.VolumeBound < std::abs(row.Properties.Volume);
+}
+
+AreaMoments GetAreaMoments(const BodyIntegrals& body, const MassRow& row, std::size_t index)
+{
+  const FaceIntegrals& face = (*body.Faces)[index];
   AreaMoments moments;
   moments.Area = face.Face[MassArea];
   moments.AreaBound = face.GetBound(MassArea);
@@ -104,25 +139,13 @@ AreaMoments GetAreaMoments(const BodyIntegrals& body, const MassRow& row, const 
   return moments;
 }
 
-/// Returns whether a principal moment is apart from both others.
-bool IsSingle(const MassProperties& properties, int k)
+std::array<double, 3> GetPrincipalSlopes(
+  const MassProperties& properties, const AreaMoments& area, double& bound)
 {
-  const double limit =
-    std::max(2.0 * properties.PrincipalBound, CoincidentMoments * std::abs(properties.Principal[2]));
-  for (int j = 0; j < 3; ++j)
-  {
-    if (j != k && !(std::abs(properties.Principal[j] - properties.Principal[k]) > limit))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Sets the derivatives of the principal moments: a . (tr(Q) 1 - Q) a with the axis a and the area's second
-/// moments Q.
-void SetPrincipal(const MassProperties& properties, const AreaMoments& area, FaceSensitivity& result)
-{
+  // a . (tr(Q) 1 - Q) a with the axis a and the area's second moments Q.
+  std::array<double, 3> slopes;
+  slopes.fill(std::numeric_limits<double>::quiet_NaN());
+  bound = slopes[0];
   const Matrix& q = area.Second;
   const double trace = q[0][0] + q[1][1] + q[2][2];
   double largest = 0.0;
@@ -158,24 +181,48 @@ void SetPrincipal(const MassProperties& properties, const AreaMoments& area, Fac
         along += a[i] * q[i][j] * a[j];
       }
     }
-    result.Principal[k] = trace - along;
+    slopes[k] = trace - along;
   }
   if (hasSome)
   {
     // The axis turns by at most the angle of MassProperties::AxesBound, here for the single moments alone.
     const double e = properties.PrincipalBound;
     const double angle = e < gap ? std::asin(std::min(1.0, e / (gap - e))) : 1.0;
-    result.PrincipalBound =
-      6.0 * area.SecondBound + norm * (2.0 * angle + angle * angle) + FewRoundings * norm;
+    bound = 6.0 * area.SecondBound + norm * (2.0 * angle + angle * angle) + FewRoundings * norm;
   }
+  return slopes;
 }
+
+BodyOffsets::BodyOffsets(const std::vector<BodyIntegrals>& bodies)
+{
+  std::map<vtkTrimmedNURBSModel*, std::shared_ptr<const OffsetGeometry>> known;
+  for (const BodyIntegrals& body : bodies)
+  {
+    std::shared_ptr<const OffsetGeometry>& geometry = known[body.Model];
+    if (!geometry && body.HasVolume() && body.Faces)
+    {
+      std::vector<signed char> sides(body.Model->GetFaces().size());
+      for (std::size_t f = 0; f < sides.size(); ++f)
+      {
+        sides[f] = (body.InsideOut ? -1.0 : 1.0) * body.GetSide(f) > 0.0 ? 1 : -1;
+      }
+      geometry = std::make_shared<OffsetGeometry>(MeasureOffsets(*body.Model, sides));
+    }
+    else if (!geometry)
+    {
+      auto unknown = std::make_shared<OffsetGeometry>();
+      unknown->IsKnown = false;
+      geometry = unknown;
+    }
+    this->Geometries.push_back(geometry);
+  }
 }
 
 FaceSensitivity::FaceSensitivity()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  this->Volume = this->VolumeBound = this->Mass = this->MassBound = this->CenterBound = this->PrincipalBound =
-    nan;
+  this->Volume = this->VolumeBound = this->Mass = this->MassBound = this->Area = this->AreaBound =
+    this->CenterBound = this->PrincipalBound = nan;
   this->Center.fill(nan);
   this->Principal.fill(nan);
 }
@@ -207,17 +254,21 @@ std::vector<double> AddAreaTolerances(std::vector<double> tolerances, vtkTrimmed
   return tolerances;
 }
 
-FaceSensitivity ComputeSensitivity(const BodyIntegrals& body, const MassRow& row, std::size_t face)
+FaceSensitivity ComputeSensitivity(
+  const BodyIntegrals& body, const MassRow& row, const OffsetGeometry& geometry, std::size_t face)
 {
   FaceSensitivity result;
   const MassProperties& p = row.Properties;
-  const FaceIntegrals* integrals = body.Faces ? &(*body.Faces)[face] : nullptr;
-  if (!integrals || !integrals->Error.empty() || integrals->Skipped || !std::isfinite(p.Center[0]) ||
-    !(p.VolumeBound < std::abs(p.Volume)))
+  if (!HasAreaMoments(body, row, face))
   {
     return result;
   }
-  const AreaMoments area = GetAreaMoments(body, row, *integrals);
+  const AreaMoments area = GetAreaMoments(body, row, face);
+  if (geometry.IsKnown)
+  {
+    result.Area = geometry.Faces[face].AreaSlope;
+    result.AreaBound = geometry.Faces[face].AreaSlopeError;
+  }
   result.Volume = area.Area;
   result.VolumeBound = area.AreaBound;
   const double density = row.Mass / p.Volume;
@@ -233,7 +284,7 @@ FaceSensitivity ComputeSensitivity(const BodyIntegrals& body, const MassRow& row
   }
   result.CenterBound =
     (area.FirstBound + largest * p.VolumeBound) / (p.Volume - p.VolumeBound) + FewRoundings * largest;
-  SetPrincipal(p, area, result);
+  result.Principal = GetPrincipalSlopes(p, area, result.PrincipalBound);
   return result;
 }
 }

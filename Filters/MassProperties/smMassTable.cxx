@@ -16,7 +16,7 @@ constexpr double MinDensity = 25.0;
 /// Largest number of characters of a line of a summary; longer lines are broken, because narrow views would
 /// cut them off.
 constexpr std::size_t LongestLine = 66;
-/// Relative uncertainty of a mass, and spread of a volume, from which the summary states it.
+/// Relative uncertainty of a mass from which the summary states it.
 constexpr double NotableDoubt = 1e-6;
 
 struct Quantity
@@ -181,12 +181,12 @@ std::string FormatSummary(
   const MassRow& total, const std::string& unit, int solids, int weighed, int weighable)
 {
   const MassProperties& p = total.Properties;
-  const auto triple =
-    [](const std::string& label, const std::array<double, 3>& values, double bound, const std::string& inUnit)
+  const auto triple = [](const std::string& label, const std::array<double, 3>& values, double bound,
+                        const std::string& inUnit, double spread)
   {
     const bool known = std::isfinite(values[0] + values[1] + values[2]);
     const std::string line = known ? FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) +
-        "  " + FormatNumber(values[2], bound) + " " + inUnit + FormatBoundNote(bound)
+        "  " + FormatNumber(values[2], bound) + " " + inUnit + FormatBoundNote(bound, spread, "spread")
                                    : std::string("not known");
     return label + (label.size() + line.size() < LongestLine ? " " : "\n  ") + line + "\n";
   };
@@ -195,21 +195,22 @@ std::string FormatSummary(
   {
     text += "Solids: " + std::to_string(solids) + "\n";
   }
-  text += "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3", total.ClosureCorrection) + "\n";
-  const double spread = total.Spread.Volume;
-  text += spread > std::max(2.0 * p.VolumeBound, NotableDoubt * std::abs(p.Volume))
-    ? "Closed in another way: +- " + FormatBound(spread) + " " + unit + "^3\n"
-    : "";
-  text += "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2", total.GapArea) + "\n";
+  text +=
+    "Volume: " + FormatWithBound(p.Volume, p.VolumeBound, unit + "^3", total.Spread.Volume, "spread") + "\n";
+  text +=
+    "Area: " + FormatWithBound(total.Area, total.AreaBound, unit + "^2", total.AreaSpread, "spread") + "\n";
   // Where densities differ, or are not all known, the centre of the volume is not that of the mass.
   const bool isMixed = std::isfinite(total.KnownMass) && !std::isfinite(total.Density);
   if (std::isfinite(p.Center[0]))
   {
-    text += triple(isMixed ? "Centre of volume:" : "Centre of mass:", p.Center, p.CenterBound, unit);
+    const char* label = isMixed ? "Centre of volume:" : "Centre of mass:";
+    text += triple(label, p.Center, p.CenterBound, unit, total.Spread.Center);
   }
   if (std::isfinite(total.Mass))
   {
-    text += "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg", total.MassUncertainty[2]) + "\n";
+    text +=
+      "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg", total.WeightedSpread.Volume, "spread") +
+      "\n";
     text += total.Density < MinDensity
       ? "A density of " + FormatDigits(total.Density, 6) + " kg/m^3 is that of foam: steel has 7850\n"
       : "";
@@ -221,13 +222,14 @@ std::string FormatSummary(
         (isWhole ? " and gaps\n" : " alone: open edges may change it more\n")
       : "";
     const MassProperties& w = total.Weighted;
-    text += isMixed ? triple("Centre of mass:", w.Center, w.CenterBound, unit) : std::string();
-    text += triple("Principal moments:", w.Principal, w.PrincipalBound, "kg " + unit + "^2");
+    const MassSpread& s = total.WeightedSpread;
+    text += isMixed ? triple("Centre of mass:", w.Center, w.CenterBound, unit, s.Center) : std::string();
+    text += triple("Principal moments:", w.Principal, w.PrincipalBound, "kg " + unit + "^2", s.Principal);
   }
   else
   {
     text += std::isfinite(p.Center[0])
-      ? triple("Principal moments:", p.Principal, p.PrincipalBound, unit + "^5")
+      ? triple("Principal moments:", p.Principal, p.PrincipalBound, unit + "^5", total.Spread.Principal)
       : std::string();
     text += std::isfinite(total.KnownMass)
       ? "Mass of " + std::to_string(weighed) + " of " + std::to_string(weighable) +

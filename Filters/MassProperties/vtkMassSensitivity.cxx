@@ -6,6 +6,7 @@
 #include "smMassAnalysis.h"
 #include "smMassPropertyNames.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
@@ -31,6 +32,23 @@ sm::IntegralRequest vtkMassSensitivity::MakeRequest() const
   return request;
 }
 
+void vtkMassSensitivity::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
+{
+  this->Superclass::AnalyzeBodies(bodies);
+  this->Offsets = std::make_unique<sm::BodyOffsets>(bodies);
+}
+
+void vtkMassSensitivity::ResetResults()
+{
+  this->Superclass::ResetResults();
+  this->Offsets.reset();
+}
+
+const sm::BodyOffsets& vtkMassSensitivity::GetOffsets() const
+{
+  return *this->Offsets;
+}
+
 void vtkMassSensitivity::WriteOutputs(
   const std::vector<sm::BodyIntegrals>& bodies, const Outputs& outputs) const
 {
@@ -48,17 +66,21 @@ void vtkMassSensitivity::WriteOutputs(
   };
   auto volume = add(sm::names::VolumePerOffset, 1);
   auto mass = add(sm::names::MassPerOffset, 1);
+  auto area = add(sm::names::SurfaceAreaPerOffset, 1);
   auto center = add(sm::names::CenterOfMassPerOffset, 3);
   auto principal = add(sm::names::PrincipalMomentsPerOffset, 3);
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     for (std::size_t f = 0; f < bodies[b].Model->GetFaces().size(); ++f)
     {
-      const sm::FaceSensitivity face = sm::ComputeSensitivity(bodies[b], this->GetAnalysis().Rows[b], f);
+      const sm::FaceSensitivity face =
+        sm::ComputeSensitivity(bodies[b], this->GetAnalysis().Rows[b], this->GetOffsets().Get(b), f);
       *volume.first++ = face.Volume;
       *volume.second++ = face.VolumeBound;
       *mass.first++ = face.Mass;
       *mass.second++ = face.MassBound;
+      *area.first++ = face.Area;
+      *area.second++ = face.AreaBound;
       center.first = std::copy(face.Center.begin(), face.Center.end(), center.first);
       *center.second++ = face.CenterBound;
       principal.first = std::copy(face.Principal.begin(), face.Principal.end(), principal.first);
@@ -72,11 +94,16 @@ std::vector<sm::MeshArray> vtkMassSensitivity::GetMeshArrays(
 {
   std::vector<sm::MeshArray> arrays = this->Superclass::GetMeshArrays(bodies);
   const auto compute = [this, &bodies](std::size_t body, std::size_t face)
-  { return sm::ComputeSensitivity(bodies[body], this->GetAnalysis().Rows[body], face); };
+  {
+    return sm::ComputeSensitivity(
+      bodies[body], this->GetAnalysis().Rows[body], this->GetOffsets().Get(body), face);
+  };
   arrays.push_back({ sm::names::VolumePerOffset,
     [compute](std::size_t body, std::size_t face) { return compute(body, face).Volume; } });
   arrays.push_back({ sm::names::MassPerOffset,
     [compute](std::size_t body, std::size_t face) { return compute(body, face).Mass; } });
+  arrays.push_back({ sm::names::SurfaceAreaPerOffset,
+    [compute](std::size_t body, std::size_t face) { return compute(body, face).Area; } });
   for (int i = 0; i < 3; ++i)
   {
     const std::string axis = i == 0 ? "_X" : i == 1 ? "_Y" : "_Z";

@@ -19,6 +19,7 @@ PROXIES = (("sources", "STEPReader", "STEP Reader", "smReadersSTEP", "vtkSTEPRea
            ("writers", "STEPWriter", "STEP (exact NURBS solids)", "smReadersKernel", "vtkSTEPWriter"),
            ("filters", "MassPropertiesGPU", "Mass Properties", "smFiltersMassProperties", "vtkMassPropertiesGPU"),
            ("filters", "MassSensitivity", "Mass Sensitivity", "smFiltersMassProperties", "vtkMassSensitivity"),
+           ("filters", "MassTolerances", "Mass Tolerances", "smFiltersMassProperties", "vtkMassTolerances"),
            ("filters", "SurfaceIntegralGPU", "Surface Integral", "smFiltersSurfaceIntegrals", "vtkSurfaceIntegralGPU"),
            ("filters", "SchemeMassProperties", "Mass Properties by Paper Schemes", "smFiltersMomentSchemes", "vtkSchemeMassPropertiesGPU"),
            ("filters", "Buoyancy", "Buoyancy", "smFiltersBuoyancy", "vtkBuoyancy"),

@@ -157,7 +157,7 @@ void AddEdges(const BodyIntegrals& body, std::size_t index, std::vector<FlaggedP
       place.Reason = "gap of " + FormatDigits(edge.MaxGap, 2) + " " + body.Model->GetLengthUnit() + " at " +
         NameEdges(place.Edges);
       place.AreaInDoubt = edge.GapArea;
-      place.VolumeInDoubt = edge.GapSquared;
+      place.VolumeInDoubt = std::isnan(edge.Spread) ? edge.GapSquared : edge.Spread;
       places.push_back(std::move(place));
     }
   }

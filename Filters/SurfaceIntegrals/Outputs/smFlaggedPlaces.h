@@ -30,8 +30,8 @@ struct FlaggedPlace
   /**
    * Estimates, not bounds, of the errors that the place may cause in the area and volume of its body; NaN
    * where they are not known.
-   * - A gap: its area, and the integral of its square, by which ways of closing it differ. A face in a wrong
-   * place may cost more.
+   * - A gap: its area, and what other ways of closing it may change (the edge's spread), or the integral of
+   * its square where that is not known. A face in a wrong place may cost more.
    * - An opening of a solid: the length of the vector area of its edges, which is the smallest area of a
    * surface that closes it, and that times a third of the largest distance of the body's box from the origin
    * of the model: the flux about that origin through a plane cover, which the volume lacks, is no larger.

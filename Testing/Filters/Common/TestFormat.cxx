@@ -54,8 +54,12 @@ int TestFormat(int, char*[])
   CheckEqual("a value without error", "0.1", sm::FormatNumber(0.1, 0.0));
   CheckEqual("no bound", " (bound not known)", sm::FormatBoundNote(HUGE_VAL));
   CheckEqual(
-    "gaps above the bound", "42.66 mm^3 (+- 0.1, gaps 39)", sm::FormatWithBound(42.66, 0.09, "mm^3", 39.2));
+    "gaps above the bound", "42.66 mm^3 (+- 0.1, gaps 40)", sm::FormatWithBound(42.66, 0.09, "mm^3", 39.2));
   CheckEqual("gaps below the bound", "42.66 mm^3 (+- 0.1)", sm::FormatWithBound(42.66, 0.09, "mm^3", 0.05));
+  CheckEqual("a spread, rounded up", "1 mm^3 (+- 0.1, spread 1.3)",
+    sm::FormatWithBound(1.0, 0.09, "mm^3", 1.21, "spread"));
+  CheckEqual("an unknown spread", "1 mm^3 (+- 0.1, spread not known)",
+    sm::FormatWithBound(1.0, 0.09, "mm^3", std::nan(""), "spread"));
   CheckEqual("no value", "not known", sm::FormatWithBound(std::nan(""), 1.0, "mm"));
 
   CheckEqual("counts", "0 faces, 1 face, 2 faces",

@@ -80,6 +80,9 @@ void CheckBox()
       Get(filter, names::VolumePerOffset, side), 1e-9, "rounding of a difference");
     Check(what + "mass", slope(ends[0].Mass.Value, ends[1].Mass.Value),
       Get(filter, names::MassPerOffset, side), 1e-14);
+    Check(what + "area", slope(ends[0].Area.Value, ends[1].Area.Value),
+      Get(filter, names::SurfaceAreaPerOffset, side), 1e-9);
+    CheckRange(what + "bound of the area", 0.0, GetBound(filter, names::SurfaceAreaPerOffset, side), 1e-10);
     for (int d = 0; d < 3; ++d)
     {
       Check(what + "centre", slope(ends[0].Center.Value[d], ends[1].Center.Value[d]),
@@ -113,9 +116,9 @@ void CheckColors()
   auto* meshes = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(5));
   auto* mesh = vtkDataSet::SafeDownCast(meshes->GetPartitionAsDataObject(0, 0));
   CheckTrue("a mesh", mesh && mesh->GetNumberOfCells() == 12);
-  for (const char* name : { "VolumePerOffset", "MassPerOffset", "CenterOfMassPerOffset_X",
-         "CenterOfMassPerOffset_Y", "CenterOfMassPerOffset_Z", "PrincipalMomentsPerOffset_1",
-         "PrincipalMomentsPerOffset_2", "PrincipalMomentsPerOffset_3" })
+  for (const char* name : { "VolumePerOffset", "MassPerOffset", "SurfaceAreaPerOffset",
+         "CenterOfMassPerOffset_X", "CenterOfMassPerOffset_Y", "CenterOfMassPerOffset_Z",
+         "PrincipalMomentsPerOffset_1", "PrincipalMomentsPerOffset_2", "PrincipalMomentsPerOffset_3" })
   {
     CheckTrue(std::string("array ") + name, mesh && mesh->GetCellData()->GetArray(name) != nullptr);
   }
@@ -159,6 +162,16 @@ void CheckRound(const Manifest& manifest)
     const double h = v / cap;
     Check("side", 2.0 * Pi * r * h, Get(filter, names::VolumePerOffset, side),
       GetBound(filter, names::VolumePerOffset, side) + 1e-9 * sum, "the caps' bounds");
+    const auto checkArea = [](vtkMassSensitivity* run, vtkIdType row, double expected)
+    {
+      Check("area", expected, Get(run, names::SurfaceAreaPerOffset, row),
+        GetBound(run, names::SurfaceAreaPerOffset, row) + 1e-9 * std::abs(expected), "the digits of r and h");
+      CheckRange("bound of the area", 0.0, GetBound(run, names::SurfaceAreaPerOffset, row), 1e-5 * expected);
+    };
+    for (vtkIdType row = 0; row < 3; ++row)
+    {
+      checkArea(filter, row, row == side ? 4.0 * Pi * r + 2.0 * Pi * h : 2.0 * Pi * r);
+    }
     const double axial = 2.0 * Pi * r * r * r * h;
     int known = 0;
     for (int k = 0; k < 3; ++k)
@@ -179,6 +192,7 @@ void CheckRound(const Manifest& manifest)
     const double radius = std::cbrt(0.75 * ball->GetVolume() / Pi);
     Check("ball", 4.0 * Pi * radius * radius, Get(ball, names::VolumePerOffset, 0),
       1e-9 * ball->GetSurfaceArea());
+    checkArea(ball, 0, 8.0 * Pi * radius);
     CheckTrue("whose moments coincide",
       std::isnan(Get(ball, names::PrincipalMomentsPerOffset, 0, 0)) &&
         std::isnan(GetBound(ball, names::PrincipalMomentsPerOffset, 0)));

@@ -1,0 +1,208 @@
+#include "smBudgetAnalysis.h"
+
+#include "smBodyScene.h"
+#include "smFileJob.h"
+#include "smFilterSetUp.h"
+#include "smFormat.h"
+#include "smMessageList.h"
+#include "smOptions.h"
+#include "smQuantities.h"
+#include "smReportRows.h"
+#include "smResults.h"
+#include "smText.h"
+#include "smToleranceAnalysis.h"
+
+#include "vtkAxis.h"
+#include "vtkChartXY.h"
+#include "vtkComputeContext.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkMassPropertiesGPU.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPlot.h"
+#include "vtkRenderer.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+constexpr int BudgetWidth = 800;
+constexpr int BudgetHeight = 500;
+/// Relative excess of a sum over its rounding.
+constexpr double BudgetExcess = 1.0 + 1e-12;
+
+/// Draws the bars into a PNG file. Returns an error message, empty when it is written.
+std::string WriteBudget(const BudgetResult& budget, const JobOptions& options, const std::string& fileName)
+{
+  vtkNew<vtkMassPropertiesGPU> filter;
+  SetUpFilter(filter, options);
+  vtkComputeContext* context = filter->GetComputeContext();
+  context->Start();
+  vtkOpenGLRenderWindow* window = context->GetRenderWindow();
+  if (!window)
+  {
+    return "there is no OpenGL context to draw in: " + context->GetReason();
+  }
+  vtkNew<vtkContextActor> actor;
+  actor->GetScene()->AddItem(MakeBudgetChart(budget));
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->AddActor(actor);
+  actor->GetScene()->SetRenderer(renderer);
+  window->SetOffScreenRendering(1);
+  window->SetSize(BudgetWidth, BudgetHeight);
+  window->AddRenderer(renderer);
+  window->Render();
+  std::string error = WriteImage(GrabImage(window), fileName);
+  window->RemoveRenderer(renderer);
+  return error;
+}
+}
+
+BudgetResult MakeBudget(const Quantities& body, const AnalysisResults& analyses)
+{
+  BudgetResult budget;
+  const auto& [sum, density, gaps, numerical] = body.MassUncertainty;
+  budget.Lines = { { "numerical", numerical }, { "closing", gaps }, { "density", density } };
+  const auto* tolerance = analyses.Find<ToleranceResult>();
+  if (tolerance)
+  {
+    // The interval has the numerical bound, which is a line of its own; the share is that at the largest
+    // density.
+    const double mass = body.Mass.Get();
+    const double reach = std::max(tolerance->Mass.Maximum - mass, mass - tolerance->Mass.Minimum);
+    budget.Lines.push_back(
+      { "tolerance", BudgetExcess * std::max(reach - body.Mass.Bound, 0.0) * (1.0 + density / mass) });
+    if (std::isnan(tolerance->Mass.Maximum))
+    {
+      budget.Lines.back().Mass = Unknown;
+    }
+  }
+  budget.Mass = 0.0;
+  for (const BudgetLine& line : budget.Lines)
+  {
+    budget.Mass += BudgetExcess * line.Mass;
+  }
+  return budget;
+}
+
+void BudgetResult::Visit(Fields& fields, const char* key)
+{
+  fields.Note("", "with `--budget`: the mass in doubt as the sum of its lines").Begin(key);
+  fields.Note("kg", "sum of the lines").Number("mass", this->Mass);
+  fields.Note("", "`numerical`, `closing`, `density`, and with tolerances of faces `tolerance`")
+    .List("lines", this->Lines,
+      [&fields](BudgetLine& line)
+      {
+        fields.Note("", "").Text("name", line.Name);
+        fields.Note("kg", "how far the mass may be off for this reason").Number("mass", line.Mass);
+      });
+  fields.End();
+}
+
+std::string BudgetResult::FormatRows(const std::string&) const
+{
+  std::string text = Row("mass in doubt", ShortBound(this->Mass) + " kg, which is the sum of", "");
+  for (const BudgetLine& line : this->Lines)
+  {
+    text += Row("  " + line.Name, ShortBound(line.Mass) + " kg", "");
+  }
+  return text;
+}
+
+vtkSmartPointer<vtkChartXY> MakeBudgetChart(const BudgetResult& budget)
+{
+  auto chart = vtkSmartPointer<vtkChartXY>::New();
+  vtkNew<vtkTable> table;
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkDoubleArray> masses;
+  vtkNew<vtkStringArray> names;
+  places->SetName("Place");
+  masses->SetName("Mass in doubt, kg");
+  for (std::size_t i = 0; i < budget.Lines.size(); ++i)
+  {
+    places->InsertNextValue(static_cast<double>(i));
+    masses->InsertNextValue(std::isfinite(budget.Lines[i].Mass) ? budget.Lines[i].Mass : 0.0);
+    names->InsertNextValue(budget.Lines[i].Name + "\n" +
+      (std::isfinite(budget.Lines[i].Mass) ? ShortBound(budget.Lines[i].Mass) + " kg" : "not known"));
+  }
+  table->AddColumn(places);
+  table->AddColumn(masses);
+  vtkPlot* bars = chart->AddPlot(vtkChart::BAR);
+  bars->SetInputData(table, 0, 1);
+  bars->SetColor(60, 110, 180, 255);
+  vtkAxis* bottom = chart->GetAxis(vtkAxis::BOTTOM);
+  bottom->SetCustomTickPositions(places, names);
+  bottom->SetBehavior(vtkAxis::FIXED);
+  bottom->SetRange(-0.75, static_cast<double>(budget.Lines.size()) - 0.25);
+  bottom->SetTitle("");
+  bottom->SetGridVisible(false);
+  chart->GetAxis(vtkAxis::LEFT)->SetTitle("kg");
+  chart->GetAxis(vtkAxis::LEFT)->SetMinimumLimit(0.0);
+  for (vtkAxis* axis : { bottom, chart->GetAxis(vtkAxis::LEFT) })
+  {
+    axis->GetLabelProperties()->SetFontSize(16);
+    axis->GetTitleProperties()->SetFontSize(16);
+  }
+  chart->SetTitle("Mass in doubt: " + ShortBound(budget.Mass) + " kg");
+  chart->GetTitleProperties()->SetFontSize(20);
+  return chart;
+}
+
+void BudgetAnalysis::Declare(CLI::App& app)
+{
+  app.option_defaults()->group("Analyses");
+  app
+    .add_option("--budget", this->PictureName,
+      "The mass in doubt as the sum of named lines (numerical, closing, density,\n"
+      "and with --face-tolerance or --tolerances those of the faces), in the\n"
+      "table, in JSON, and as bars in a picture, of one file with densities")
+    ->type_name("FILE.png")
+    ->expected(1);
+}
+
+std::string BudgetAnalysis::FindProblem(const CLI::App& app) const
+{
+  if (app.count("--budget") == 0)
+  {
+    return {};
+  }
+  const std::string& name = this->PictureName;
+  if (name.size() < 5 || name.compare(name.size() - 4, 4, ".png") != 0)
+  {
+    return "--budget writes PNG files only: the name must end in .png, and " + name + " does not";
+  }
+  return app.count("FILE") > 1 ? "--budget is for one file; give one at a time" : "";
+}
+
+void BudgetAnalysis::Run(const AnalysisRun& run) const
+{
+  const auto make = [](const Quantities& body, const AnalysisResults& analyses)
+  { return std::make_unique<BudgetResult>(MakeBudget(body, analyses)); };
+  for (SolidResult& solid : run.File.Solids)
+  {
+    solid.Analyses.Set(run.Index, make(solid, solid.Analyses));
+  }
+  auto result = make(run.File.Total, run.File.Total.Analyses);
+  const BudgetResult total = *result;
+  run.File.Total.Analyses.Set(run.Index, std::move(result));
+  const std::string problem = run.File.Total.Mass.IsKnown()
+    ? WriteBudget(total, run.Options, this->PictureName)
+    : "the mass is not known, for there is no density; --density gives one";
+  if (!problem.empty())
+  {
+    run.Messages.AddEcho("no picture of the budget " + this->PictureName + ": " + problem);
+  }
+}
+}

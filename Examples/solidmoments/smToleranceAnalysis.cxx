@@ -1,0 +1,430 @@
+#include "smToleranceAnalysis.h"
+
+#include "smColumns.h"
+#include "smFileJob.h"
+#include "smFilterSetUp.h"
+#include "smFormat.h"
+#include "smLengthUnits.h"
+#include "smMassPropertyNames.h"
+#include "smMessageList.h"
+#include "smOptions.h"
+#include "smQuantities.h"
+#include "smReportRows.h"
+#include "smResults.h"
+#include "smSTEPTolerances.h"
+#include "smText.h"
+
+#include "vtkCADReader.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkMassTolerances.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <map>
+
+namespace sm
+{
+namespace
+{
+ToleranceRange ReadRange(vtkFieldData* data, vtkIdType row, const std::string& name)
+{
+  return { GetNumber(data, row, name + "Lower"), GetNumber(data, row, name + "Upper"),
+    GetNumber(data, row, name + "Deviation") };
+}
+
+std::unique_ptr<ToleranceResult> ReadTolerance(vtkFieldData* data, vtkIdType row)
+{
+  auto result = std::make_unique<ToleranceResult>();
+  result->Volume = ReadRange(data, row, names::Volume);
+  result->Mass = ReadRange(data, row, names::Mass);
+  result->CenterReach = GetNumber(data, row, names::CenterOfMassReach);
+  result->InertiaReach = GetNumber(data, row, names::VolumeInertiaReach);
+  result->PrincipalReach = GetNumber(data, row, names::PrincipalMomentsReach);
+  ReadNumbers(data, row, names::CenterOfMassDeviation, result->CenterDeviation.Value.data(), 3);
+  ReadNumbers(data, row, names::VolumeInertiaDeviation, result->InertiaDeviation.Value.data(), 9);
+  // Those of single moments may be known.
+  vtkDataArray* principal = data->GetArray(names::PrincipalMomentsDeviation);
+  for (int i = 0; principal && i < 3; ++i)
+  {
+    result->PrincipalDeviation.Value[i] = principal->GetComponent(row, i);
+  }
+  return result;
+}
+
+ToleranceEntry ReadFace(vtkFieldData* data, vtkIdType row)
+{
+  return { GetText(data, row, names::Id), GetCount(data, row, names::FaceId),
+    GetNumber(data, row, names::ToleranceLower), GetNumber(data, row, names::ToleranceUpper),
+    GetNumber(data, row, names::VolumeByTolerance), GetNumber(data, row, names::MassByTolerance) };
+}
+
+/// Keeps the faces that add most to the worst case.
+void KeepLargest(std::vector<ToleranceEntry>& faces)
+{
+  std::stable_sort(faces.begin(), faces.end(),
+    [](const ToleranceEntry& a, const ToleranceEntry& b) { return a.Volume > b.Volume; });
+  faces.resize(std::min(faces.size(), ToleranceResult::MaxFaces));
+}
+
+std::string Trimmed(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? std::string() : TrimEnd(text.substr(first));
+}
+
+/// Reads one line of a table. Returns an error message; empty if the line is right.
+std::string ReadLine(
+  const std::string& line, std::vector<ToleranceFileRule>& rules, double& lower, double& upper)
+{
+  std::vector<std::string> values;
+  for (std::size_t begin = 0; begin <= line.size();)
+  {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    values.push_back(Trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  const std::string kind = LowerCase(values[0]);
+  const bool isForAll = kind == "all";
+  if (!isForAll && kind != "face" && kind != "part" && kind != "colour" && kind != "color")
+  {
+    return values[0] + " is not face, part, colour or all";
+  }
+  const std::size_t numbers = values.size() - std::min<std::size_t>(values.size(), isForAll ? 1 : 2);
+  if (numbers != 1 && numbers != 2)
+  {
+    return "write KIND,PATTERN,TOLERANCE or KIND,PATTERN,LOWER,UPPER, and all without a PATTERN";
+  }
+  const double last = ParseNumber(values.back());
+  const double first = numbers == 2 ? ParseNumber(values[values.size() - 2]) : -last;
+  if (!std::isfinite(first) || !(first <= last))
+  {
+    return "the limits must be numbers, the lower one first; one number is half of a symmetric range";
+  }
+  if (isForAll)
+  {
+    lower = first;
+    upper = last;
+  }
+  else if (values[1].empty())
+  {
+    return "the pattern is empty";
+  }
+  else
+  {
+    rules.push_back({ kind, values[1], first, last });
+  }
+  return {};
+}
+
+/// Returns the faces' ranges by the tolerances of the drawing, the narrowest where a face has several, and
+/// lists all of them. `scale` is a mm in the length unit of the results.
+std::vector<ToleranceFileRule> ReadDrawing(
+  const std::string& file, double scale, std::vector<DrawingTolerance>& drawing)
+{
+  Part21File text;
+  std::vector<ToleranceFileRule> rules;
+  ToleranceFileRule whole{ "part", "*", 0.0, 0.0 };
+  bool hasWhole = false;
+  std::map<std::uint64_t, ToleranceFileRule> ofFaces;
+  const auto isWider = [](const ToleranceFileRule& a, double lower, double upper)
+  { return std::max(-a.Lower, a.Upper) > std::max(-lower, upper); };
+  for (const STEPTolerance& tolerance :
+    text.Read(file) ? ReadSTEPTolerances(text) : std::vector<STEPTolerance>())
+  {
+    const double lower = scale * tolerance.Lower;
+    const double upper = scale * tolerance.Upper;
+    const bool isKnown = tolerance.Problem.empty();
+    drawing.push_back({ static_cast<long long>(tolerance.Id), static_cast<long long>(tolerance.Faces.size()),
+      tolerance.Kind, tolerance.Problem, isKnown ? lower : Unknown, isKnown ? upper : Unknown });
+    for (const std::uint64_t face : isKnown ? tolerance.Faces : std::vector<std::uint64_t>())
+    {
+      const ToleranceFileRule rule{ "face", "#" + std::to_string(face), lower, upper };
+      const auto [entry, isNew] = ofFaces.emplace(face, rule);
+      if (!isNew && isWider(entry->second, lower, upper))
+      {
+        entry->second = rule;
+      }
+    }
+    if (isKnown && tolerance.IsForAll && (!hasWhole || isWider(whole, lower, upper)))
+    {
+      whole.Lower = lower;
+      whole.Upper = upper;
+      hasWhole = true;
+    }
+  }
+  for (const auto& [face, rule] : ofFaces)
+  {
+    rules.push_back(rule);
+  }
+  if (hasWhole)
+  {
+    rules.push_back(whole);
+  }
+  return rules;
+}
+
+/// Reports how many tolerances of the drawing are used, and the reasons why others are not.
+void ReportDrawing(const std::vector<DrawingTolerance>& drawing, MessageList& messages)
+{
+  std::map<std::string, std::vector<long long>> reasons;
+  std::size_t used = 0;
+  for (const DrawingTolerance& tolerance : drawing)
+  {
+    if (tolerance.Problem.empty())
+    {
+      ++used;
+    }
+    else
+    {
+      reasons[tolerance.Kind + ": " + tolerance.Problem].push_back(tolerance.Id);
+    }
+  }
+  messages.AddEcho(std::to_string(used) + " of " + FormatCount(drawing.size(), "tolerance", "tolerances") +
+    " of the drawing in the file are used");
+  for (const auto& [reason, ids] : reasons)
+  {
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
+    {
+      text += (i > 0 ? ", #" : "#") + std::to_string(ids[i]);
+    }
+    messages.AddEcho(FormatCount(ids.size(), "tolerance", "tolerances") + " of the drawing not used, " +
+      text + (ids.size() > 5 ? ", ..." : "") + ": " + reason);
+  }
+}
+
+std::string FormatRange(const ToleranceRange& range, const std::string& unit)
+{
+  // The minimum is rounded down, the maximum up.
+  const double width = range.Maximum - range.Minimum;
+  return std::isnan(width) ? std::string("not known")
+                           : FormatValue(std::max(range.Minimum - 0.005 * width, 0.0), 0.02 * width) +
+      " to " + FormatValue(range.Maximum + 0.005 * width, 0.02 * width) + " " + unit + ", deviation " +
+      Short(range.Deviation);
+}
+
+void VisitRange(Fields& fields, const char* key, const char* unit, const char* of, ToleranceRange& range)
+{
+  fields.Note("", of).Begin(key);
+  fields.Note(unit, "worst case").Number("minimum", range.Minimum);
+  fields.Note(unit, "worst case").Number("maximum", range.Maximum);
+  fields.Note(unit, "standard deviation of independent rigid offsets of the faces")
+    .Number("deviation", range.Deviation);
+  fields.End();
+}
+}
+
+std::string ReadTolerances(
+  const std::string& argument, std::vector<ToleranceFileRule>& rules, double& lower, double& upper)
+{
+  const double number = ParseNumber(argument);
+  if (!std::isnan(number))
+  {
+    lower = -number;
+    upper = number;
+    return number >= 0.0 && std::isfinite(number) ? ""
+                                                  : argument + " is not a tolerance; give 0.1, for example";
+  }
+  std::ifstream file(argument, std::ios::binary);
+  std::string line;
+  for (int place = 1; std::getline(file, line); ++place)
+  {
+    line = Trimmed(line);
+    if (!line.empty() && line[0] != '#')
+    {
+      const std::string problem = ReadLine(line, rules, lower, upper);
+      if (!problem.empty())
+      {
+        return argument + ", line " + std::to_string(place) + ": " + problem;
+      }
+    }
+  }
+  return file.eof() ? "" : "the tolerances " + argument + " are neither a number nor a file that can be read";
+}
+
+void ToleranceResult::Visit(Fields& fields, const char* key)
+{
+  fields
+    .Note("",
+      "with `--face-tolerance` or `--tolerances`: every solid between those with all faces at their lower "
+      "and at their "
+      "upper limits, and standard deviations of independent rigid offsets")
+    .Begin(key);
+  VisitRange(fields, "volume", "L^3", "of the volume", this->Volume);
+  VisitRange(fields, "mass", "kg", "of the mass", this->Mass);
+  fields.Note("", "no coordinate, entry or moment is farther from the nominal one in the worst case")
+    .Begin("reach");
+  fields.Note("L", "").Number("center_of_mass", this->CenterReach);
+  fields.Note("L^5", "").Number("inertia", this->InertiaReach);
+  fields.Note("L^5", "").Number("principal_moments", this->PrincipalReach);
+  fields.End();
+  fields.Note("", "standard deviations").Begin("deviation");
+  fields.Note("L", "").Point("center_of_mass", this->CenterDeviation.Value);
+  fields.Note("L^5", "about the centre").Matrix("inertia", this->InertiaDeviation.Value);
+  fields.Note("L^5", "unknown where moments coincide")
+    .Point("principal_moments", this->PrincipalDeviation.Value);
+  fields.End();
+  fields.Note("", "the five that add most to the worst case")
+    .List("faces", this->Faces,
+      [&fields](ToleranceEntry& entry)
+      {
+        fields.Note("", "id of its solid").Text("solid", entry.Solid);
+        fields.Note("", "entity number").Count("face", entry.Face);
+        fields.Note("L", "offset along the outward normal").Number("lower", entry.Lower);
+        fields.Note("L", "offset along the outward normal").Number("upper", entry.Upper);
+        fields.Note("L^3", "area times the larger limit without its sign").Number("volume", entry.Volume);
+        fields.Note("kg", "the same of the mass").Number("mass", entry.Mass);
+      });
+  fields.Note("", "with `--tolerances`, in `total`: all tolerances of the drawing in the file")
+    .List("drawing", this->Drawing,
+      [&fields](DrawingTolerance& tolerance)
+      {
+        fields.Note("", "entity number").Count("id", tolerance.Id);
+        fields.Note("", "`surface profile`, `diameter`, `thickness`, ...").Text("kind", tolerance.Kind);
+        fields.Note("", "number of faces that it is linked to").Count("faces", tolerance.Faces);
+        fields.Note("L", "offset of these; unknown if it is not used").Number("lower", tolerance.Lower);
+        fields.Note("L", "offset of these; unknown if it is not used").Number("upper", tolerance.Upper);
+        fields.Note("", "why it is not used").Name("problem", tolerance.Problem);
+      });
+  fields.End();
+}
+
+void ToleranceResult::AddColumns(Columns& columns) const
+{
+  columns.Note("with `--face-tolerance` or `--tolerances`");
+  for (const auto& [stem, range] :
+    { std::pair("tolerance_volume", this->Volume), std::pair("tolerance_mass", this->Mass) })
+  {
+    const double values[3] = { range.Minimum, range.Maximum, range.Deviation };
+    columns.Add(stem, values, { "minimum", "maximum", "deviation" });
+  }
+  columns.Add("tolerance_center_reach", this->CenterReach);
+  columns.AddPoint("tolerance_center_deviation", this->CenterDeviation.Value);
+  columns.Add("tolerance_inertia_reach", this->InertiaReach);
+}
+
+std::string ToleranceResult::FormatRows(const std::string& unit) const
+{
+  std::string text = Row("within tolerances", "volume " + FormatRange(this->Volume, RaiseUnit(unit, 3)), "");
+  text += std::isfinite(this->Mass.Maximum) ? Row("", "mass " + FormatRange(this->Mass, "kg"), "") : "";
+  text += std::isfinite(this->CenterReach)
+    ? Row("",
+        "centre within " + ShortBound(this->CenterReach) + " " + unit + ", principal moments " +
+          ShortBound(this->PrincipalReach) + " " + RaiseUnit(unit, 5),
+        "")
+    : "";
+  for (const ToleranceEntry& entry : this->Faces)
+  {
+    text += Row(&entry == this->Faces.data() ? "  of it, by faces" : "",
+      "face #" + std::to_string(entry.Face) + " of solid " + entry.Solid + ": " + Short(entry.Lower) +
+        " to " + Short(entry.Upper) + " " + unit + ", " + Short(entry.Volume) + " " + RaiseUnit(unit, 3) +
+        (std::isfinite(entry.Mass) ? ", " + Short(entry.Mass) + " kg" : ""),
+      "");
+  }
+  return text;
+}
+
+void ToleranceAnalysis::Declare(CLI::App& app)
+{
+  app.option_defaults()->group("Analyses");
+  app
+    .add_option("--face-tolerance", this->Tolerance,
+      "What tolerances of faces leave open in volume, mass, centre and inertia:\n"
+      "all faces may be off by T to either side (0.1, in the unit of the\n"
+      "output); or a file of CSV with lines KIND,PATTERN,T or\n"
+      "KIND,PATTERN,LOWER,UPPER, KIND being face (#123 or a name), part, colour\n"
+      "(#rrggbb), or all without a PATTERN. The first line that fits counts")
+    ->type_name("T|FILE")
+    ->expected(1);
+  app.add_flag("--tolerances", this->FromFile,
+    "The same with the tolerances of the drawing in the file (AP242): surface\n"
+    "profiles with a datum, plus-minus on diameters and thicknesses. What is not\n"
+    "used is listed. Lines of --face-tolerance come before, its T is for all\n"
+    "other faces");
+  app
+    .add_option("--tolerance-distribution", this->Distribution,
+      "How offsets are distributed between the limits, for the standard\n"
+      "deviations: uniform, or normal with limits at three deviations")
+    ->type_name("NAME")
+    ->check(CLI::IsMember({ "uniform", "normal" }))
+    ->expected(1);
+}
+
+std::string ToleranceAnalysis::FindProblem(const CLI::App& app) const
+{
+  std::vector<ToleranceFileRule> rules;
+  double lower = 0.0;
+  double upper = 0.0;
+  if (!this->IsWanted())
+  {
+    return app.count("--tolerance-distribution") > 0
+      ? "--tolerance-distribution is for --face-tolerance or --tolerances, which are missing"
+      : "";
+  }
+  return this->Tolerance.empty() ? "" : ReadTolerances(this->Tolerance, rules, lower, upper);
+}
+
+void ToleranceAnalysis::Run(const AnalysisRun& run) const
+{
+  std::vector<ToleranceFileRule> rules;
+  double lower = 0.0;
+  double upper = 0.0;
+  if (!this->Tolerance.empty())
+  {
+    ReadTolerances(this->Tolerance, rules, lower, upper);
+  }
+  std::vector<DrawingTolerance> drawing;
+  if (this->FromFile)
+  {
+    const double scale = 1e-3 / GetMetres(run.File.LengthUnit.value_or("mm"));
+    const std::vector<ToleranceFileRule> more = ReadDrawing(run.Reader->GetFileName(), scale, drawing);
+    rules.insert(rules.end(), more.begin(), more.end());
+    ReportDrawing(drawing, run.Messages);
+  }
+  vtkNew<vtkMassTolerances> filter;
+  SetUpFilter(filter, run.Options);
+  SetUpMass(filter, run.Options);
+  filter->SetRelativeTolerance(run.Options.Tolerance);
+  filter->SetDistribution(
+    this->Distribution == "normal" ? vtkMassTolerances::NORMAL : vtkMassTolerances::UNIFORM);
+  filter->SetFaceTolerance(lower, upper);
+  for (const ToleranceFileRule& rule : rules)
+  {
+    filter->AddTolerance(rule.Kind.c_str(), rule.Pattern.c_str(), rule.Lower, rule.Upper);
+  }
+  filter->SetInputConnection(run.Reader->GetOutputPort());
+  run.Update(filter);
+  auto total = ReadTolerance(filter->GetOutput()->GetFieldData(), 0);
+  vtkFieldData* columns = vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetRowData();
+  std::vector<std::unique_ptr<ToleranceResult>> solids;
+  for (std::size_t i = 0; i < run.File.Solids.size(); ++i)
+  {
+    solids.push_back(ReadTolerance(columns, static_cast<vtkIdType>(i)));
+  }
+  vtkTable* faces = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
+  for (vtkIdType row = 0; row < faces->GetNumberOfRows(); ++row)
+  {
+    const ToleranceEntry entry = ReadFace(faces->GetRowData(), row);
+    const auto solid = static_cast<std::size_t>(GetCount(faces->GetRowData(), row, names::Solid));
+    if (std::isfinite(entry.Volume) && entry.Volume > 0.0)
+    {
+      solids.at(solid)->Faces.push_back(entry);
+    }
+  }
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    KeepLargest(solids[i]->Faces);
+    total->Faces.insert(total->Faces.end(), solids[i]->Faces.begin(), solids[i]->Faces.end());
+    run.File.Solids[i].Analyses.Set(run.Index, std::move(solids[i]));
+  }
+  KeepLargest(total->Faces);
+  total->Drawing = drawing;
+  run.File.Total.Analyses.Set(run.Index, std::move(total));
+  AddEffort(filter, run.File, run.Messages);
+}
+}

@@ -1,0 +1,89 @@
+"""TestTolerances.py --program P --output DIR: tolerances of faces and the budget of the mass, by the command line, of boxes."""
+import argparse
+import functools
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import smprogram  # noqa: E402
+from smcheck import check, check_equal, check_true, finish  # noqa: E402
+from smpicture import read_picture  # noqa: E402
+from smproduct import Part, write_product  # noqa: E402
+
+parser = argparse.ArgumentParser()
+for name in ("--program", "--output"):
+    parser.add_argument(name, required=True)
+options = parser.parse_args()
+folder = os.path.join(options.output, "tolerances")
+os.makedirs(folder, exist_ok=True)
+run = functools.partial(smprogram.run, options.program)
+run_json = functools.partial(smprogram.run_json, options.program)
+file = os.path.join(folder, "box.step")
+write_product(file, Part("cube", [((0, 0, 0), (10, 10, 10))]))
+
+# A tolerance for all faces; a table, of which "all" is for what no other line fits.
+answer = run_json(file, "--face-tolerance", "0.1", "--density", "7850")
+total = answer["total"]
+solid = answer["solids"][0]
+for body in (total, solid):
+    volume = body["tolerance"]["volume"]
+    check("upper volume", 10.2 ** 3, volume["maximum"], 1e-9)
+    check("lower volume", 9.8 ** 3, volume["minimum"], 1e-9)
+    check("deviation", (6 * 100.0 ** 2 * 0.01 / 3) ** 0.5, volume["deviation"], 1e-9)
+    check("upper mass", 7850e-9 * 10.2 ** 3, body["tolerance"]["mass"]["maximum"], 1e-14)
+    check_equal("five faces", 5, len(body["tolerance"]["faces"]))
+    check("the share of a face", 10.0, body["tolerance"]["faces"][0]["volume"], 1e-9)
+table = os.path.join(folder, "tolerances.csv")
+with open(table, "w", encoding="utf-8") as out:
+    out.write("# kind, pattern, limits\npart,sphere*,7\nall,-0.1,0.2\n")
+answer = run_json(file, "--face-tolerance", table, "--tolerance-distribution", "normal")
+volume = answer["total"]["tolerance"]["volume"]
+check("upper volume of a table", 10.4 ** 3, volume["maximum"], 1e-9)
+check("lower volume of a table", 9.8 ** 3, volume["minimum"], 1e-9)
+check("normal deviation", (6 * 100.0 ** 2 * 0.05 ** 2) ** 0.5, volume["deviation"], 1e-9)
+check_true("the line without a face is named", any("sphere*" in message for message in answer["messages"]))
+result = run(file, "--face-tolerance", "0.1")
+check_equal("exit status", 0, result.returncode)
+check_true("rows of the table", "within tolerances" in result.stdout and "centre within" in result.stdout, result.stdout)
+for wrong, word in (("-1", "not a tolerance"), (os.path.join(folder, "missing.csv"), "neither a number")):
+    result = run(file, "--face-tolerance", wrong)
+    check_true(f"refused: {wrong}", result.returncode == 1 and word in result.stderr, result.stderr)
+for line, word in (("edge,#1,0.1", "is not face, part, colour or all"), ("face,#1", "KIND,PATTERN"), ("face,,0.1", "pattern is empty"),
+                   ("face,#1,0.2,0.1", "lower one first"), ("face,#1,x", "lower one first")):
+    with open(table, "w", encoding="utf-8") as out:
+        out.write("\n" + line + "\n")
+    result = run(file, "--face-tolerance", table)
+    check_true(f"refused: {line}", result.returncode == 1 and "line 2" in result.stderr and word in result.stderr, result.stderr)
+result = run(file, "--tolerance-distribution", "normal")
+check_true("a distribution of nothing", result.returncode == 1 and "--face-tolerance" in result.stderr, result.stderr)
+answer = run_json(file, "--tolerances")
+check_equal("a file without tolerances", [], answer["total"]["tolerance"]["drawing"])
+check_true("says so", any("0 of 0 tolerances" in message for message in answer["messages"]), str(answer["messages"]))
+
+# The budget is the sum of its lines, and the bars of the picture have their heights.
+picture = os.path.join(folder, "budget.png")
+if os.path.exists(picture):
+    os.remove(picture)
+answer = run_json(file, "--face-tolerance", "0.1", "--density", "7850", "--density-tolerance", "2%", "--budget", picture)
+budget = answer["total"]["budget"]
+lines = {line["name"]: line["mass"] for line in budget["lines"]}
+check_equal("lines", ["numerical", "closing", "density", "tolerance"], list(lines))
+check("tolerance", 1.02 * 7850e-9 * (10.2 ** 3 - 1e3), lines["tolerance"], 1e-12)
+check("density", 0.02 * 7850e-6, lines["density"], 1e-15)
+check("closing", 0.0, lines["closing"], 0.0)
+check("sum", sum(lines.values()), budget["mass"], 1e-11 * budget["mass"], "rounded up")
+pixels = read_picture(picture)
+if check_true("there is a picture", pixels is not None):
+    bars = (abs(pixels - [60, 110, 180]).max(axis=2) < 20).sum(axis=0)
+    # Columns of the two bars that can be seen, from left to right.
+    columns = [x for x in range(len(bars)) if bars[x] > 20]
+    parts = [[x for x in columns if x < columns[0] + 60], [x for x in columns if x > columns[-1] - 60]]
+    heights = [max(bars[x] for x in part) for part in parts]
+    check("heights of the bars", lines["density"] / lines["tolerance"], heights[0] / heights[1], 0.03, "pixels of 300")
+result = run(file, "--density", "7850", "--budget", picture)
+check_true("rows of the budget", "which is the sum of" in result.stdout and "numerical" in result.stdout, result.stdout)
+check_equal("another ending", 1, run(file, "--budget", "budget.jpg").returncode)
+check_equal("two files", 1, run(file, file, "--budget", picture).returncode)
+result = run(file, "--budget", picture)
+check_true("no density", "the mass is not known" in result.stdout, result.stdout)
+finish()
