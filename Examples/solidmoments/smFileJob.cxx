@@ -30,6 +30,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -332,9 +333,36 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   }
 }
 
+/// Returns the bodies that are written as triangles and drawn: those that --only chooses.
+vtkPartitionedDataSetCollection* GetShownBodies(
+  vtkCADReader* reader, vtkMassPropertiesBase* filter, const sm::JobOptions& options)
+{
+  return vtkPartitionedDataSetCollection::SafeDownCast(
+    options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5));
+}
+
+/// Returns the origin of the mesh that is written, and adds a message if it is not 0.
+std::array<double, 3> PlaceMesh(vtkCADReader* reader, vtkMassPropertiesBase* filter,
+  const sm::JobOptions& options, sm::MessageList& messages)
+{
+  vtkPartitionedDataSetCollection* bodies = GetShownBodies(reader, filter, options);
+  if (options.MeshName.empty() || !bodies)
+  {
+    return {};
+  }
+  const sm::MeshOrigin origin =
+    sm::FindMeshOrigin(bodies, reader->GetLengthUnit(), options.Deflection, options.MeshName);
+  if (!origin.Message.empty())
+  {
+    messages.AddEcho(origin.Message);
+  }
+  return origin.Origin;
+}
+
 /// Writes trim textures, triangles and picture.
 void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* drawing,
-  const sm::JobOptions& options, const sm::JobListener& send, const FileResult& file)
+  const std::array<double, 3>& meshOrigin, const sm::JobOptions& options, const sm::JobListener& send,
+  const FileResult& file)
 {
   if (!options.TexturePrefix.empty())
   {
@@ -342,14 +370,12 @@ void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
     send(JobMessage::OfOutput(
       JobMessage::Textures, sm::Scheme::WriteTrimPictures(filter, options.TexturePrefix)));
   }
-  // Port 5 has the bodies that --only chooses.
-  auto* const bodies = vtkPartitionedDataSetCollection::SafeDownCast(
-    options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5));
+  auto* const bodies = GetShownBodies(reader, filter, options);
   if (!options.MeshName.empty())
   {
     send(JobMessage::OfProgress(sm::stages::Mesh));
     send(JobMessage::OfOutput(
-      JobMessage::Mesh, sm::WriteMesh(bodies, reader->GetLengthUnit(), options.MeshName)));
+      JobMessage::Mesh, sm::WriteMesh(bodies, reader->GetLengthUnit(), meshOrigin, options.MeshName)));
   }
   if (!options.PictureName.empty())
   {
@@ -396,10 +422,12 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   {
     messages.AddEcho(message);
   }
+  const std::array<double, 3> meshOrigin =
+    isRead ? PlaceMesh(reader, filter, options, messages) : std::array<double, 3>{};
   SendResult(send, file, messages, true);
   if (isRead)
   {
-    WriteOutputs(reader, filter, drawing, options, send, file);
+    WriteOutputs(reader, filter, drawing, meshOrigin, options, send, file);
   }
   vtkOutputWindow::SetInstance(nullptr);
 }

@@ -41,7 +41,8 @@ std::set<std::string> Identities(const std::string& name)
   return identities;
 }
 
-/// Appends -2, -3, ... to the second, third, ... of equal names.
+/// Appends -2, -3, ... to the second, third, ... of equal names; names that differ in the case of letters
+/// only are one file on some file systems, and count as equal.
 std::vector<std::string> MakeDistinct(std::vector<std::string> names)
 {
   std::set<std::string> taken;
@@ -49,12 +50,12 @@ std::vector<std::string> MakeDistinct(std::vector<std::string> names)
   for (std::string& name : names)
   {
     const std::string plain = name;
-    int& count = seen[plain];
+    int& count = seen[sm::LowerCase(plain)];
     do
     {
       ++count;
       name = plain + (count > 1 ? "-" + std::to_string(count) : "");
-    } while (!taken.insert(name).second);
+    } while (!taken.insert(sm::LowerCase(name)).second);
   }
   return names;
 }
