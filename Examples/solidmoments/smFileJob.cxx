@@ -13,6 +13,7 @@
 #include "smProductBodies.h"
 #include "smProducts.h"
 #include "smResults.h"
+#include "smRobotFile.h"
 #include "smValidationFile.h"
 
 #include "vtkAlgorithm.h"
@@ -91,7 +92,8 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
   sm::MessageList& messages)
 {
   sm::SetUpReader(reader, GetSource(options), options);
-  const bool isShown = !options.MeshName.empty() || !options.PictureName.empty();
+  const bool isShown =
+    !options.MeshName.empty() || !options.PictureName.empty() || !options.RobotName.empty();
   reader->SetDisplayMesh(isShown ? vtkCADReader::MESH_ALWAYS : vtkCADReader::MESH_NEVER);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
@@ -320,6 +322,21 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   {
     file.Validation = sm::CompareValidation(sm::StatedFile(GetSource(options)).List(),
       sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationLimit);
+  }
+  if (!options.RobotName.empty())
+  {
+    std::vector<std::string> notes;
+    const std::string problem =
+      sm::WriteRobot(reader->GetOutputDataObject(0), file.GetProduct(), options, notes);
+    for (const std::string& note : notes)
+    {
+      messages.AddEcho(note);
+    }
+    if (!problem.empty())
+    {
+      messages.AddEcho(problem);
+      file.Status = file.Status == names::StatusOk ? names::StatusNotComputed : file.Status;
+    }
   }
   if (!options.ValidationTarget.empty())
   {

@@ -134,9 +134,12 @@ std::string CheckOutputs(const Arguments& arguments)
 {
   std::map<std::string, std::string> taken;
   std::vector<std::string> inputs = arguments.Files;
-  if (!arguments.Materials.empty())
+  for (const std::string& table : { arguments.Materials, arguments.Joints })
   {
-    inputs.push_back(arguments.Materials);
+    if (!table.empty())
+    {
+      inputs.push_back(table);
+    }
   }
   for (const std::string& file : inputs)
   {
@@ -146,9 +149,9 @@ std::string CheckOutputs(const Arguments& arguments)
     }
   }
   std::vector<std::pair<std::string, std::string>> outputs = { { "--json", arguments.Json },
-    { "--csv", arguments.Csv }, { "--bom-csv", arguments.PartsCsv }, { "--urdf", arguments.Urdf } };
-  for (const auto& [option, given] :
-    { std::make_pair("--mesh", arguments.Mesh), std::make_pair("--png", arguments.Picture) })
+    { "--csv", arguments.Csv }, { "--bom-csv", arguments.PartsCsv } };
+  for (const auto& [option, given] : { std::make_pair("--mesh", arguments.Mesh),
+         std::make_pair("--png", arguments.Picture), std::make_pair("--robot", arguments.RobotName) })
   {
     // Two products that are compared share one picture.
     const bool isOne = arguments.Compare && given == arguments.Picture;
