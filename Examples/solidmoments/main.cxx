@@ -8,7 +8,6 @@
 #include "smReportFiles.h"
 #include "smStabilityAnalysis.h"
 #include "smText.h"
-#include "smUrdf.h"
 #include "smValidationFile.h"
 
 #include <algorithm>
@@ -196,6 +195,7 @@ sm::FileResult TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& 
 std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
 {
   const std::vector<std::string> meshes = sm::OutputNames(arguments.Files, arguments.Mesh);
+  const std::vector<std::string> robots = sm::OutputNames(arguments.Files, arguments.RobotName);
   const std::vector<std::string> pictures =
     sm::OutputNames(arguments.Files, arguments.Compare ? "" : arguments.Picture);
   const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
@@ -205,6 +205,7 @@ std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
     jobs[i].FileName = arguments.Files[i];
     jobs[i].MeshName = meshes[i];
     jobs[i].PictureName = pictures[i];
+    jobs[i].RobotName = robots[i];
     jobs[i].TexturePrefix = prefixes[i];
   }
   return jobs;
@@ -218,7 +219,7 @@ void IgnoreWriteSignals(const sm::Arguments& arguments)
   std::signal(SIGXFSZ, SIG_IGN);
   const auto isFile = [](const std::string& name) { return !name.empty() && name != "-"; };
   if (isFile(arguments.Json) || isFile(arguments.Csv) || isFile(arguments.PartsCsv) ||
-    isFile(arguments.Urdf) || isFile(arguments.Mesh) || isFile(arguments.Picture))
+    isFile(arguments.RobotName) || isFile(arguments.Mesh) || isFile(arguments.Picture))
   {
     std::signal(SIGPIPE, SIG_IGN);
   }
@@ -304,13 +305,7 @@ int Run(const sm::Arguments& arguments, double processStart)
       continue;
     }
     sm::FileResult file = TakeFile(std::move(outcome), jobs[i], exitStatus);
-    std::string failures = FindFailures(file, arguments);
-    const std::string urdfProblem = arguments.Urdf.empty() ? std::string() : sm::FindUrdfProblem(file);
-    if (!urdfProblem.empty())
-    {
-      file.Messages.push_back("no inertial block: " + urdfProblem);
-      failures += (failures.empty() ? "" : ", and ") + ("has no inertial block: " + urdfProblem);
-    }
+    const std::string failures = FindFailures(file, arguments);
     exitStatus = Combine(exitStatus, Judge(file, failures));
     if (!arguments.Print.empty())
     {

@@ -16,6 +16,11 @@ std::string CheckBackend(const std::string& name)
   return known ? "" : "there is no backend " + name + "; use auto, opengl, cpu, x or egl";
 }
 
+std::string CheckCollision(const std::string& word)
+{
+  return word == "none" || word == "hull" ? "" : "--collision " + word + " is not known; use none or hull";
+}
+
 std::string CheckRepair(const std::string& word)
 {
   const bool known = word == "always" || word == "needed" || word == "never";

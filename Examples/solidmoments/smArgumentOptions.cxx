@@ -25,9 +25,6 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
   sm::AddFileOption(
     app, "--json", arguments.Json, "Write all results as JSON; - for standard output, and then no table");
   sm::AddFileOption(app, "--csv", arguments.Csv, "Write a row per file and per solid; - as for --json");
-  sm::AddFileOption(app, "--urdf", arguments.Urdf,
-    "Write an inertial block per file for robots, in kg, m and kg m^2, in the\n"
-    "frame of the file or of --about; SDF takes the same numbers");
   sm::AddFileOption(app, "--mesh", arguments.Mesh,
     "Write the triangles of the solids, closed where these are: .stl (binary),\n"
     ".obj, .ply or .vtp, in --unit, or .glb, with colours and in metres. With\n"
@@ -178,6 +175,35 @@ void DeclareProducts(CLI::App& app, sm::Arguments& arguments)
     ->allow_extra_args(false);
 }
 
+/// Declares the options of robots.
+void DeclareRobot(CLI::App& app, sm::Arguments& arguments)
+{
+  app.option_defaults()->group("Robots");
+  app
+    .add_option("--robot", arguments.Robot,
+      "Write the parts as links of a robot, with masses, inertias and .obj files, in\n"
+      "kg and m: urdf, sdf or mjcf, and the file. With several files as for --png")
+    ->type_name("FORMAT FILE")
+    ->expected(2)
+    ->allow_extra_args(false);
+  sm::AddFileOption(app, "--joints", arguments.Joints,
+    "Joints: CSV with lines PARENT,CHILD,TYPE[,axis X,Y,Z[,origin X,Y,Z]], the types\n"
+    "fixed, revolute and prismatic, in --unit and the frame of the file; links\n"
+    "without a line are fixed to the first");
+  app
+    .add_option("--fuse", arguments.Job.Fused,
+      "Make one link of each product of this name with all below it; * and ? stand\n"
+      "for any letters; may be given several times")
+    ->type_name("NAME")
+    ->take_all()
+    ->allow_extra_args(false);
+  app
+    .add_option("--collision", arguments.Job.Collision,
+      "What of a link collides: none (default), or hull: the convex hull of its mesh")
+    ->type_name("WHAT")
+    ->check(sm::CheckCollision);
+}
+
 /// Declares the options of the comparison of two versions of a product.
 void DeclareComparison(CLI::App& app, sm::Arguments& arguments)
 {
@@ -232,6 +258,7 @@ void DeclareOptions(CLI::App& app, Arguments& arguments)
     "Print what the OpenGL driver makes of what the shaders rely on, and end");
   DeclareMass(app, arguments);
   DeclareProducts(app, arguments);
+  DeclareRobot(app, arguments);
   DeclareComparison(app, arguments);
   DeclareValidation(app, arguments);
   for (const std::shared_ptr<Analysis>& analysis : arguments.Job.Analyses)

@@ -12,8 +12,10 @@
 #include "smVersion.h"
 
 #include <algorithm>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 
 namespace
 {
@@ -53,7 +55,7 @@ std::string FindEmptyName(const CLI::App& app, const sm::Arguments& arguments)
     return "FILE is required: name a STEP or BREP file";
   }
   for (const char* option : { "--json", "--csv", "--mesh", "--png", "--trim-textures", "--materials",
-         "--bom-csv", "--urdf", "--write-validation" })
+         "--bom-csv", "--joints", "--write-validation" })
   {
     if (app.count(option) > 0 && app[option]->as<std::string>().empty())
     {
@@ -153,9 +155,12 @@ std::string FindWrongRequest(const CLI::App& app, const sm::Arguments& arguments
   {
     return "--write-validation cannot go to standard output";
   }
-  if (arguments.Urdf == "-")
+  for (const char* option : { "--joints", "--fuse", "--collision" })
   {
-    return "inertial blocks need a file: --urdf cannot go to standard output";
+    if (app.count(option) > 0 && arguments.Robot.empty())
+    {
+      return std::string(option) + " is for a robot: add --robot";
+    }
   }
   if (arguments.PartsCsv == "-")
   {
@@ -236,6 +241,42 @@ std::string TakeMass(sm::Arguments& arguments)
   return {};
 }
 
+/// Takes the format and the name of a robot, and reads its joints. Returns an error message; empty if all is
+/// well.
+std::string TakeRobot(sm::Arguments& arguments)
+{
+  if (arguments.Robot.empty())
+  {
+    return {};
+  }
+  const std::optional<sm::RobotFormat> format = sm::ParseRobotFormat(sm::LowerCase(arguments.Robot[0]));
+  if (!format)
+  {
+    return "--robot writes urdf, sdf or mjcf, not " + arguments.Robot[0] + "; write --robot urdf FILE";
+  }
+  arguments.RobotName = arguments.Robot[1];
+  arguments.Job.RobotFormat = *format;
+  const size_t slash = arguments.RobotName.find_last_of('/');
+  if (arguments.RobotName.find('.', slash == std::string::npos ? 0 : slash) == std::string::npos)
+  {
+    return "--robot " + arguments.Robot[0] + " " + arguments.RobotName +
+      ": the name of the file needs an ending, as ." +
+      (*format == sm::RobotFormat::Mjcf ? "xml" : arguments.Robot[0]);
+  }
+  if (arguments.Joints.empty())
+  {
+    return {};
+  }
+  std::ifstream file(arguments.Joints, std::ios::binary);
+  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  if (!file.is_open() || file.bad())
+  {
+    return "the joints " + arguments.Joints + " cannot be read";
+  }
+  const std::string problem = sm::ParseRobotJoints(text, arguments.Job.Joints);
+  return problem.empty() ? problem : arguments.Joints + ", " + problem;
+}
+
 /// Returns an error message if arguments contradict each other; empty otherwise.
 std::string FindProblem(const CLI::App& app, const sm::Arguments& arguments)
 {
@@ -294,8 +335,9 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
     return PrintOpenGLProbe();
   }
   arguments.Files = ExpandFolders(arguments.Files);
-  const std::string wrongMaterials = TakeMass(arguments);
-  const std::string problem = wrongMaterials.empty() ? FindProblem(app, arguments) : wrongMaterials;
+  std::string problem = TakeMass(arguments);
+  problem = problem.empty() ? TakeRobot(arguments) : problem;
+  problem = problem.empty() ? FindProblem(app, arguments) : problem;
   if (!problem.empty())
   {
     return Complain(problem);

@@ -17,10 +17,12 @@ namespace sm
 struct Arguments
 {
   std::vector<std::string> Files;
-  std::string Json;     ///< empty: none; "-": standard output
-  std::string Csv;      ///< empty: none; "-": standard output
-  std::string PartsCsv; ///< parts lists of all files; empty: none
-  std::string Urdf;     ///< inertial blocks of robots; empty: none
+  std::string Json;               ///< empty: none; "-": standard output
+  std::string Csv;                ///< empty: none; "-": standard output
+  std::string PartsCsv;           ///< parts lists of all files; empty: none
+  std::vector<std::string> Robot; ///< format and file of a robot; empty: none
+  std::string RobotName;          ///< the file; empty: none
+  std::string Joints;             ///< file with joints of the robot; empty: none
   std::string Mesh;
   std::string Picture;
   std::string Density; ///< a number or the name of a common material; empty: what the files state

@@ -13,6 +13,7 @@
 #include "smProductBodies.h"
 #include "smProducts.h"
 #include "smResults.h"
+#include "smRobotFile.h"
 #include "smValidationFile.h"
 
 #include "vtkAlgorithm.h"
@@ -30,6 +31,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -90,7 +92,8 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
   sm::MessageList& messages)
 {
   sm::SetUpReader(reader, GetSource(options), options);
-  const bool isShown = !options.MeshName.empty() || !options.PictureName.empty();
+  const bool isShown =
+    !options.MeshName.empty() || !options.PictureName.empty() || !options.RobotName.empty();
   reader->SetDisplayMesh(isShown ? vtkCADReader::MESH_ALWAYS : vtkCADReader::MESH_NEVER);
   {
     ProgressScope progress(reader, sm::stages::Read, send);
@@ -320,6 +323,21 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
     file.Validation = sm::CompareValidation(sm::StatedFile(GetSource(options)).List(),
       sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationLimit);
   }
+  if (!options.RobotName.empty())
+  {
+    std::vector<std::string> notes;
+    const std::string problem =
+      sm::WriteRobot(reader->GetOutputDataObject(0), file.GetProduct(), options, notes);
+    for (const std::string& note : notes)
+    {
+      messages.AddEcho(note);
+    }
+    if (!problem.empty())
+    {
+      messages.AddEcho(problem);
+      file.Status = file.Status == names::StatusOk ? names::StatusNotComputed : file.Status;
+    }
+  }
   if (!options.ValidationTarget.empty())
   {
     const std::string problem = sm::WriteValidation(GetSource(options),
@@ -332,9 +350,36 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   }
 }
 
+/// Returns the bodies that are written as triangles and drawn: those that --only chooses.
+vtkPartitionedDataSetCollection* GetShownBodies(
+  vtkCADReader* reader, vtkMassPropertiesBase* filter, const sm::JobOptions& options)
+{
+  return vtkPartitionedDataSetCollection::SafeDownCast(
+    options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5));
+}
+
+/// Returns the origin of the mesh that is written, and adds a message if it is not 0.
+std::array<double, 3> PlaceMesh(vtkCADReader* reader, vtkMassPropertiesBase* filter,
+  const sm::JobOptions& options, sm::MessageList& messages)
+{
+  vtkPartitionedDataSetCollection* bodies = GetShownBodies(reader, filter, options);
+  if (options.MeshName.empty() || !bodies)
+  {
+    return {};
+  }
+  const sm::MeshOrigin origin =
+    sm::FindMeshOrigin(bodies, reader->GetLengthUnit(), options.Deflection, options.MeshName);
+  if (!origin.Message.empty())
+  {
+    messages.AddEcho(origin.Message);
+  }
+  return origin.Origin;
+}
+
 /// Writes trim textures, triangles and picture.
 void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* drawing,
-  const sm::JobOptions& options, const sm::JobListener& send, const FileResult& file)
+  const std::array<double, 3>& meshOrigin, const sm::JobOptions& options, const sm::JobListener& send,
+  const FileResult& file)
 {
   if (!options.TexturePrefix.empty())
   {
@@ -342,14 +387,12 @@ void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
     send(JobMessage::OfOutput(
       JobMessage::Textures, sm::Scheme::WriteTrimPictures(filter, options.TexturePrefix)));
   }
-  // Port 5 has the bodies that --only chooses.
-  auto* const bodies = vtkPartitionedDataSetCollection::SafeDownCast(
-    options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5));
+  auto* const bodies = GetShownBodies(reader, filter, options);
   if (!options.MeshName.empty())
   {
     send(JobMessage::OfProgress(sm::stages::Mesh));
     send(JobMessage::OfOutput(
-      JobMessage::Mesh, sm::WriteMesh(bodies, reader->GetLengthUnit(), options.MeshName)));
+      JobMessage::Mesh, sm::WriteMesh(bodies, reader->GetLengthUnit(), meshOrigin, options.MeshName)));
   }
   if (!options.PictureName.empty())
   {
@@ -396,10 +439,12 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   {
     messages.AddEcho(message);
   }
+  const std::array<double, 3> meshOrigin =
+    isRead ? PlaceMesh(reader, filter, options, messages) : std::array<double, 3>{};
   SendResult(send, file, messages, true);
   if (isRead)
   {
-    WriteOutputs(reader, filter, drawing, options, send, file);
+    WriteOutputs(reader, filter, drawing, meshOrigin, options, send, file);
   }
   vtkOutputWindow::SetInstance(nullptr);
 }

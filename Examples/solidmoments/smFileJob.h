@@ -8,6 +8,7 @@
 #include "smAnalysis.h"
 #include "smComparison.h"
 #include "smMaterials.h"
+#include "smRobot.h"
 #include "smScheme.h"
 
 #include <chrono>
@@ -58,7 +59,12 @@ struct JobOptions
   int Depth = 0;                      ///< levels of the parts list; 0: all
   bool Validate = false;              ///< adds "validation" to the entry, see CompareValidation()
   double ValidationLimit = 1e-3;
-  std::string ValidationTarget; ///< STEP file to write with validation properties; empty: none
+  std::string RobotName; ///< file of a robot to write; empty: none
+  sm::RobotFormat RobotFormat = sm::RobotFormat::Urdf;
+  std::vector<std::string> Fused; ///< see MakeRobot()
+  std::vector<RobotJoint> Joints;
+  std::string Collision = "none"; ///< or "hull"
+  std::string ValidationTarget;   ///< STEP file to write with validation properties; empty: none
   /// A comparison with the plain file ComparedName to draw, see DrawComparison(), and nothing else.
   std::optional<ProductDifference> Comparison;
   std::string ComparedName;

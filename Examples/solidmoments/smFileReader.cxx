@@ -1,6 +1,7 @@
 #include "smFileReader.h"
 
 #include "smFileJob.h"
+#include "smMeshFile.h"
 
 #include "vtkBREPReader.h"
 #include "vtkSTEPReader.h"
@@ -39,7 +40,9 @@ void SetUpReader(vtkCADReader* reader, const std::string& path, const JobOptions
   if (options.Deflection > 0.0)
   {
     reader->RelativeDeflectionOff();
-    reader->SetLinearDeflection(options.Deflection);
+    // What rounding to single precision may add is left free, see FindMeshOrigin().
+    reader->SetLinearDeflection(
+      options.Deflection * (HasSinglePoints(options.MeshName) ? 1.0 - SinglePrecisionShare : 1.0));
   }
 }
 }

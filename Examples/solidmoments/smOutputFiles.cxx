@@ -41,7 +41,8 @@ std::set<std::string> Identities(const std::string& name)
   return identities;
 }
 
-/// Appends -2, -3, ... to the second, third, ... of equal names.
+/// Appends -2, -3, ... to the second, third, ... of equal names; names that differ in the case of letters
+/// only are one file on some file systems, and count as equal.
 std::vector<std::string> MakeDistinct(std::vector<std::string> names)
 {
   std::set<std::string> taken;
@@ -49,12 +50,12 @@ std::vector<std::string> MakeDistinct(std::vector<std::string> names)
   for (std::string& name : names)
   {
     const std::string plain = name;
-    int& count = seen[plain];
+    int& count = seen[sm::LowerCase(plain)];
     do
     {
       ++count;
       name = plain + (count > 1 ? "-" + std::to_string(count) : "");
-    } while (!taken.insert(name).second);
+    } while (!taken.insert(sm::LowerCase(name)).second);
   }
   return names;
 }
@@ -133,9 +134,12 @@ std::string CheckOutputs(const Arguments& arguments)
 {
   std::map<std::string, std::string> taken;
   std::vector<std::string> inputs = arguments.Files;
-  if (!arguments.Materials.empty())
+  for (const std::string& table : { arguments.Materials, arguments.Joints })
   {
-    inputs.push_back(arguments.Materials);
+    if (!table.empty())
+    {
+      inputs.push_back(table);
+    }
   }
   for (const std::string& file : inputs)
   {
@@ -145,9 +149,9 @@ std::string CheckOutputs(const Arguments& arguments)
     }
   }
   std::vector<std::pair<std::string, std::string>> outputs = { { "--json", arguments.Json },
-    { "--csv", arguments.Csv }, { "--bom-csv", arguments.PartsCsv }, { "--urdf", arguments.Urdf } };
-  for (const auto& [option, given] :
-    { std::make_pair("--mesh", arguments.Mesh), std::make_pair("--png", arguments.Picture) })
+    { "--csv", arguments.Csv }, { "--bom-csv", arguments.PartsCsv } };
+  for (const auto& [option, given] : { std::make_pair("--mesh", arguments.Mesh),
+         std::make_pair("--png", arguments.Picture), std::make_pair("--robot", arguments.RobotName) })
   {
     // Two products that are compared share one picture.
     const bool isOne = arguments.Compare && given == arguments.Picture;

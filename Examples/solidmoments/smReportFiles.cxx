@@ -1,7 +1,6 @@
 #include "smReportFiles.h"
 
 #include "smSafeFile.h"
-#include "smUrdf.h"
 
 #include <iostream>
 #include <utility>
@@ -46,11 +45,6 @@ int ReportFiles::SaveAll(bool isLast)
   }
   if (isDue(this->PartsName) &&
     this->Save(this->PartsName, FormatPartsCsv(this->Files), this->InParts, isLast) != AllOk)
-  {
-    exitStatus = UsageOrOutput;
-  }
-  if (isDue(this->UrdfName) &&
-    this->Save(this->UrdfName, FormatUrdf(this->Files), this->InUrdf, isLast) != AllOk)
   {
     exitStatus = UsageOrOutput;
   }

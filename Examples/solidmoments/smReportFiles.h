@@ -28,7 +28,6 @@ public:
     : JsonName(arguments.Json)
     , CsvName(arguments.Csv)
     , PartsName(arguments.PartsCsv)
-    , UrdfName(arguments.Urdf)
     , Fields(arguments.Fields)
   {
     this->Head.ProcessStart = processStart;
@@ -55,14 +54,12 @@ private:
   std::string JsonName;
   std::string CsvName;
   std::string PartsName;
-  std::string UrdfName;
   std::vector<std::string> Fields; ///< columns of the CSV; none: all
   std::vector<FileResult> Files;
   DocumentHead Head;
   size_t InJson = 0;
   size_t InCsv = 0;
   size_t InParts = 0;
-  size_t InUrdf = 0;
   /// Bytes of all versions so far, and number of files in the last one.
   size_t Written = 0;
   size_t Due = 0;

@@ -10,6 +10,8 @@ _solidmoments()
     --deviation) words="bounded sampled" ;;
     --stability | --up) words="x y z -x -y -z" ;;
     --about) words="origin" ;;
+    --robot) words="urdf sdf mjcf" ;;
+    --collision) words="none hull" ;;
     --require) words="stable mass validation" ;;
     --fail-on) words="open tolerance-not-met suspect not-computed empty none" ;;
     *)

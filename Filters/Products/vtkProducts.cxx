@@ -6,6 +6,7 @@
 #include "smMaterials.h"
 #include "smPartsFields.h"
 #include "smProducts.h"
+#include "smRobot.h"
 #include "smValidation.h"
 
 #include "vtkDataSetAttributes.h"
@@ -13,6 +14,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
+#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkProducts);
@@ -75,4 +77,39 @@ std::string vtkProducts::CompareValidation(vtkMassPropertiesBase* filter, vtkTab
   const sm::ProductTreeNode tree = sm::MakeProductTree(filter->GetInputDataObject(0, 0));
   return WriteList(sm::CompareValidation(products, tree, sm::ReadProductResults(filter), limit),
     [](sm::Fields& fields, sm::ValidationEntry& entry) { entry.Visit(fields); });
+}
+
+std::string vtkProducts::MakeRobot(vtkMassPropertiesBase* filter, const std::string& name,
+  const std::string& format, const std::string& joints, const std::string& fused)
+{
+  std::vector<std::string> patterns;
+  std::istringstream lines(fused);
+  for (std::string line; std::getline(lines, line);)
+  {
+    patterns.push_back(line);
+  }
+  std::vector<sm::RobotJoint> table;
+  sm::Robot robot;
+  const std::optional<sm::RobotFormat> known = sm::ParseRobotFormat(format);
+  const std::string wrong =
+    known ? sm::ParseRobotJoints(joints, table) : "there is no format " + format + "; use urdf, sdf or mjcf";
+  std::string text;
+  if (wrong.empty())
+  {
+    robot = sm::MakeRobot(name, sm::MakeProductTree(filter->GetInputDataObject(0, 0)),
+      sm::ReadProductResults(filter), patterns, table);
+    sm::CheckRobot(robot, *known);
+    text = robot.Problem.empty() ? sm::FormatRobot(robot, *known) : "";
+  }
+  else
+  {
+    robot.Problem = wrong;
+  }
+  return sm::Dump(sm::WriteJsonFields(
+    [&](sm::Fields& fields)
+    {
+      fields.Text("text", text);
+      fields.Texts("messages", robot.Messages);
+      fields.Text("problem", robot.Problem);
+    }));
 }

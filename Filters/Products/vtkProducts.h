@@ -1,6 +1,7 @@
 /**
  * @class vtkProducts
- * @brief Products as JSON texts, for scripts: parts list, materials, comparison, validation properties
+ * @brief Products as JSON texts, for scripts: parts list, materials, comparison, validation properties,
+ * robots
  *
  * The filters are vtkMassPropertiesBase's, with their inputs connected and after their last run. The keys and
  * units are those of the program `solidmoments` (Documentation/Reference.md); L is the length unit of the
@@ -45,6 +46,15 @@ public:
    * volume, and all by their bounds.
    */
   static std::string CompareValidation(vtkMassPropertiesBase* filter, vtkTable* stated, double limit);
+
+  /**
+   * Returns the products as a robot, without meshes: an object with the keys `text`, the file in the format
+   * "urdf", "sdf" or "mjcf", `messages`, and `problem`, empty if there is a text. `joints` has lines
+   * "parent,child,type,axis x,y,z,origin x,y,z" as the option --joints of the program; `fused` has patterns
+   * of names of products, one a line, of which each is one link with all below it. kg, m and kg m^2.
+   */
+  static std::string MakeRobot(vtkMassPropertiesBase* filter, const std::string& name,
+    const std::string& format, const std::string& joints, const std::string& fused);
 
 protected:
   vtkProducts() = default;

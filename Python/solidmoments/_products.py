@@ -1,6 +1,7 @@
-"""Products as plain values: parts list, materials, comparison of two files, validation properties."""
+"""Products as plain values: parts list, materials, comparison of two files, validation properties, robots."""
 import json
 import os
+import warnings
 
 from ._run import make_result, run_filter
 
@@ -74,3 +75,24 @@ def validation(file, density=None, *, limit=1e-3, **options):
     if not vtkSTEPReader.ReadStatedProducts(os.fspath(file), stated):
         return []
     return json.loads(vtkProducts.CompareValidation(mass, stated, limit))
+
+
+def robot(file, format="urdf", density=None, *, joints="", fuse=(), **options):
+    """The products of a STEP or BREP file as a robot: the text of a URDF, SDF or MJCF file, in kg and m, without meshes.
+
+    There is a link for every occurrence of a product that has solids, in its own frame. joints: lines
+    "parent,child,type,axis x,y,z,origin x,y,z", where axis or origin may be missing, the types fixed, revolute and prismatic, and lengths
+    in the unit of the options; links without a line are fixed to the first. fuse: names of products, also with * and ?, of which each is
+    one link with all below it. Warns of links that are left out or that readers refuse. Raises ValueError for a table or a format that is
+    wrong, and where no product has a mass. density and options are those of `mass_properties`, and so are other errors and warnings.
+    """
+    from .smFiltersProducts import vtkProducts
+
+    reader, mass = _run(file, density, options)
+    name = os.path.splitext(os.path.basename(os.fspath(file)))[0]
+    found = json.loads(vtkProducts.MakeRobot(mass, name, format, joints, "\n".join([fuse] if isinstance(fuse, str) else fuse)))
+    if found["problem"]:
+        raise ValueError(f"{file}: {found['problem']}")
+    for message in found["messages"]:
+        warnings.warn(f"{file}: {message}", stacklevel=2)
+    return found["text"]

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
 namespace sm
 {
@@ -49,6 +50,7 @@ public:
     , Map(map)
     , Scale(map.GetScale())
     , Topology(model)
+    , Curves(this->Topology.GetEdges().size())
     , Copies(this->Topology.GetEdges().size())
   {
   }
@@ -90,6 +92,17 @@ private:
     }
   }
 
+  /// Returns the curve of an edge. That of a degenerate edge is null, with the parameters of the model.
+  const BuiltCurve& GetCurve(std::size_t index)
+  {
+    const Edge& source = *this->Topology.GetEdges()[index].Source;
+    if (!source.Degenerate && this->Curves[index].Curve.IsNull())
+    {
+      this->Curves[index] = BuildCurve(source.Curve, this->Map);
+    }
+    return this->Curves[index];
+  }
+
   /// Returns the edge, or a copy of it if this face has used it in this direction already.
   TopoDS_Edge GetEdge(std::size_t index, std::size_t copy)
   {
@@ -108,8 +121,9 @@ private:
       }
       else
       {
-        builder.MakeEdge(edge, BuildCurve(source.Curve, this->Map), this->GetTolerance(record.Gap));
-        builder.Range(edge, source.Curve.GetStart(), source.Curve.GetEnd());
+        const BuiltCurve& curve = this->GetCurve(index);
+        builder.MakeEdge(edge, curve.Curve, this->GetTolerance(record.Gap));
+        builder.Range(edge, curve.Map(source.Curve.GetStart()), curve.Map(source.Curve.GetEnd()));
       }
       builder.SameRange(edge, true);
       builder.SameParameter(edge, true);
@@ -136,76 +150,149 @@ private:
       " is not saved: " + problem + ".");
   }
 
+  struct Use
+  {
+    /// For the edge forwards and reversed.
+    Handle(Geom2d_Curve) Curves[2];
+    std::size_t Edge = 0;
+  };
+  /// A use of an edge, and the number of uses in the same direction before.
+  using UseKey = std::pair<const Edge*, std::size_t>;
+  struct Uses
+  {
+    std::map<UseKey, Use> All;
+    /// Those of each loop.
+    std::vector<std::vector<UseKey>> Loops;
+  };
+
+  /// Returns the trim curve on the built surface; nothing if it cannot be carried over.
+  Handle(Geom2d_Curve) BuildTrimOn(const BuiltSurface& surface, const Coedge& coedge)
+  {
+    const BuiltCurve& edge = this->GetCurve(this->Topology.GetEdge(coedge));
+    if (!surface.Native)
+    {
+      return BuildTrim(coedge.Curve, edge);
+    }
+    if (coedge.Use->Degenerate)
+    {
+      // Nothing but its ends is given of a curve whose image is a point.
+      TrimCurve straight;
+      straight.Breaks.push_back(coedge.Curve.GetStart());
+      const TrimCurve::Point ends[2] = { MapEnd(surface, coedge.Curve.GetStartPoint()),
+        MapEnd(surface, coedge.Curve.GetEndPoint()) };
+      straight.AppendPiece(coedge.Curve.GetEnd(), ends, 1);
+      return BuildTrim(straight, edge);
+    }
+    const std::optional<TrimCurve> mapped = MapTrim(coedge.Curve, *surface.Native);
+    return mapped ? BuildTrim(*mapped, edge) : nullptr;
+  }
+
+  static TrimCurve::Point MapEnd(const BuiltSurface& surface, const TrimCurve::Point& p)
+  {
+    return surface.Native ? surface.Native->Map(p[0], p[1]) : p;
+  }
+
+  /// Builds the trim curves of a face. Returns false if one cannot be carried over. Edges are not changed.
+  bool BuildUses(const Face& source, const BuiltSurface& surface, Uses& uses)
+  {
+    for (const Loop& loop : source.Loops)
+    {
+      uses.Loops.emplace_back();
+      for (const Coedge& coedge : loop.Coedges)
+      {
+        const int way = IsReversed(coedge, surface) ? 1 : 0;
+        auto key = std::make_pair(static_cast<const Edge*>(coedge.Use.get()), std::size_t(0));
+        while (!uses.All[key].Curves[way].IsNull())
+        {
+          ++key.second;
+        }
+        Use& use = uses.All[key];
+        use.Curves[way] = this->BuildTrimOn(surface, coedge);
+        use.Edge = this->Topology.GetEdge(coedge);
+        uses.Loops.back().push_back(key);
+        if (use.Curves[way].IsNull())
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// Loops run the other way round where the parameters of the built surface are mirrored.
+  static bool IsReversed(const Coedge& coedge, const BuiltSurface& surface)
+  {
+    return coedge.Reversed != surface.IsMirrored();
+  }
+
   TopoDS_Face BuildFace(const Face& source)
   {
-    const Handle(Geom_BSplineSurface) surface = BuildSurface(source.Surface, this->Map);
-    const bool reversed = source.Reversed != this->Map.IsMirrored();
+    if (std::optional<BuiltSurface> elementary = BuildElementarySurface(source.Surface, this->Map))
+    {
+      Uses uses;
+      if (!source.Loops.empty() && this->BuildUses(source, *elementary, uses))
+      {
+        return this->BuildFaceOn(source, *elementary, uses);
+      }
+    }
+    BuiltSurface surface;
+    surface.Surface = BuildSurface(source.Surface, this->Map);
+    Uses uses;
+    this->BuildUses(source, surface, uses);
+    return this->BuildFaceOn(source, surface, uses);
+  }
+
+  TopoDS_Face BuildFaceOn(const Face& source, const BuiltSurface& surface, Uses& uses)
+  {
+    const bool reversed = (source.Reversed != this->Map.IsMirrored()) != surface.IsMirrored();
     const TopAbs_Orientation orientation = reversed ? TopAbs_REVERSED : TopAbs_FORWARD;
     if (source.Loops.empty())
     {
-      BRepBuilderAPI_MakeFace maker(surface, Precision::Confusion());
+      BRepBuilderAPI_MakeFace maker(surface.Surface, Precision::Confusion());
       if (!maker.IsDone())
       {
         throw std::runtime_error("OpenCASCADE finds no borders of its surface");
       }
       return TopoDS::Face(maker.Face().Oriented(orientation));
     }
-    struct Use
-    {
-      Handle(Geom2d_BSplineCurve) Curves[2];
-      std::size_t Edge = 0;
-    };
-    // Curves are built first, so that a face that fails does not change its edges.
-    std::map<std::pair<const Edge*, std::size_t>, Use> uses;
-    std::vector<std::vector<std::pair<const Edge*, std::size_t>>> keys;
-    for (const Loop& loop : source.Loops)
-    {
-      keys.emplace_back();
-      for (const Coedge& coedge : loop.Coedges)
-      {
-        const int way = coedge.Reversed ? 1 : 0;
-        auto key = std::make_pair(static_cast<const Edge*>(coedge.Use.get()), std::size_t(0));
-        while (!uses[key].Curves[way].IsNull())
-        {
-          ++key.second;
-        }
-        uses[key].Curves[way] = BuildTrim(coedge.Curve);
-        uses[key].Edge = this->Topology.GetEdge(coedge);
-        keys.back().push_back(key);
-      }
-    }
     const BRep_Builder builder;
     TopoDS_Face face;
-    builder.MakeFace(face, surface, TopLoc_Location(), Precision::Confusion());
-    for (const auto& [key, use] : uses)
+    builder.MakeFace(face, surface.Surface, TopLoc_Location(), Precision::Confusion());
+    for (const auto& [key, use] : uses.All)
     {
       const TopoDS_Edge edge = this->GetEdge(use.Edge, key.second);
       const double tolerance = BRep_Tool::Tolerance(edge);
       const bool seam = !use.Curves[0].IsNull() && !use.Curves[1].IsNull();
       if (seam)
       {
-        builder.UpdateEdge(edge, use.Curves[0], use.Curves[1], surface, TopLoc_Location(), tolerance);
+        builder.UpdateEdge(edge, use.Curves[0], use.Curves[1], surface.Surface, TopLoc_Location(), tolerance);
       }
       else
       {
         builder.UpdateEdge(
-          edge, use.Curves[use.Curves[0].IsNull() ? 1 : 0], surface, TopLoc_Location(), tolerance);
+          edge, use.Curves[use.Curves[0].IsNull() ? 1 : 0], surface.Surface, TopLoc_Location(), tolerance);
       }
       const EdgeCurve& curve = this->Topology.GetEdges()[use.Edge].Source->Curve;
-      builder.Range(edge, surface, TopLoc_Location(), curve.GetStart(), curve.GetEnd());
+      const BuiltCurve& built = this->GetCurve(use.Edge);
+      builder.Range(
+        edge, surface.Surface, TopLoc_Location(), built.Map(curve.GetStart()), built.Map(curve.GetEnd()));
     }
     for (std::size_t l = 0; l < source.Loops.size(); ++l)
     {
+      const Loop& loop = source.Loops[l];
       TopoDS_Wire wire;
       builder.MakeWire(wire);
-      for (std::size_t i = 0; i < keys[l].size(); ++i)
+      for (std::size_t i = 0; i < loop.Coedges.size(); ++i)
       {
-        const TopoDS_Edge edge = this->Copies[uses[keys[l][i]].Edge][keys[l][i].second];
+        const UseKey& key = uses.Loops[l][i];
+        const TopoDS_Edge edge = this->Copies[uses.All[key].Edge][key.second];
         builder.Add(
-          wire, edge.Oriented(source.Loops[l].Coedges[i].Reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
-        if (this->Topology.IsJump(source.Loops[l], i))
+          wire, edge.Oriented(IsReversed(loop.Coedges[i], surface) ? TopAbs_REVERSED : TopAbs_FORWARD));
+        if (this->Topology.IsJump(loop, i))
         {
-          builder.Add(wire, this->BuildJump(source.Loops[l], i, surface));
+          builder.Add(wire,
+            this->BuildJump(loop, i, surface)
+              .Oriented(surface.IsMirrored() ? TopAbs_REVERSED : TopAbs_FORWARD));
         }
       }
       wire.Closed(BRep_Tool::IsClosed(wire));
@@ -214,10 +301,10 @@ private:
     return TopoDS::Face(face.Oriented(orientation));
   }
 
-  TopoDS_Edge BuildJump(const Loop& loop, std::size_t i, const Handle(Geom_BSplineSurface) & surface)
+  TopoDS_Edge BuildJump(const Loop& loop, std::size_t i, const BuiltSurface& surface)
   {
-    const TrimCurve::Point ends[2] = { ExportTopology::GetEnd(loop.Coedges[i], true),
-      ExportTopology::GetEnd(loop.Coedges[(i + 1) % loop.Coedges.size()], false) };
+    const TrimCurve::Point ends[2] = { MapEnd(surface, ExportTopology::GetEnd(loop.Coedges[i], true)),
+      MapEnd(surface, ExportTopology::GetEnd(loop.Coedges[(i + 1) % loop.Coedges.size()], false)) };
     TrimCurve straight;
     straight.Breaks.push_back(0.0);
     straight.AppendPiece(1.0, ends, 1);
@@ -226,9 +313,9 @@ private:
     TopoDS_Edge edge;
     builder.MakeEdge(edge);
     builder.Degenerated(edge, true);
-    builder.UpdateEdge(edge, BuildTrim(straight), surface, TopLoc_Location(),
+    builder.UpdateEdge(edge, BuildTrim(straight, BuiltCurve()), surface.Surface, TopLoc_Location(),
       this->GetTolerance(this->Topology.GetVertices()[node].Reach));
-    builder.Range(edge, surface, TopLoc_Location(), 0.0, 1.0);
+    builder.Range(edge, surface.Surface, TopLoc_Location(), 0.0, 1.0);
     builder.SameRange(edge, true);
     builder.SameParameter(edge, true);
     builder.Add(edge, this->Vertices[node].Oriented(TopAbs_FORWARD));
@@ -340,6 +427,8 @@ private:
   const AffineMap& Map;
   double Scale;
   ExportTopology Topology;
+  /// The curves of the edges that were asked for.
+  std::vector<BuiltCurve> Curves;
   /// Each edge, followed by its copies for faces that use it twice in one direction.
   std::vector<std::vector<TopoDS_Edge>> Copies;
   std::vector<TopoDS_Vertex> Vertices;

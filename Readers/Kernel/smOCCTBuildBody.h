@@ -40,6 +40,9 @@ struct BuiltBody
  * Builds the shape of all faces. `map` transforms stored coordinates to those of OpenCASCADE; a reflection
  * reverses the faces.
  *
+ * A face that is a plane, cylinder, cone, sphere or torus, as the reader made it a B-spline or moved or
+ * scaled since, becomes one; so do edges that are lines and circles. All others become B-splines.
+ *
  * The edge of a face becomes one edge with the curve C_e(t), and each coedge a curve of the same parameter in
  * the face's (u,v); two coedges of one face that run against each other are a seam. Coedges that follow each
  * other in a loop share a vertex when their ends are no farther apart than 1e-5 of the body's size. The

@@ -1,5 +1,11 @@
 #include "smOCCTBuildGeometry.h"
 
+#include "smOCCTMakeGeometry.h"
+#include "smVector.h"
+
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
@@ -16,6 +22,9 @@ namespace sm
 {
 namespace
 {
+/// Largest deviation of the speed of a line from 1: its end is off by as much of its length.
+constexpr double LineSpeed = 1e-13;
+
 /// Distinct knots with their multiplicities, the form that OpenCASCADE uses.
 struct KnotList
 {
@@ -232,22 +241,106 @@ Handle(Geom_BSplineSurface) BuildSurface(const NURBSSurface& source, const Affin
     poles, u.Knots, v.Knots, u.Multiplicities, v.Multiplicities, surface.Degree[0], surface.Degree[1]);
 }
 
-Handle(Geom_BSplineCurve) BuildCurve(const EdgeCurve& curve, const AffineMap& map)
+std::optional<BuiltSurface> BuildElementarySurface(const NURBSSurface& surface, const AffineMap& map)
 {
+  NURBSSurface from = surface;
+  AffineMap proper = map;
+  if (map.IsMirrored())
+  {
+    // The image under a reflection, which is exact, is moved without one.
+    for (std::array<double, 4>& h : from.ControlPoints)
+    {
+      h[0] = -h[0];
+    }
+    for (auto& row : proper.Linear)
+    {
+      row[0] = -row[0];
+    }
+  }
+  BuiltSurface result;
+  result.Native = FindNativeSurface(from);
+  if (!result.Native)
+  {
+    return std::nullopt;
+  }
+  using Type = ElementarySurface::Type;
+  ElementarySurface& elementary = result.Native->Surface;
+  const double scale = proper.GetScale();
+  elementary.Frame.Origin = proper.MapPoint(elementary.Frame.Origin);
+  for (Vector3& axis : elementary.Frame.Axes)
+  {
+    axis = Normalized(proper.MapVector(axis));
+  }
+  for (int d = 0; d < 2; ++d)
+  {
+    elementary.Radii[d] *= scale;
+    const bool isLength = elementary.Kind == Type::Plane ||
+      (d == 1 && (elementary.Kind == Type::Cylinder || elementary.Kind == Type::Cone));
+    if (isLength)
+    {
+      result.Native->Start[d] *= scale;
+      result.Native->Linear[d][0] *= scale;
+      result.Native->Linear[d][1] *= scale;
+    }
+  }
+  std::string problem;
+  const SurfacePointer value = GeometricSurface::Make(elementary, problem);
+  if (!value)
+  {
+    return std::nullopt;
+  }
+  result.Surface = MakeKernelSurface(*value);
+  return result;
+}
+
+BuiltCurve BuildCurve(const EdgeCurve& source, const AffineMap& map)
+{
+  EdgeCurve curve = source;
+  for (EdgeCurve::Point& p : curve.Coefficients)
+  {
+    p = map.MapPoint(p);
+  }
+  BuiltCurve result;
+  if (const std::optional<NativeCurve> native = FindNativeCurve(curve))
+  {
+    std::string problem;
+    const CurvePointer<3> value = GeometricCurve<3>::Make(native->Curve, problem);
+    if (value)
+    {
+      result.Curve = MakeKernelCurve(*value);
+      result.Start = native->Start;
+      result.Factor = native->Factor;
+      return result;
+    }
+  }
   int degree = 1;
   const std::vector<EdgeCurve::Point> points = RaiseDegrees<3>(curve, degree);
   TColgp_Array1OfPnt poles(1, static_cast<int>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Vector3 p = map.MapPoint(gp_XYZ(points[i][0], points[i][1], points[i][2]));
-    poles(static_cast<int>(i) + 1) = gp_Pnt(p[0], p[1], p[2]);
+    poles(static_cast<int>(i) + 1) = gp_Pnt(points[i][0], points[i][1], points[i][2]);
   }
   const KnotList list = MakeKnotList<3>(curve, degree);
-  return new Geom_BSplineCurve(poles, list.Knots, list.Multiplicities, degree);
+  result.Curve = new Geom_BSplineCurve(poles, list.Knots, list.Multiplicities, degree);
+  return result;
 }
 
-Handle(Geom2d_BSplineCurve) BuildTrim(const TrimCurve& curve)
+Handle(Geom2d_Curve) BuildTrim(const TrimCurve& source, const BuiltCurve& edge)
 {
+  TrimCurve curve = source;
+  for (double& t : curve.Breaks)
+  {
+    t = edge.Map(t);
+  }
+  const TrimCurve::Point& start = curve.GetStartPoint();
+  const TrimCurve::Point& end = curve.GetEndPoint();
+  const double length = std::hypot(end[0] - start[0], end[1] - start[1]);
+  const double width = curve.GetEnd() - curve.GetStart();
+  if (curve.GetNumberOfPieces() == 1 && curve.GetDegree(0) == 1 && curve.GetStart() == 0.0 &&
+    std::abs(length - width) <= LineSpeed * width)
+  {
+    return new Geom2d_Line(gp_Pnt2d(start[0], start[1]), gp_Dir2d(end[0] - start[0], end[1] - start[1]));
+  }
   int degree = 1;
   const std::vector<TrimCurve::Point> points = RaiseDegrees<2>(curve, degree);
   TColgp_Array1OfPnt2d poles(1, static_cast<int>(points.size()));

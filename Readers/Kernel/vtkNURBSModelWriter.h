@@ -6,20 +6,21 @@
  * vtkNURBSTransform or vtkNURBSDeform, or an edited dataset (smModelEdit.h). The exact geometry is saved, not
  * the mesh:
  *
- * - every face as the rational B-spline surface it is, trimmed by its own (u,v) curves and the 3D curves of
- * its edges, which are piecewise polynomials; edges and vertices shared, seams and poles where the surface
- * closes; solids with their voids, and free shells. Tolerances are measured: the largest distance of a face
- * from its edge.
+ * - every face as the plane, cylinder, cone, sphere or torus it is, or as a rational B-spline surface,
+ * trimmed by its own (u,v) curves and the 3D curves of its edges, which are lines, circles or piecewise
+ * polynomials; edges and vertices shared, seams and poles where the surface closes; solids with their voids,
+ * and free shells. Tolerances are measured: the largest distance of a face from its edge.
  * - leaves of one model as instances of one part. A mirrored instance is written as a part of its own,
  * because files hold rigid placements only; a message reports it.
  * - a body that an edit opened is written as it is, with a warning.
  *
  * Geometry that is saved and read again differs by rounding: the same faces, edges and trim curves with
  * coordinates good to a few 1e-16 of their distance from the part's origin. Planes, cylinders, cones, spheres
- * and tori were made rational B-splines by the reader and stay so. Each piece of a trim or edge curve is one
- * span of the B-spline that is written, so that curves are continuous to their pieces' accuracy but not
- * formally smooth there. Validation properties (volume and area that the first system stated) are not
- * written: after an edit they would be wrong.
+ * and tori, which the reader makes rational B-splines, are recognized by their control points, also after
+ * they were moved, mirrored or scaled; what an edit deformed is a B-spline. So are swept surfaces. Each piece
+ * of a trim or edge curve is one span of the B-spline that is written, so that curves are continuous to their
+ * pieces' accuracy but not formally smooth there. Validation properties (volume and area that the first
+ * system stated) are not written: after an edit they would be wrong.
  *
  * A temporary file in the same folder is written and replaces FileName when it is complete. If that fails,
  * Write() returns 0, one error has the name of the file and a remedy, GetErrorCode() is not

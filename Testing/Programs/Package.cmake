@@ -39,6 +39,13 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
   solidmoments_add_test(NAME DisplayMesh LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestDisplayMesh.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
       "${SOLIDMOMENTS_SAMPLE_PART}")
+  # With gmsh (Debian: python3-gmsh), where it is installed.
+  execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import gmsh" RESULT_VARIABLE gmsh_is_missing OUTPUT_QUIET ERROR_QUIET)
+  if (NOT gmsh_is_missing)
+    solidmoments_add_test(NAME SavedSolids LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
+      COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestSavedSolids.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
+        "${SOLIDMOMENTS_TEST_OUTPUT}/saved-solids")
+  endif ()
   # With PyVista itself, where it is installed.
   execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import pyvista; pyvista.register_reader" RESULT_VARIABLE pyvista_is_missing
     OUTPUT_QUIET ERROR_QUIET)

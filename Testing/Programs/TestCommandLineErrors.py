@@ -188,6 +188,31 @@ def outputs():
         check_equal(f"exit status with {name}", 0, run("-q", "--mesh", target, ball["path"]).returncode)
         check_true(name, os.path.getsize(target) > 1000)
 
+    # At 1e7 single precision would move points by 0.5 and more: an origin is subtracted and stated.
+    far = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Certified", "solids", "box_far_1e7.step")
+    target = os.path.join(folder, "far.stl")
+    result, files = run_json("--tolerance", "1e-6", far, "--mesh", target)
+    check_equal("exit status far away", 0, result.returncode)
+    with open(target, "rb") as file:
+        header, count = file.read(80), struct.unpack("<I", file.read(4))[0]
+        corners = [struct.unpack("<12fH", file.read(50))[3:12] for _ in range(count)]
+    stated = re.search(rb"lengths in mm, add (\S+) (\S+) ([^\s\0]+)", header)
+    check_true("the header states an origin", stated, header)
+    origin = [float(number) for number in stated.groups()] if stated else [0.0] * 3
+    check("far away: volume", 30.0, check_closed((corner[0:3], corner[3:6], corner[6:9]) for corner in corners), 30 * 3e-7,
+          "corners are single precision, relative to a point nearby")
+    sides = [[corner[i + axis] for corner in corners for i in (0, 3, 6)] for axis in range(3)]
+    for axis, center in enumerate(files[0]["total"]["center_of_mass"]):
+        check(f"far away: middle {axis}", center, origin[axis] + 0.5 * (min(sides[axis]) + max(sides[axis])), 3e-7, "single precision of 5")
+    check_true("a message states it", any("far.stl: its points are relative to (10000014.0, -10000061.0, 10000028.0) mm" in message for message in files[0]["messages"]),
+               str(files[0]["messages"]))
+    target = os.path.join(folder, "far.ply")
+    run("-q", "--tolerance", "1e-6", "--mesh", target, far)
+    with open(target, "rb") as file:
+        check_true("a comment of .ply states it", b"comment add to all points: 10000014.0 -10000061.0 10000028.0" in file.read(400))
+    result, files = run_json("--tolerance", "1e-6", far, "--mesh", os.path.join(folder, "far.obj"))
+    check_true("doubles have nothing to state", not any("relative to" in message for message in files[0]["messages"]), str(files[0]["messages"]))
+
     # Binary glTF: metres, y upwards, normals, closed by coordinates.
     target = os.path.join(folder, "ball.glb")
     check_equal("exit status with ball.glb", 0, run("-q", "--mesh", target, ball["path"]).returncode)

@@ -7,7 +7,6 @@ import json
 import os
 import re
 import sys
-import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
@@ -17,7 +16,7 @@ from smproduct import Assembly, Part, expand, get_properties, make_box, write_pr
 
 parser = argparse.ArgumentParser()
 parser.add_argument("mode", choices=[
-    "masses", "materials", "frames", "lists", "encodings", "scripts", "stability", "robots", "validation", "systems"])
+    "masses", "materials", "frames", "lists", "encodings", "scripts", "stability", "validation", "systems"])
 for name in ("--program", "--output"):
     parser.add_argument(name, required=True)
 parser.add_argument("--models", help="folder with real files, for systems")
@@ -374,41 +373,6 @@ def stability():
         check("height of its ground", 2.0, alone["projected_center_of_mass"][2], 1e-9)
 
 
-def robots():
-    machine = make_machine()
-    path = write_product(os.path.join(folder, "robot <1>.step"), machine)
-    boxes = expand(machine)
-    mass, center, get_inertia = get_properties(boxes, [b[1] * KG for b in boxes])
-    metre = Fraction(1, 1000)
-    tilted = [[Fraction(3, 5), Fraction(4, 5), 0], [Fraction(-4, 5), Fraction(3, 5), 0], [0, 0, 1]]
-    target = os.path.join(folder, "robot.urdf")
-    for arguments, origin, axes in (((), (0, 0, 0), ((1, 0, 0), (0, 1, 0), (0, 0, 1))), (("--unit", "inch"), (0, 0, 0), ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
-                                    (("--about", "1,2,3,0,0,1,3,4,0"), (1, 2, 3), tilted)):
-        check_equal("exit status", 0, run(*arguments, "--urdf", target, "-q", path).returncode)
-        (link,) = ElementTree.parse(target).getroot().findall("link")
-        check_equal("name of the link", "robot <1>", link.get("name"))
-        inertial = link.find("inertial")
-        check("mass in kg", float(mass), float(inertial.find("mass").get("value")), 1e-14 * float(mass))
-        check_equal("rotation", "0 0 0", inertial.find("origin").get("rpy"))
-        xyz = [float(x) for x in inertial.find("origin").get("xyz").split()]
-        for i in range(3):
-            expected = float(metre * sum(axes[i][k] * (center[k] - origin[k]) for k in range(3)))
-            check(f"centre in m {i}", expected, xyz[i], 1e-14)
-        central = get_inertia(center)
-        for name, i, j in (("ixx", 0, 0), ("iyy", 1, 1), ("izz", 2, 2), ("ixy", 0, 1), ("ixz", 0, 2), ("iyz", 1, 2)):
-            expected = float(metre ** 2 * sum(axes[i][k] * central[k][l] * axes[j][l] for k in range(3) for l in range(3)))
-            check(f"{name} in kg m^2", expected, float(inertial.find("inertia").get(name)), 1e-13 * float(metre ** 2 * central[2][2]))
-    check_true("the products are not 0, so that their sign counts", abs(float(central[0][1])) > 0.005 * float(central[2][2]), str(float(central[0][1])))
-    # Without a mass there is no block, and the exit status says so.
-    partial = write_product(os.path.join(folder, "robot-partial.step"), make_machine(plate_density=None))
-    result = run("--urdf", target, path, partial)
-    check_equal("exit status without a mass", 3, result.returncode)
-    check_true("the reason", "no inertial block: it has no mass" in result.stdout, result.stdout)
-    check_equal("the other one is there", ["robot <1>"], [link.get("name") for link in ElementTree.parse(target).getroot().findall("link")])
-    result = run("--urdf", target, "--only", "bolt", "-q", partial)
-    check_equal("a part of it", (0, 1), (result.returncode, len(ElementTree.parse(target).getroot().findall("link"))))
-
-
 def validation():
     # Stated in the part's unit and coordinates: right; volume wrong by 1 %; a centroid that is moved; of a
     # name that two products have.
@@ -522,5 +486,5 @@ def systems():
 
 
 {"masses": masses, "materials": materials, "frames": frames, "lists": lists, "encodings": encodings, "scripts": scripts,
- "stability": stability, "robots": robots, "validation": validation, "systems": systems}[options.mode]()
+ "stability": stability, "validation": validation, "systems": systems}[options.mode]()
 finish()

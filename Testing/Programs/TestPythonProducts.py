@@ -54,6 +54,19 @@ check_true("a note", any("density 7850 -> 2700" in part["notes"] for part in fou
 check_true("a file is equal to itself", solidmoments.compare(old, old)["equal"])
 check_true("with a wide limit", solidmoments.compare(old, new, 1000.0, limit=0.9)["counts"]["changed"] < 4)
 
+# Robots: the program's file without its meshes.
+target = os.path.join(folder, "python-robot.urdf")
+run("--density", "1000", "--robot", "urdf", target, "--fuse", "machine", old)
+with open(target, encoding="utf-8") as file:
+    expected = re.sub(r"    <visual>.*\n", "", file.read())
+check_true("one link", expected.count("<mass") == 1, expected)
+check_same("robot", expected, solidmoments.robot(old, "urdf", 1000.0, fuse="machine"))
+try:
+    solidmoments.robot(old, "vrml", 1000.0)
+    check_true("another format is refused", False)
+except ValueError as error:
+    check_true("another format is refused", "urdf, sdf or mjcf" in str(error), str(error))
+
 listed = subprocess.run([program, "--list-materials"], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
 densities = {name: float(density) for name, density in re.findall(r"^(\S.*?) +(\S+) kg/m\^3$", listed, re.MULTILINE)}
 check_same("materials", densities, solidmoments.materials())
