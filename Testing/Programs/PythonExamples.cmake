@@ -27,6 +27,8 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
     COMMAND ${small_example} one-call "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/one_call.py")
   solidmoments_add_test(NAME PythonExamples_three_lines LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND ${small_example} three-lines "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/three_lines.py")
+  solidmoments_add_test(NAME PythonExamples_tolerance_parts LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"
+    COMMAND ${small_example} tolerance "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/Examples/Python/tolerance_parts.py")
   solidmoments_add_test(NAME CertifiedSet_vtk LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND ${certified_test} --other "${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/Examples/Certified/vtk_mass_properties.py" other)
   # pvpython has ParaView's VTK.

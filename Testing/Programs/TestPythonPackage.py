@@ -197,6 +197,35 @@ def check_table():
     check_equal("one path", 2, len(solidmoments.to_dataframe(sample)))
 
 
+def check_variants(box):
+    """Faces of the box 2 x 3 x 5 that move along their normals, their edges stay: the volume is linear in the offsets."""
+    import numpy
+
+    areas = numpy.array([15.0, 15.0, 10.0, 10.0, 6.0, 6.0])
+    c = numpy.random.default_rng(5).uniform(-0.2, 0.2, (1000, 6))
+    for method in ("points", "polynomial"):
+        variants = solidmoments.Variants(box, range(6), [0.2] * 6, method=method)
+        check_equal("method", method, variants.used_method)
+        values, bounds, gradients = variants.evaluate(c, gradients=method == "polynomial")
+        check_equal("shapes", ((1000, 10), (1000, 10)), (values.shape, bounds.shape))
+        check_true("1000 volumes within their bounds", bool((abs(values[:, 0] - 30.0 - c @ areas) <= bounds[:, 0] + 1e-14).all()))
+        check_true("bounds are small", bool((bounds[:, 0] < 1e-9).all()), f"up to {bounds[:, 0].max()}")
+        if gradients is not None:
+            check_equal("shape of the gradients", (1000, 10, 6), gradients.shape)
+            check_true("derivatives are areas", bool((abs(gradients[:, 0] - areas) <= 1e-11).all()))
+    up = numpy.tile([0.0, 0.0, 1.0], (2, 2, 1))
+    rise = solidmoments.Variants(box, [{1: up}], method="polynomial")
+    check("a face that slides along its edges", 30.0, float(rise.evaluate([0.5]).values[0, 0]), 1e-11)
+    for what, words, call in (("numbers of another shape", "shape", lambda: rise.evaluate([0.5, 0.1])), ("ranges that do not fit", "ranges", lambda: solidmoments.Variants(box, [0], [1, 2])),
+                              ("a face that is not there", "face 9", lambda: solidmoments.Variants(box, [9])),
+                              ("no such method", "method", lambda: solidmoments.Variants(box, [0], method="fast"))):
+        try:
+            call()
+            check_true(what, False, "nothing was raised")
+        except ValueError as error:
+            check_true(what, words in str(error), str(error))
+
+
 def check_model():
     """A box from NumPy arrays, with a face of degree 2 in u: exact, and refused arrays."""
     import numpy
@@ -233,6 +262,7 @@ def check_model():
     check("box: mass, kg", 1e-3 * size.prod(), box.mass, box.mass_bound)
     for i in range(3):
         check(f"box: centre {i}", 0.5 * size[i], box.center_of_mass[i], box.center_of_mass_bound)
+    check_variants(model)
     for what, words, call in (("knots that decrease", "decrease", lambda: model.add_face(1, knots[::-1], 1, knots, numpy.zeros((2, 2, 3)))),
                               ("a net that is reversed", "shape (2, 3, 3)", lambda: model.add_face(1, numpy.array([0.0, 0, 1, 1]), 1, numpy.array([0.0, 0, 0.5, 1, 1]), numpy.zeros((2, 3, 3)))),
                               ("a missing control point", "control points", lambda: model.add_face(1, knots, 1, knots, numpy.zeros((3, 3)))),

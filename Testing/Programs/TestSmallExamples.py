@@ -1,10 +1,11 @@
-"""TestSmallExamples.py [--solids FOLDER] half-ball|volume|one-call|three-lines COMMAND...: the short examples as a user runs them.
+"""TestSmallExamples.py [--solids FOLDER] half-ball|volume|one-call|three-lines|tolerance COMMAND...: the short examples as a user runs them.
 
 half-ball: BuildByHand or build_by_hand.py. What it prints is compared here with the closed forms of half a ball; bounds must hold and must
 be small; a wrong argument ends with a sentence and exit status 1.
 volume: volume.py or OneCall on a box of the generated solids, and on a file that does not exist.
 one-call: one_call.py on that box, with its mass.
 three-lines: three_lines.py where that box is part.step.
+tolerance: tolerance_parts.py on that box, whose volume is linear in the offsets of its faces.
 """
 import argparse
 import math
@@ -56,6 +57,23 @@ def half_ball():
         check_true("is explained", result.stderr.startswith("usage: "), result.stderr.strip())
 
 
+def tolerance():
+    box = Manifest(options.solids).solid("box")
+    parts, sigma = 4000, 1e-3
+    result = run(box["path"], "--parts", str(parts), "--sigma", str(sigma))
+    if not check_equal("exit status", 0, result.returncode):
+        print(result.stdout, result.stderr)
+    found = re.search(rf"^volume: mean {NUMBER}, deviation {NUMBER}; linear prediction: {NUMBER}, {NUMBER}$", result.stdout, re.MULTILINE)
+    if check_true("the volume is printed", found, "" if found else result.stdout):
+        mean, deviation, linear, predicted = map(float, found.groups())
+        check("predicted mean", box["volume"], linear, 1e-10 * box["volume"], "(12 digits)")
+        check("mean", linear, mean, 5.0 * predicted / math.sqrt(parts), "(5 standard errors)")
+        check("deviation", predicted, deviation, 5.0 * predicted / math.sqrt(2.0 * parts), "(5 standard errors)")
+        # Six independent offsets: between those of equal areas and of one face alone.
+        check_true("sum of the squared areas", box["area"] / math.sqrt(6.0) * (1.0 - 1e-5) <= predicted / sigma <= box["area"], str(predicted / sigma))
+    check_equal("no file: exit status", 1, run(box["path"] + ".missing").returncode)
+
+
 def volume():
     box = Manifest(options.solids).solid("box")
     result = run(box["path"])
@@ -92,9 +110,9 @@ def three_lines():
 
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=("half-ball", "volume", "one-call", "three-lines"))
+parser.add_argument("mode", choices=("half-ball", "volume", "one-call", "three-lines", "tolerance"))
 parser.add_argument("--solids")
 parser.add_argument("command", nargs=argparse.REMAINDER)
 options = parser.parse_args()
-{"half-ball": half_ball, "volume": volume, "one-call": one_call, "three-lines": three_lines}[options.mode]()
+{"half-ball": half_ball, "volume": volume, "one-call": one_call, "three-lines": three_lines, "tolerance": tolerance}[options.mode]()
 finish()
