@@ -381,8 +381,11 @@ void ToleranceAnalysis::Run(const AnalysisRun& run) const
   std::vector<DrawingTolerance> drawing;
   if (this->FromFile)
   {
+    // The content of a compressed file, or of the standard input, is in a file of its own.
+    const std::string& source =
+      run.Options.SourceName.empty() ? run.Options.FileName : run.Options.SourceName;
     const double scale = 1e-3 / GetMetres(run.File.LengthUnit.value_or("mm"));
-    const std::vector<ToleranceFileRule> more = ReadDrawing(run.Reader->GetFileName(), scale, drawing);
+    const std::vector<ToleranceFileRule> more = ReadDrawing(source, scale, drawing);
     rules.insert(rules.end(), more.begin(), more.end());
     ReportDrawing(drawing, run.Messages);
   }

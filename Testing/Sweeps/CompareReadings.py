@@ -6,7 +6,8 @@ What must hold: the same status, solids and faces; volume, area, centre and iner
 trim curve within the gap is another way of closing it. The area of open bodies, which have no spread, may differ by both gap areas. The last line counts files whose volumes differ by more than both bounds alone, by
 more than bounds and spreads, and those whose numbers are equal. --changed names files whose status or counts may differ, --moved those whose
 numbers may, because OpenCASCADE puts something else in the place of a surface or an edge. Prints a row per file: the differences relative to
-what is allowed, seconds of reading, and what is repaired. Exit status 0 when all of this holds.
+what is allowed, seconds of reading, and what is repaired. A file whose status or counts differ is followed by what only one of both readings says
+of faces and edges, with their numbers. Exit status 0 when all of this holds.
 """
 import argparse
 import glob
@@ -54,6 +55,14 @@ def is_apart(first, second):
     return None not in volumes + bounds and abs(volumes[0] - volumes[1]) > sum(bounds)
 
 
+def name_entities(first, second):
+    """What only one reading says of faces and edges, with their numbers: the entities that were changed."""
+    texts = []
+    for way, one, other in zip(WAYS, (first, second), (second, first)):
+        texts += [f"    {way[1]}: {message}" for message in one["messages"] if "#" in message and message not in other["messages"]]
+    return texts or ["    no message of either names an entity"]
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--program", required=True)
@@ -73,7 +82,8 @@ def main():
         apart += is_apart(*results)
         counts = [(result["status"], len(result.get("solids") or []), result.get("faces")) for result in results]
         if counts[0] != counts[1] and name not in options.changed:
-            failures.append(f"{name}: status, solids and faces {counts[0]} with {' '.join(WAYS[0])}, {counts[1]} otherwise")
+            failures.append("\n".join([f"{name}: status, solids and faces {counts[0]} with {' '.join(WAYS[0])}, {counts[1]} otherwise"]
+                                      + name_entities(*results)))
         ratios = compare(*results) if all("total" in result for result in results) else {}
         equal += bool(ratios) and not any(ratios.values())
         beyond += ratios.get("volume", 0.0) > 1.0
