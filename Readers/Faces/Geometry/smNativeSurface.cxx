@@ -95,6 +95,8 @@ public:
       }
     }
     this->Allowed *= AllowedRoundings * UnitRoundoff;
+    // Coordinates of the file may be larger than those that are relative to the body.
+    this->Allowed += *std::max_element(surface.Rounding.begin(), surface.Rounding.end());
   }
 
   bool Find()
@@ -400,7 +402,9 @@ public:
     : Trim(trim)
     , Native(native)
   {
-    double extent[2] = { 0.0, 0.0 };
+    // Lengths are rounded as those from which they follow, also where they are 0 themselves.
+    double extent[2] = { std::max(native.Surface.Radii[0], std::abs(native.Start[0])),
+      std::max(native.Surface.Radii[0], std::abs(native.Start[1])) };
     for (const TrimCurve::Point& p : trim.Coefficients)
     {
       const std::array<double, 2> q = native.Map(p[0], p[1]);

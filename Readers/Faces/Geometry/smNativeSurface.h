@@ -45,9 +45,9 @@ struct SMREADERSFACES_EXPORT NativeSurface
  * Returns the elementary surface, or nothing if the control points are not those of one: of a plane two by
  * two points of equal weight that are a parallelogram, of the others those that ConvertGeometry() makes, at
  * most one turn, moved and scaled or not. Every control point must be that of the surface within 64
- * roundings of the largest coordinate, so that the result has no other error, and what an edit moved is
- * found to be none. The frame is right-handed, the angle of a cone above 0, and a torus does not cross its
- * axis.
+ * roundings of the largest coordinate and the rounding that the surface states, so that the result has no
+ * other error, and what an edit moved is found to be none. The frame is right-handed, the angle of a cone
+ * above 0, and a torus does not cross its axis.
  */
 SMREADERSFACES_EXPORT std::optional<NativeSurface> FindNativeSurface(const NURBSSurface& surface);
 

@@ -185,6 +185,22 @@ void TestTrims()
   }
 }
 
+/// A curve around a cylinder whose height is 0 up to rounding, in native parameters.
+void TestTrimAtOrigin()
+{
+  const Sample sample = MakeSamples(0.0)[1];
+  std::string problem;
+  const auto cylinder = sm::GeometricSurface::Make(sample.Surface, problem);
+  const auto native =
+    sm::FindNativeSurface(sm::ConvertGeometry(*cylinder, sample.Box, sm::AffineMap()).Surface);
+  sm::TrimCurve curve;
+  curve.Breaks.push_back(0.0);
+  const sm::TrimCurve::Point points[3] = { { 0.1, -1.0 }, { 0.5, -0.99999999999999978 }, { 1.0, -1.0 } };
+  curve.AppendPiece(1.0, points, 2);
+  const auto mapped = native ? sm::MapTrim(curve, *native) : std::nullopt;
+  smtest::CheckTrue("a height of rounding is fitted", mapped && mapped->GetNumberOfPieces() <= 4);
+}
+
 void TestCurves()
 {
   const auto make = [](const std::function<Vector3(double)>& f, double low, double high)
@@ -236,6 +252,7 @@ void TestAll()
     TestFound(1000.0, 25.4, isMirrored);
   }
   TestTrims();
+  TestTrimAtOrigin();
   TestCurves();
 }
 }
