@@ -47,6 +47,57 @@ std::vector<MotionPoint> GetPart(const EdgeCurve& curve, double start, double en
   return points;
 }
 
+/// Returns true if a surface that closes on itself, or has a pole, opens there: control points that coincide
+/// move apart. Only edges close a face elsewhere, so this is asked of faces without loops.
+bool OpensFace(const NURBSSurface& surface, const std::vector<MotionPoint>& displacements)
+{
+  const int columns = surface.NumberOfControlPoints[0];
+  const int rows = surface.NumberOfControlPoints[1];
+  double size = 0.0;
+  double largest = 0.0;
+  const auto getDistance = [&](std::size_t a, std::size_t b, bool isMove)
+  {
+    double distance = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double x = isMove ? displacements[a][c] : surface.ControlPoints[a][c];
+      const double y = isMove ? displacements[b][c] : surface.ControlPoints[b][c];
+      distance =
+        std::max(distance, std::abs(x / surface.ControlPoints[a][3] - y / surface.ControlPoints[b][3]));
+    }
+    return distance;
+  };
+  for (std::size_t i = 0; i < displacements.size(); ++i)
+  {
+    size = std::max(size, getDistance(0, i, false));
+    for (int c = 0; c < 3; ++c)
+    {
+      largest = std::max(largest, std::abs(displacements[i][c]) / surface.ControlPoints[i][3]);
+    }
+  }
+  // Pairs that coincide within rounding have to move alike within rounding.
+  const auto separates = [&](std::size_t a, std::size_t b)
+  { return getDistance(a, b, false) <= 1e-12 * size && getDistance(a, b, true) > 1e-9 * largest; };
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const std::size_t at = i + static_cast<std::size_t>(j) * columns;
+      const std::size_t start = static_cast<std::size_t>(j) * columns;
+      const std::size_t last = start + columns - 1;
+      const std::size_t end = i + static_cast<std::size_t>(rows - 1) * columns;
+      // The other side in both directions, and the neighbour along a border.
+      if ((i == 0 && separates(at, last)) || (j == 0 && separates(at, end)) ||
+        (i + 1 < columns && (j == 0 || j == rows - 1) && separates(at, at + 1)) ||
+        (j + 1 < rows && (i == 0 || i == columns - 1) && separates(at, at + columns)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 int GetDegreeAt(const EdgeCurve& curve, double t)
 {
   return curve.GetDegree(curve.FindPiece(t));
@@ -117,7 +168,8 @@ std::string VariantShape::AddDirection(const MovedModel& moved)
       this->AddFace(i, *moved.Model->GetFaces()[i], 1.0 / moved.Amount, this->NumberOfDirections);
     if (!problem.empty())
     {
-      return "face " + std::to_string(i) + " of the moved model " + problem + ": move control points only";
+      return "face " + std::to_string(i) + " of the moved model " + problem +
+        ": move control points only, and those that coincide alike";
     }
   }
   return {};
@@ -155,6 +207,10 @@ std::string VariantShape::AddFace(std::size_t index, const Face& moved, double f
         return "has control points that are not finite";
       }
     }
+  }
+  if (isMoved && base.Loops.empty() && OpensFace(a, displacements))
+  {
+    return "opens where the face closes on itself";
   }
   if (isMoved)
   {

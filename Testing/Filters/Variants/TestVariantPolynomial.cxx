@@ -179,6 +179,15 @@ void CheckErrors()
   CheckTrue("another model", error.find("direction 0") == 0, error);
   sm::VariantShape::Make(base, { { base, 0.0 } }, error);
   CheckTrue("amount 0", error.find("amount") != std::string::npos, error);
+  // A control point of the seam, and one of a pole, leave the others that coincide with them.
+  for (const std::size_t point : { std::size_t{ 18 }, std::size_t{ 3 } })
+  {
+    const auto ball = MakeModel({ MakeBall({ 0.0, 0.0, 0.0 }, 1.0) }, { -1, 1, -1, 1, -1, 1 });
+    auto face = std::make_shared<sm::Face>(*ball->GetFaces()[0]);
+    face->Surface.ControlPoints[point][1] += 0.1;
+    CheckTrue("a ball that opens",
+      !sm::VariantShape::Make(ball, { { MakeModel({ face }, { -1, 1, -1, 1, -1, 1 }), 1.0 } }, error), error);
+  }
   sm::VariantOptions options;
   options.Ranges = { 1.0 };
   CheckTrue("too few ranges", !sm::VariantPolynomial::Make(box.Shape, options, error), error);
