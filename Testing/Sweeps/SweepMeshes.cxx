@@ -314,9 +314,10 @@ protected:
         {
           continue;
         }
-        std::printf("    face #%d: %zu triangles (OpenCASCADE %zu) deviation %.3g degrees %d %d%s spans %zu "
-                    "%zu loops %zu\n",
-          faces[f]->FileId, ours[f].Triangles.size(), theirs[f].Triangles.size(),
+        std::printf(
+          "    face #%lld: %zu triangles (OpenCASCADE %zu) deviation %.3g degrees %d %d%s spans %zu "
+          "%zu loops %zu\n",
+          static_cast<long long>(faces[f]->FileId), ours[f].Triangles.size(), theirs[f].Triangles.size(),
           ours[f].Deviation / limits.Deflection, faces[f]->Surface.Degree[0], faces[f]->Surface.Degree[1],
           faces[f]->Surface.Rational ? " rational" : "", faces[f]->Surface.GetSpanBreaks(0).size() - 1,
           faces[f]->Surface.GetSpanBreaks(1).size() - 1, faces[f]->Loops.size());
@@ -337,8 +338,9 @@ protected:
     }
     if (count[0] > 0)
     {
-      std::printf("    face #%d: %lld of %zu triangles inverted (OpenCASCADE %lld of %zu)\n", face.FileId,
-        count[0], ours.Triangles.size(), count[1], theirs.Triangles.size());
+      std::printf("    face #%lld: %lld of %zu triangles inverted (OpenCASCADE %lld of %zu)\n",
+        static_cast<long long>(face.FileId), count[0], ours.Triangles.size(), count[1],
+        theirs.Triangles.size());
     }
   }
 
@@ -355,23 +357,24 @@ protected:
       ++All.Turns[turn <= limits.Angle ? 0 : turn < vtkMath::Pi() ? 1 : 2];
       if (!ours[f].Reason.empty() || ours[f].Triangles.empty())
       {
-        std::printf("    face #%d: %s\n", faces[f]->FileId, ours[f].Reason.c_str());
+        std::printf("    face #%lld: %s\n", static_cast<long long>(faces[f]->FileId), ours[f].Reason.c_str());
       }
       if (Verbose && ours[f].Deviation > deflection)
       {
-        std::printf("    face #%d: deviation %.3g of the deflection, %zu triangles\n", faces[f]->FileId,
-          ours[f].Deviation / deflection, ours[f].Triangles.size());
+        std::printf("    face #%lld: deviation %.3g of the deflection, %zu triangles\n",
+          static_cast<long long>(faces[f]->FileId), ours[f].Deviation / deflection, ours[f].Triangles.size());
       }
     }
     if (Verbose || a.EmptyFaces + a.OpenSides + a.Inverted > 0 || promised > 1.0001 * deflection ||
       std::max(a.WorstShare, a.WorstTurnShare) > 1.0)
     {
-      std::printf("  %s #%d: %zu faces, %lld triangles (OpenCASCADE %lld), empty %d (%d), open sides %d "
+      std::printf("  %s #%lld: %zu faces, %lld triangles (OpenCASCADE %lld), empty %d (%d), open sides %d "
                   "(%d), inverted %d (%d), "
                   "deviation %.3g (%.3g), promise %.3g of the deflection, reached %.3g of it, normals %.3g\n",
-        part.Name.c_str(), part.FileId, faces.size(), a.Triangles, b.Triangles, a.EmptyFaces, b.EmptyFaces,
-        a.OpenSides, b.OpenSides, a.Inverted, b.Inverted, a.Deviation / deflection, b.Deviation / deflection,
-        promised / deflection, a.WorstShare, a.WorstTurnShare);
+        part.Name.c_str(), static_cast<long long>(part.FileId), faces.size(), a.Triangles, b.Triangles,
+        a.EmptyFaces, b.EmptyFaces, a.OpenSides, b.OpenSides, a.Inverted, b.Inverted,
+        a.Deviation / deflection, b.Deviation / deflection, promised / deflection, a.WorstShare,
+        a.WorstTurnShare);
     }
   }
 };
