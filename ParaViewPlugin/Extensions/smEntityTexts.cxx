@@ -84,9 +84,9 @@ std::string NameSolid(vtkTable* solids, vtkIdType row)
 std::string NameEntity(const std::string& kind, const char* indexColumn, const char* idColumn,
   vtkTable* table, vtkTable* solids, vtkIdType row)
 {
-  const double id = GetNumber(table, idColumn, row);
+  const std::string id = GetText(table, idColumn, row);
   return kind + " " + std::to_string(GetIndex(table, indexColumn, row)) +
-    (id > 0.0 ? " (#" + FormatDigits(id, 16) + ")" : std::string()) + " of " +
+    (id.empty() || id == "0" ? std::string() : " (#" + id + ")") + " of " +
     NameSolid(solids, GetIndex(table, names::Solid, row));
 }
 

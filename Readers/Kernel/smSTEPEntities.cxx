@@ -17,6 +17,7 @@
 #include <TopExp_Explorer.hxx>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -95,16 +96,18 @@ private:
       return;
     }
     item->SetName(ToText(name));
-    if (id > 0 && this->Numbered.count(item.get()) == 0 && this->Taken.insert(id).second)
+    // A longer number does not fit into a label: the entity gets another one.
+    if (id > 0 && id <= std::numeric_limits<Standard_Integer>::max() &&
+      this->Numbered.count(item.get()) == 0 && this->Taken.insert(static_cast<Standard_Integer>(id)).second)
     {
       this->Numbered.insert(item.get());
-      this->Model->SetIdentLabel(item, id);
+      this->Model->SetIdentLabel(item, static_cast<Standard_Integer>(id));
     }
   }
 
   Handle(Transfer_FinderProcess) Process;
   Handle(StepData_StepModel) Model;
-  std::set<int> Taken;
+  std::set<Standard_Integer> Taken;
   std::unordered_set<const Standard_Transient*> Numbered;
 };
 

@@ -17,8 +17,14 @@ namespace
 /// A trim that is closer to an end of its domain than this, relative to the domain, is there.
 constexpr double EndRounding = 1e-12;
 
-/// Number of edges and surfaces that one thread makes with a ledger of its own.
+/// Smallest number of edges and surfaces that one thread makes with a ledger of its own, and largest number
+/// of such chunks: of as many a curve is made again at most, if it has no basis in common with the others.
 constexpr std::size_t ChunkSize = 256;
+constexpr std::size_t MaxChunks = 64;
+/// Number of chunks between two calls of `shouldContinue`.
+constexpr std::size_t ChunksPerReport = 16;
+/// Largest number of entities from one to its basis.
+constexpr int LongestChain = 64;
 
 SurfacePointer Require(const SurfacePointer& surface, const std::string& problem)
 {
@@ -36,39 +42,102 @@ STEPBodyGeometry::STEPBodyGeometry(
 {
 }
 
-void STEPBodyGeometry::Make(const std::vector<Index>& edges, const std::vector<Index>& surfaces)
+/// Returns the curve or surface at the end of a chain of those that refer to one another: what entities have
+/// in common.
+Part21File::Index STEPBodyGeometry::FindBasis(Index entity) const
+{
+  constexpr std::uint64_t roles = STEPRole::Curve | STEPRole::Surface | STEPRole::CurveSegment;
+  for (int step = 0; step < LongestChain && entity != Part21File::None; ++step)
+  {
+    const Part21Range<Index> references = this->Entities.File.GetReferences(entity);
+    const auto next = std::find_if(references.begin(), references.end(),
+      [this](Index reference) { return this->Entities.Has(reference, roles); });
+    if (next == references.end())
+    {
+      break;
+    }
+    entity = *next;
+  }
+  return entity;
+}
+
+std::vector<std::vector<STEPBodyGeometry::Item>> STEPBodyGeometry::Divide(
+  const std::vector<Index>& edges, const std::vector<Index>& surfaces) const
+{
+  std::unordered_map<Index, std::size_t> groupOf;
+  std::vector<std::vector<Item>> groups;
+  const auto add = [&](const Item& item)
+  {
+    const auto [found, isNew] = groupOf.emplace(this->FindBasis(item.Entity), groups.size());
+    if (isNew)
+    {
+      groups.emplace_back();
+    }
+    groups[found->second].push_back(item);
+  };
+  for (const Index edge : edges)
+  {
+    add({ edge, true });
+  }
+  for (const Index surface : surfaces)
+  {
+    add({ surface, false });
+  }
+  const std::size_t size = std::max(ChunkSize, (edges.size() + surfaces.size()) / MaxChunks);
+  std::vector<std::vector<Item>> chunks;
+  for (std::vector<Item>& group : groups)
+  {
+    if (chunks.empty() || chunks.back().size() >= size)
+    {
+      chunks.emplace_back();
+    }
+    chunks.back().insert(chunks.back().end(), group.begin(), group.end());
+  }
+  return chunks;
+}
+
+bool STEPBodyGeometry::Make(
+  const std::vector<Index>& edges, const std::vector<Index>& surfaces, const ContinueCallback& shouldContinue)
 {
   struct Chunk
   {
     STEPLedger Ledger;
     std::unique_ptr<STEPBodyGeometry> Geometry;
   };
-  const std::size_t count = edges.size() + surfaces.size();
-  std::vector<Chunk> chunks((count + ChunkSize - 1) / ChunkSize);
-  ParallelFor(chunks.size(), 1,
-    [&](std::size_t begin, std::size_t end)
+  const std::vector<std::vector<Item>> items = this->Divide(edges, surfaces);
+  for (std::size_t start = 0; start < items.size(); start += ChunksPerReport)
+  {
+    if (!shouldContinue())
     {
-      for (std::size_t k = begin; k < end; ++k)
+      return false;
+    }
+    std::vector<Chunk> chunks(std::min(ChunksPerReport, items.size() - start));
+    ParallelFor(chunks.size(), 1,
+      [&](std::size_t begin, std::size_t end)
       {
-        Chunk& chunk = chunks[k];
-        chunk.Geometry = std::make_unique<STEPBodyGeometry>(this->Entities, this->Units, chunk.Ledger);
-        for (std::size_t i = k * ChunkSize; i < std::min(count, (k + 1) * ChunkSize); ++i)
+        for (std::size_t k = begin; k < end; ++k)
         {
-          if (i < edges.size())
+          Chunk& chunk = chunks[k];
+          chunk.Geometry = std::make_unique<STEPBodyGeometry>(this->Entities, this->Units, chunk.Ledger);
+          for (const Item& item : items[start + k])
           {
-            chunk.Geometry->Edges.GetEdge(edges[i]);
-          }
-          else
-          {
-            chunk.Geometry->GetSurface(surfaces[i - edges.size()]);
+            if (item.IsEdge)
+            {
+              chunk.Geometry->Edges.GetEdge(item.Entity);
+            }
+            else
+            {
+              chunk.Geometry->GetSurface(item.Entity);
+            }
           }
         }
-      }
-    });
-  for (Chunk& chunk : chunks)
-  {
-    this->Take(*chunk.Geometry);
+      });
+    for (Chunk& chunk : chunks)
+    {
+      this->Take(*chunk.Geometry);
+    }
   }
+  return true;
 }
 
 void STEPBodyGeometry::Take(STEPBodyGeometry& other)

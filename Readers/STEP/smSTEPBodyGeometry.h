@@ -7,6 +7,7 @@
 
 #include "Geometry/smPeriodicSurface.h"
 #include "Trims/smFootPoint.h"
+#include "smProgressCallback.h"
 #include "smSTEPEdges.h"
 
 #include <memory>
@@ -25,8 +26,10 @@ public:
 
   STEPBodyGeometry(const STEPAttributes& entities, const STEPUnitSizes& units, STEPLedger& ledger);
 
-  /// Makes edges and surfaces on all threads. Results and rows do not depend on the number of threads.
-  void Make(const std::vector<Index>& edges, const std::vector<Index>& surfaces);
+  /// Makes edges and surfaces on all threads; those on the same curve or surface on the same thread. Results
+  /// and rows do not depend on the number of threads. Returns false if `shouldContinue` did.
+  bool Make(const std::vector<Index>& edges, const std::vector<Index>& surfaces,
+    const ContinueCallback& shouldContinue);
   struct Surface
   {
     const STEPSurface* Value = nullptr;
@@ -54,6 +57,15 @@ public:
   const STEPUnitSizes Units;
 
 private:
+  /// What is made: an edge or a surface.
+  struct Item
+  {
+    Index Entity;
+    bool IsEdge;
+  };
+  Index FindBasis(Index entity) const;
+  std::vector<std::vector<Item>> Divide(
+    const std::vector<Index>& edges, const std::vector<Index>& surfaces) const;
   void MakeNative(Index entity, Surface& surface);
   /// Takes over what the other one has made and this one has not.
   void Take(STEPBodyGeometry& other);

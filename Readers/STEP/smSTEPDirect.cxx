@@ -98,7 +98,10 @@ private:
         bodies.push_back(&body);
       }
     }
-    this->Shapes.MakeGeometry(bodies);
+    if (!this->Shapes.MakeGeometry(bodies, [&progress] { return progress(0.0); }))
+    {
+      return false;
+    }
     std::uint64_t faces = 0;
     for (const CensusBody* body : bodies)
     {

@@ -38,8 +38,9 @@ public:
   STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger);
   ~STEPShapes();
 
-  /// Makes the edges and surfaces of bodies on all threads, so that MakeBody() finds them.
-  void MakeGeometry(const std::vector<const CensusBody*>& bodies);
+  /// Makes the edges and surfaces of bodies on all threads, so that MakeBody() finds them. Returns false if
+  /// `shouldContinue` did.
+  bool MakeGeometry(const std::vector<const CensusBody*>& bodies, const ContinueCallback& shouldContinue);
   /// Returns a solid, or the shells of a surface model; nothing if no face of it is made.
   ShapeGroup MakeBody(const CensusBody& body);
   /// Numbers of the faces whose surface has the opposite normal (STEPSurface::IsReversed()).

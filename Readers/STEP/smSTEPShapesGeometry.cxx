@@ -7,12 +7,12 @@ namespace sm
 {
 namespace
 {
-constexpr STEPAttribute SurfaceOfShapedFace = { "FACE_SURFACE", 0, 2, "surface" };
+constexpr STEPAttribute SurfaceOfFace = { "FACE_SURFACE", 0, 2, "surface" };
 }
 
 Part21File::Index STEPShapes::GetSurfaceEntity(Index face) const
 {
-  return this->Entities.Follow(this->Entities.Get(face, SurfaceOfShapedFace));
+  return this->Entities.Follow(this->Entities.Get(face, SurfaceOfFace));
 }
 
 STEPBodyGeometry& STEPShapes::GetGeometry(int context)
@@ -32,7 +32,8 @@ STEPBodyGeometry& STEPShapes::GetGeometry(int context)
   return *geometry;
 }
 
-void STEPShapes::MakeGeometry(const std::vector<const CensusBody*>& bodies)
+bool STEPShapes::MakeGeometry(
+  const std::vector<const CensusBody*>& bodies, const ContinueCallback& shouldContinue)
 {
   struct Needed
   {
@@ -75,7 +76,11 @@ void STEPShapes::MakeGeometry(const std::vector<const CensusBody*>& bodies)
   }
   for (const auto& [context, needed] : contexts)
   {
-    this->GetGeometry(context).Make(needed.Edges, needed.Surfaces);
+    if (!this->GetGeometry(context).Make(needed.Edges, needed.Surfaces, shouldContinue))
+    {
+      return false;
+    }
   }
+  return true;
 }
 }
