@@ -3,6 +3,9 @@
 #include "smSTEPPropertyAttributes.h"
 #include "smTextEncoding.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace sm
 {
 namespace
@@ -116,6 +119,14 @@ std::unordered_map<Part21File::Index, std::uint64_t> STEPAppearance::FindOccurre
   return occurrences;
 }
 
+std::uint64_t STEPAppearance::FindOccurrence(
+  const Part21Value& styles, const std::unordered_map<Index, std::uint64_t>& occurrences) const
+{
+  const Index style = this->Entities.Follow(GetPart21Value(styles.Text, 0));
+  const auto found = occurrences.find(this->Entities.Follow(this->Entities.Get(style, ContextOfStyle)));
+  return found == occurrences.end() ? 0 : found->second;
+}
+
 STEPColors STEPAppearance::ReadColors() const
 {
   STEPColors colors;
@@ -137,12 +148,10 @@ STEPColors STEPAppearance::ReadColors() const
       {
         continue;
       }
-      const Index style = this->Entities.Follow(GetPart21Value(styles.Text, 0));
-      const auto occurrence =
-        occurrences.find(this->Entities.Follow(this->Entities.Get(style, ContextOfStyle)));
-      if (occurrence != occurrences.end())
+      const std::uint64_t occurrence = this->FindOccurrence(styles, occurrences);
+      if (occurrence > 0)
       {
-        colors.Occurrences.emplace(occurrence->second, color);
+        colors.Occurrences.emplace(occurrence, color);
       }
       else
       {
@@ -151,6 +160,42 @@ STEPColors STEPAppearance::ReadColors() const
     }
   }
   return colors;
+}
+
+std::unordered_set<std::uint64_t> STEPAppearance::ReadHiddenItems() const
+{
+  std::unordered_set<std::uint64_t> hidden;
+  const std::unordered_map<Index, std::uint64_t> occurrences = this->FindOccurrences();
+  const Part21File& file = this->Entities.File;
+  std::string_view record;
+  for (Index i = 0; i < file.GetNumberOfInstances(); ++i)
+  {
+    if (file.IsDamaged(i) || !this->Entities.FindRecord(i, "INVISIBILITY", record))
+    {
+      continue;
+    }
+    for (const Index item : file.GetReferences(i))
+    {
+      const bool isStyled = std::any_of(std::begin(StyledTypes), std::end(StyledTypes),
+        [&](const char* type) { return this->Entities.FindRecord(item, type, record); });
+      if (isStyled)
+      {
+        const std::uint64_t occurrence =
+          this->FindOccurrence(GetPart21Value(record, StylesOfStyled), occurrences);
+        const Index styled = this->Entities.Follow(GetPart21Value(record, ItemOfStyled));
+        hidden.insert(occurrence > 0 || styled == Part21File::None ? occurrence : file.GetId(styled));
+      }
+      else if (item != Part21File::None)
+      {
+        // A layer or a representation refers to what is in it.
+        for (const Index inside : file.GetReferences(item))
+        {
+          hidden.insert(inside == Part21File::None ? 0 : file.GetId(inside));
+        }
+      }
+    }
+  }
+  return hidden;
 }
 
 std::unordered_map<std::uint64_t, std::string> ReadSTEPLayers(const STEPAttributes& entities)

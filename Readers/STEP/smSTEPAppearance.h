@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace sm
 {
@@ -37,11 +38,17 @@ public:
   }
 
   STEPColors ReadColors() const;
+  /// Returns the numbers of the items, and of the occurrences of products, that an INVISIBILITY hides: by a
+  /// STYLED_ITEM, a layer, or a representation with all of its items (ISO 10303-46, invisibility).
+  std::unordered_set<std::uint64_t> ReadHiddenItems() const;
 
 private:
   using Index = Part21File::Index;
 
   std::unordered_map<Index, std::uint64_t> FindOccurrences() const;
+  /// Returns the occurrence that the styles of a styled item are for; 0 for none.
+  std::uint64_t FindOccurrence(
+    const Part21Value& styles, const std::unordered_map<Index, std::uint64_t>& occurrences) const;
   bool ReadColor(Index colour, Vector3& color) const;
   bool FindColor(const Part21Value& styles, int depth, Vector3& color) const;
 

@@ -1,5 +1,6 @@
 #include "smSTEPDirect.h"
 
+#include "smFormat.h"
 #include "smKernel.h"
 #include "smLengthUnits.h"
 #include "smRepairNotice.h"
@@ -12,6 +13,7 @@
 #include <cctype>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace sm
 {
@@ -64,6 +66,7 @@ public:
     this->Shapes.Report(this->Result.Messages, this->Result.Defects);
     this->Result.ReversedFaces = this->Shapes.GetReversedFaces();
     this->AddColors();
+    this->ReportHidden();
     AddSTEPProducts(
       this->Entities, this->Census, this->Kind, this->Bodies, this->OccurrenceColors, this->Result);
     return true;
@@ -247,6 +250,35 @@ private:
     else
     {
       result.Shells.insert(result.Shells.end(), body.Shells.begin(), body.Shells.end());
+    }
+  }
+
+  /// Reports bodies and occurrences that the file hides.
+  void ReportHidden()
+  {
+    const std::unordered_set<std::uint64_t> hidden = STEPAppearance(this->Entities).ReadHiddenItems();
+    std::vector<std::uint64_t> found;
+    for (const auto& [index, shapes] : this->Bodies)
+    {
+      const CensusBody& body = this->Census.Bodies[index];
+      if (hidden.count(body.Id) > 0)
+      {
+        found.push_back(body.Id);
+      }
+    }
+    for (const CensusOccurrence& occurrence : this->Census.Occurrences)
+    {
+      if (hidden.count(occurrence.Id) > 0)
+      {
+        found.push_back(occurrence.Id);
+      }
+    }
+    if (!found.empty())
+    {
+      this->Result.Messages.push_back(
+        FormatCount(found.size(), "body or occurrence is", "bodies or occurrences are") +
+        " hidden in the file (INVISIBILITY), first #" + std::to_string(found.front()) +
+        ": they count like the others. Remove what is not a part of the product.");
     }
   }
 

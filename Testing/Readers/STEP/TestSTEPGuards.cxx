@@ -136,6 +136,38 @@ void CheckLongNumbers()
     two.Radii.size() == 2 && std::abs(two.Radii[0] - 5.0) < 1e-6 && std::abs(two.Radii[1] - 7.0) < 1e-6);
 }
 
+/// What a file hides counts, and is reported: a body by its style, by its layer and with its representation,
+/// an occurrence by the context of its style.
+void CheckHidden()
+{
+  const std::string ball = GetBallText() + GetAssemblyText();
+  const std::string style = "#90=PRESENTATION_STYLE_ASSIGNMENT((NULL_STYLE(.NULL.)));\n";
+  const std::string said = "1 body or occurrence is hidden in the file (INVISIBILITY), first #";
+  const struct
+  {
+    const char* Name;
+    std::string Text;
+    std::string First;
+  } cases[] = {
+    { "hidden by its style", style + "#91=STYLED_ITEM('',(#90),#31);\n#92=INVISIBILITY((#91));\n", "31" },
+    { "hidden by a layer", "#91=PRESENTATION_LAYER_ASSIGNMENT('a','',(#31));\n#92=INVISIBILITY((#91));\n",
+      "31" },
+    { "hidden with its representation", "#92=INVISIBILITY((#32));\n", "31" },
+    { "a hidden occurrence",
+      "#93=PRESENTATION_STYLE_BY_CONTEXT((NULL_STYLE(.NULL.)),#95);\n#94=SHAPE_DEFINITION_REPRESENTATION(#61,"
+      "#95);\n"
+      "#95=SHAPE_REPRESENTATION('',(#23),#6);\n#91=STYLED_ITEM('',(#93),#31);\n#92=INVISIBILITY((#91));\n",
+      "60" },
+  };
+  for (const auto& hidden : cases)
+  {
+    const Reading reading = ReadText(ball + hidden.Text);
+    CheckEqual(hidden.Name, "ok", reading.Status);
+    CheckTrue("  said", reading.Said.find(said + hidden.First + ":") != std::string::npos, reading.Said);
+  }
+  CheckEqual("hidden, and nothing there", "", ReadText(ball + "#92=INVISIBILITY((#99));\n").Said);
+}
+
 /// Shapes that refer to each other, but belong to no product, and a shape with two owners.
 void CheckOwners()
 {
@@ -206,6 +238,7 @@ int TestSTEPGuards(int argc, char* argv[])
   Folder = argv[1];
   CheckLists();
   CheckLongNumbers();
+  CheckHidden();
   CheckOwners();
   CheckUndefinedNumbers();
   CheckOthers();
