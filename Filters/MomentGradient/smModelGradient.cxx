@@ -45,17 +45,17 @@ bool RunFaces(
   return true;
 }
 
-std::set<const Edge*> GetEdges(const Face& face)
+std::set<std::array<double, 3>> GetVertices(const Face& face)
 {
-  std::set<const Edge*> edges;
+  std::set<std::array<double, 3>> vertices;
   for (const Loop& loop : face.Loops)
   {
     for (const Coedge& coedge : loop.Coedges)
     {
-      edges.insert(coedge.Use.get());
+      vertices.insert({ coedge.Use->StartVertex, coedge.Use->EndVertex });
     }
   }
-  return edges;
+  return vertices;
 }
 }
 
@@ -65,20 +65,23 @@ bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>
   this->Faces.assign(faces.size(), {});
   this->Evaluations = 0;
   this->Error.clear();
-  // The ribbons of all faces along an edge count, so the neighbours of a face are cut, too.
-  std::set<const Edge*> edges;
+  // The ribbons of all faces along an edge count, and the caps at a vertex, so the neighbours of a face are
+  // cut, too.
+  std::set<std::array<double, 3>> vertices;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    const std::set<const Edge*> own = faces[f] ? GetEdges(*model->GetFaces()[f]) : std::set<const Edge*>();
-    edges.insert(own.begin(), own.end());
+    if (faces[f])
+    {
+      vertices.merge(GetVertices(*model->GetFaces()[f]));
+    }
   }
   std::vector<std::size_t> indices;
   std::vector<FacePointer> sources;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    const std::set<const Edge*> own = GetEdges(*model->GetFaces()[f]);
+    const std::set<std::array<double, 3>> own = GetVertices(*model->GetFaces()[f]);
     if (faces[f] ||
-      std::any_of(own.begin(), own.end(), [&edges](const Edge* edge) { return edges.count(edge) > 0; }))
+      std::any_of(own.begin(), own.end(), [&vertices](const auto& at) { return vertices.count(at) > 0; }))
     {
       indices.push_back(f);
       sources.push_back(model->GetFaces()[f]);
@@ -109,18 +112,11 @@ bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>
     this->Error = "aborted";
     return false;
   }
-  EdgeStrips along;
+  BodyStrips body;
   double reach = 0.0;
   for (std::size_t i = 0; i < cut.size(); ++i)
   {
-    std::size_t coedge = 0;
-    for (const Loop& loop : cut[i]->Source->Loops)
-    {
-      for (const Coedge& use : loop.Coedges)
-      {
-        along[use.Use.get()] += strips[i].Coedges[coedge++];
-      }
-    }
+    body.Add(*cut[i]->Source, strips[i]);
     reach = std::max(reach, strips[i].Reach);
   }
   std::atomic<std::int64_t> evaluations{ 0 };
@@ -132,7 +128,7 @@ bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>
         return;
       }
       NetGradient gradient =
-        ComputeNetGradient({ cut[i].get(), &strips[i], &along, reach, tolerance, length });
+        ComputeNetGradient({ cut[i].get(), &strips[i], &body, i, reach, tolerance, length });
       for (std::size_t k = 0; sides[indices[i]] < 0.0 && k < gradient.Values.size(); ++k)
       {
         gradient.Values[k] *= k % NumberOfIntegrals < NumberOfMoments ? -1.0 : 1.0;

@@ -67,6 +67,8 @@ private:
   FaceMomentGradient MakeFace(std::size_t body, std::size_t face, const Part& part);
   /// Explains what is NaN for a body.
   void Explain(const BodyIntegrals& body, const DerivedGradient& derived, bool hasVolume);
+  /// Adds a message about bounds of the faces from index `first` of the result on that are NaN.
+  void ExplainBounds(const BodyIntegrals& body, std::size_t first, bool hasVolume);
 
   const MomentGradientOptions& Options;
   MomentGradientResult Result;
@@ -203,6 +205,40 @@ void Computation::Explain(const BodyIntegrals& body, const DerivedGradient& deri
   }
 }
 
+void Computation::ExplainBounds(const BodyIntegrals& body, std::size_t first, bool hasVolume)
+{
+  for (const bool isArea : { false, true })
+  {
+    const int from = isArea ? AreaAt : 0;
+    const int to = isArea ? AreaAt + 1 : NumberOfMoments;
+    std::size_t count = 0;
+    std::size_t all = 0;
+    std::int64_t face = 0;
+    for (std::size_t f = first; f < this->Result.Faces.size(); ++f)
+    {
+      const std::vector<double>& bounds = this->Result.Faces[f].Bounds;
+      for (auto at = bounds.begin(); at != bounds.end(); at += NumberOfGradientQuantities, ++all)
+      {
+        if (std::any_of(at + from, at + to, [](double bound) { return std::isnan(bound); }))
+        {
+          face = count == 0 ? this->Result.Faces[f].FileId : face;
+          ++count;
+        }
+      }
+    }
+    if (count == 0 || (!isArea && !hasVolume))
+    {
+      continue;
+    }
+    this->Result.Messages.push_back("solid " + body.Path + ": " + std::to_string(count) + " of " +
+      std::to_string(all) + " bounds of derivatives of " + (isArea ? "SurfaceArea" : "the moments") +
+      " are not known and NaN, first at face #" + std::to_string(face) +
+      (isArea ? ": at a pole, or where normals or weights may vanish"
+              : ": the weight may vanish near a trim curve, or a strip along an edge has no bound") +
+      "; do not rely on these values, or take derivatives by other points");
+  }
+}
+
 FaceMomentGradient Computation::MakeFace(std::size_t body, std::size_t face, const Part& part)
 {
   const BodyIntegrals& source = this->Bodies[body];
@@ -291,9 +327,9 @@ void Computation::AddBody(std::size_t body, const Part& part)
 {
   const BodyIntegrals& source = this->Bodies[body];
   const MassProperties& properties = this->Analysis.Rows[body].Properties;
-  this->Explain(source, DerivedGradient(properties),
-    source.HasVolume() && std::isfinite(properties.Center[0]) &&
-      properties.VolumeBound < std::abs(properties.Volume));
+  const bool hasVolume = source.HasVolume() && std::isfinite(properties.Center[0]) &&
+    properties.VolumeBound < std::abs(properties.Volume);
+  const std::size_t first = this->Result.Faces.size();
   std::int64_t points = 0;
   for (std::size_t f = 0; f < source.Model->GetFaces().size(); ++f)
   {
@@ -305,6 +341,8 @@ void Computation::AddBody(std::size_t body, const Part& part)
     points += static_cast<std::int64_t>(source.Model->GetFaces()[f]->Surface.ControlPoints.size());
   }
   this->FirstVariable += points;
+  this->ExplainBounds(source, first, hasVolume);
+  this->Explain(source, DerivedGradient(properties), hasVolume);
 }
 
 MomentGradientResult Computation::Run(vtkDataObject* model)

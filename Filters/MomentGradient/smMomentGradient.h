@@ -73,7 +73,7 @@ struct FaceMomentGradient
   /// Indices from 0 of the solid in the input, and of the face in it; entity number of the face in the file.
   int Solid = 0;
   int Face = 0;
-  int FileId = 0;
+  std::int64_t FileId = 0;
   /// Numbers of control points in u and v.
   int Count[2] = { 0, 0 };
   /// World coordinates and weight of point (i,j) at i Count[1] + j, as the next ones.
@@ -100,7 +100,8 @@ struct MomentGradientResult
   std::string Status;
   /// Why the status is not "ok"; empty if it is.
   std::string Reason;
-  /// What is NaN and why, and the messages about the bodies.
+  /// What is NaN and why, bounds of the area among it, counted for each solid; and the messages about the
+  /// bodies.
   std::vector<std::string> Messages;
   std::string LengthUnit;
   std::vector<FaceMomentGradient> Faces;

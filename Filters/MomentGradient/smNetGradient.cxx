@@ -92,28 +92,63 @@ std::vector<BoundClass> GetClasses()
 }
 
 /// The area of strips by which the derivative depends on how edges follow the faces: the ribbons in a patch,
-/// and those of other faces along the same edges. Their points move at most as fast as those of the patch's
-/// border, by less than 1 for a unit of a control point.
+/// those of other coedges of the same edges, and caps and ribbons at the corners of all faces at their
+/// vertices. Their points move at most as fast as those of the patch's border, by less than 1 for a unit of a
+/// control point. Infinite if one of them is not known.
 double GetStripArea(const NetGradientTask& task, std::uint32_t patch, const std::vector<const Edge*>& edges)
 {
   const FacePanels& panels = task.Cut->Panels;
   std::set<int> coedges;
   double area = 0.0;
   bool hasRibbon = false;
+  bool hasCorner = false;
   for (std::size_t i = 0; i < panels.Ribbons.size(); ++i)
   {
     const Ribbon& ribbon = panels.Ribbons[i];
-    if (ribbon.Patch == patch)
+    if (ribbon.Patch != patch)
     {
-      hasRibbon = true;
-      area += task.Strips->Ribbons[i].Area + task.Strips->Ribbons[i].Swept;
-      if (ribbon.Coedge >= 0 && coedges.insert(ribbon.Coedge).second)
-      {
-        area += std::max(0.0, task.Edges->at(edges[ribbon.Coedge]) - task.Strips->Coedges[ribbon.Coedge]);
-      }
+      continue;
+    }
+    hasRibbon = true;
+    area += task.Strips->Ribbons[i].Swept;
+    if (ribbon.Coedge < 0)
+    {
+      hasCorner = true;
+      continue;
+    }
+    area += task.Strips->Ribbons[i].Area;
+    coedges.insert(ribbon.Coedge);
+  }
+  if (!hasRibbon)
+  {
+    return 0.0;
+  }
+  for (const int coedge : coedges)
+  {
+    for (const BodyStrips::Use& use : task.Body->Edges.at(edges[coedge]))
+    {
+      area += use.Face == task.Index && use.Coedge == coedge ? 0.0 : use.Area;
     }
   }
-  return area + (hasRibbon ? task.Strips->Caps : 0.0);
+  // A corner does not say at which vertex it is.
+  for (int coedge = 0; hasCorner && coedge < static_cast<int>(edges.size()); ++coedge)
+  {
+    coedges.insert(coedge);
+  }
+  std::set<std::size_t> faces{ task.Index };
+  for (const int coedge : coedges)
+  {
+    for (const std::array<double, 3>& vertex : { edges[coedge]->StartVertex, edges[coedge]->EndVertex })
+    {
+      const std::vector<std::size_t>& others = task.Body->Vertices.at(vertex);
+      faces.insert(others.begin(), others.end());
+    }
+  }
+  for (const std::size_t face : faces)
+  {
+    area += task.Body->Corners[face];
+  }
+  return std::isnan(area) ? std::numeric_limits<double>::infinity() : area;
 }
 
 /// A bound of the speed of points of the patch's border. On the patch R is at most 1. Where trim curves leave
@@ -204,10 +239,7 @@ FaceStrips FaceStrips::Make(const CutFace& face, double tolerance)
   for (std::size_t i = 0; i < panels.Ribbons.size(); ++i)
   {
     const Ribbon& ribbon = panels.Ribbons[i];
-    if (ribbon.Coedge >= 0)
-    {
-      strips.Coedges[ribbon.Coedge] += strips.Ribbons[i].Area;
-    }
+    (ribbon.Coedge >= 0 ? strips.Coedges[ribbon.Coedge] : strips.Corners) += strips.Ribbons[i].Area;
     for (int k = 0; k <= ribbon.EdgeDegree; ++k)
     {
       strips.Reach = std::max(strips.Reach, Norm(panels.Coefficients.data() + ribbon.Edge + 3 * k));
@@ -220,10 +252,33 @@ FaceStrips FaceStrips::Make(const CutFace& face, double tolerance)
   strips.Reach += panels.Outside.Distance;
   for (const Cap& cap : panels.Caps)
   {
-    strips.Caps += 0.5 * Norm(Subtract(cap.From, cap.Apex)) * Norm(Subtract(cap.To, cap.Apex));
+    strips.Corners += 0.5 * Norm(Subtract(cap.From, cap.Apex)) * Norm(Subtract(cap.To, cap.Apex));
     strips.Reach = std::max({ strips.Reach, Norm(cap.Apex), Norm(cap.From), Norm(cap.To) });
   }
   return strips;
+}
+
+void BodyStrips::Add(const Face& face, const FaceStrips& strips)
+{
+  const std::size_t index = this->Corners.size();
+  this->Corners.push_back(strips.Corners);
+  int coedge = 0;
+  for (const Loop& loop : face.Loops)
+  {
+    for (const Coedge& use : loop.Coedges)
+    {
+      this->Edges[use.Use.get()].push_back({ index, coedge, strips.Coedges[coedge] });
+      ++coedge;
+      for (const std::array<double, 3>& vertex : { use.Use->StartVertex, use.Use->EndVertex })
+      {
+        std::vector<std::size_t>& faces = this->Vertices[vertex];
+        if (faces.empty() || faces.back() != index)
+        {
+          faces.push_back(index);
+        }
+      }
+    }
+  }
 }
 
 NetGradient ComputeNetGradient(const NetGradientTask& task)

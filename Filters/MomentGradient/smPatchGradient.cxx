@@ -48,7 +48,7 @@ TrimPoint EvaluateTrim(const double* coefficients, int degree, const Patch& patc
   return { static_cast<double>(points[0][0]), static_cast<double>(points[0][1]), static_cast<double>(slope) };
 }
 
-/// Bernstein polynomials of a degree at x and their derivatives, from those of one degree less.
+/// Bernstein polynomials of a degree at x, and their derivatives from those of one degree less.
 struct Basis
 {
   double Values[MaximumDegree + 1];
@@ -57,13 +57,11 @@ struct Basis
   Basis(int degree, double x)
   {
     double lower[MaximumDegree + 1];
+    FillBernsteinBasis(degree, x, this->Values);
     FillBernsteinBasis(degree - 1, x, lower);
     for (int i = 0; i <= degree; ++i)
     {
-      const double before = i > 0 ? lower[i - 1] : 0.0;
-      const double here = i < degree ? lower[i] : 0.0;
-      this->Values[i] = x * before + (1.0 - x) * here;
-      this->Slopes[i] = degree * (before - here);
+      this->Slopes[i] = degree * ((i > 0 ? lower[i - 1] : 0.0) - (i < degree ? lower[i] : 0.0));
     }
   }
 };

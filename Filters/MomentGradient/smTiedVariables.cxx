@@ -1,5 +1,6 @@
 #include "Detail/smModelGradient.h"
 
+#include "smBodyScales.h"
 #include "smModelEdit.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace sm
 {
 namespace
 {
-// Points closer than this, relative to the body's size, coincide, as in smNetChange.cxx.
+// Points closer than this, relative to the diagonal of the model's box, coincide.
 constexpr double CoincidentPoints = 1e-9;
 // Largest relative difference of the ratios of weights of rows that coincide.
 constexpr double EqualRatio = 1e-12;
@@ -134,24 +135,6 @@ struct Net
     return rows;
   }
 };
-
-double GetSize(vtkTrimmedNURBSModel* model)
-{
-  double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
-  double high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-  for (const FacePointer& face : model->GetFaces())
-  {
-    for (const std::array<double, 4>& point : face->Surface.ControlPoints)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        low[c] = std::min(low[c], point[c] / point[3]);
-        high[c] = std::max(high[c], point[c] / point[3]);
-      }
-    }
-  }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-}
 }
 
 TiedVariables TiedVariables::MakeSeparate(vtkTrimmedNURBSModel* model)
@@ -174,7 +157,7 @@ TiedVariables TiedVariables::Find(vtkTrimmedNURBSModel* model)
   const std::vector<std::vector<int>> rows = FindTiedPoints(model);
   Groups points(rows);
   Groups weights(rows);
-  const double tolerance = CoincidentPoints * GetSize(model);
+  const double tolerance = CoincidentPoints * 2.0 * GetRadius(*model);
   for (std::size_t f = 0; f < rows.size(); ++f)
   {
     for (int direction = 0; direction < 2; ++direction)

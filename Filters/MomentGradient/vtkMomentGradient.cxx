@@ -18,6 +18,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <exception>
@@ -64,7 +65,7 @@ void AddNets(const sm::MomentGradientResult& result, vtkPolyData* output)
   const auto weights = AddPointArray<vtkDoubleArray>(output, "Weight", 1, count);
   const auto solids = AddPointArray<vtkIntArray>(output, "Solid", 1, count);
   const auto faces = AddPointArray<vtkIntArray>(output, "Face", 1, count);
-  const auto ids = AddPointArray<vtkIntArray>(output, "FaceId", 1, count);
+  const auto ids = AddPointArray<vtkTypeInt64Array>(output, "FaceId", 1, count);
   const auto inU = AddPointArray<vtkIntArray>(output, "IndexU", 1, count);
   const auto inV = AddPointArray<vtkIntArray>(output, "IndexV", 1, count);
   const auto variables = AddPointArray<vtkIdTypeArray>(output, "PointVariable", 1, count);

@@ -16,7 +16,8 @@
 
 namespace sm
 {
-/// The items of a patch's panels. None is evaluated twice: Compared is ignored.
+/// The items of a patch's panels. An item that is Compared has no bound: it is to be evaluated once, with its
+/// orders doubled.
 struct PatchPlan
 {
   std::vector<PlannedItem> Items;

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <exception>
 #include <limits>
 
 namespace sm
@@ -221,13 +221,13 @@ std::array<ErrorBound, 3> EvaluateForms3(
 
 /**
  * Adds the bounds of a face's items. A net is a sum of products with c, which adds one rounding for each
- * variable and two more to the numbers of the net; errors of positions and tangents are at least 8 unit
- * roundoffs of these.
+ * variable and two more to the numbers of the net; errors of positions and tangents are at least 2 unit
+ * roundoffs of these, those of a patch's centre no more.
  */
 void AddErrors(
   const PointsErrors& face, const std::vector<double>& sizes, std::array<double, NumberOfMoments>& bounds)
 {
-  const double growth = 1.0001 * (1.0 + (static_cast<double>(sizes.size()) + 2.0) / 8.0);
+  const double growth = 1.0001 * (1.0 + (static_cast<double>(sizes.size()) + 2.0) / 2.0);
   for (const VariantError& term : face.Terms)
   {
     const auto flux = GetFluxBounds(EvaluateForms3(term.Forms.Position, sizes),
@@ -374,6 +374,7 @@ VariantIntegrator::~VariantIntegrator() = default;
 std::shared_ptr<const VariantIntegrator> VariantIntegrator::Make(
   const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error,
   VariantMethod method, std::int64_t expected)
+try
 {
   error = !shape ? "there is no shape: make one first" : FindProblem(options, shape->GetNumberOfDirections());
   if (error.empty() && method == VariantMethod::Polynomial &&
@@ -443,6 +444,11 @@ std::shared_ptr<const VariantIntegrator> VariantIntegrator::Make(
   }
   return std::shared_ptr<const VariantIntegrator>(new VariantIntegrator(std::move(internals)));
 }
+catch (...)
+{
+  error = ExplainFailure(std::current_exception());
+  return nullptr;
+}
 
 VariantMethod VariantIntegrator::GetMethod() const
 {
@@ -487,5 +493,7 @@ void VariantIntegrator::Evaluate(const double* c, std::size_t n, double* values,
     return;
   }
   this->Implementation->EvaluatePoints(c, n, values, bounds);
+  HideNotFinite(c, static_cast<std::size_t>(this->GetNumberOfDirections()), n,
+    { { values, NumberOfValues }, { bounds, NumberOfValues } });
 }
 }

@@ -57,7 +57,7 @@ public:
   std::int64_t GetNumberOfSamples() const;
 
   /// Evaluates n variants, c[n][K], on the threads of vtkSMPTools: values[n][10], and if it is not null
-  /// bounds[n][10].
+  /// bounds[n][10]; NaN for a variant with a number that is not finite. Throws std::bad_alloc.
   void Evaluate(const double* c, std::size_t n, double* values, double* bounds = nullptr) const;
 
 private:

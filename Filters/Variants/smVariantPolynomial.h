@@ -39,8 +39,9 @@ struct VariantOptions
   double Tolerance = 1e-12;
 };
 
-/// What of a direction opens: the largest distance of a face's boundary from its edge for c_k = 1, a length,
-/// and the index of that face.
+/// What of a direction opens: how far a face's boundary is from its edge for c_k = 1, the largest found at
+/// the points where ribbons are integrated, a length and no bound; and the index of that face. Of faces
+/// without loops nothing opens.
 struct VariantGap
 {
   double Distance = 0.0;
@@ -76,7 +77,7 @@ public:
   static constexpr int MaximumDirections = 24;
 
   /// Integrates the coefficients, on the threads of vtkSMPTools. Returns null with the reason in `error`: an
-  /// option out of its range, more than MaximumDirections, a face that cannot be cut.
+  /// option out of its range, more than MaximumDirections, a face that cannot be cut, a lack of memory.
   static std::shared_ptr<const VariantPolynomial> Make(
     const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error);
   ~VariantPolynomial();
@@ -97,7 +98,7 @@ public:
   /**
    * Evaluates n variants, c[n][K], on the threads of vtkSMPTools: values[n][10]; and where they are not null
    * bounds[n][10] of their errors, gradients[n][10][K] by c, and bounds of these in the same order. A number
-   * that is not finite gives NaN.
+   * of a variant that is not finite makes all of them NaN for that variant. Throws std::bad_alloc.
    */
   void Evaluate(const double* c, std::size_t n, double* values, double* bounds = nullptr,
     double* gradients = nullptr, double* gradientBounds = nullptr) const;

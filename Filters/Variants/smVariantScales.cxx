@@ -1,9 +1,11 @@
 #include "Detail/smVariantScales.h"
 
+#include "smFailureReason.h"
 #include "smParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace sm
@@ -118,6 +120,32 @@ bool MakeChains(const VariantShape& shape, const VariantChainOptions& options,
     }
   }
   return true;
+}
+
+std::string ExplainFailure(const std::exception_ptr& failure)
+{
+  return std::string("the variants could not be prepared: ") + GetReason(failure) +
+    "; nothing can be evaluated: use fewer directions or faces, or frozen points";
+}
+
+void HideNotFinite(const double* c, std::size_t directions, std::size_t n,
+  const std::vector<std::pair<double*, std::size_t>>& results)
+{
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (std::all_of(
+          c + i * directions, c + (i + 1) * directions, [](double number) { return std::isfinite(number); }))
+    {
+      continue;
+    }
+    for (const auto& [to, size] : results)
+    {
+      if (to)
+      {
+        std::fill_n(to + i * size, size, std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
 }
 
 std::vector<VariantGap> FindGaps(const std::vector<VariantFaceChain>& chains, int directions)

@@ -1,5 +1,6 @@
 #include "smVariantShape.h"
 
+#include "Detail/smVariantBase.h"
 #include "smBernstein.h"
 #include "smUnitRoundoff.h"
 
@@ -47,57 +48,6 @@ std::vector<MotionPoint> GetPart(const EdgeCurve& curve, double start, double en
   return points;
 }
 
-/// Returns true if a surface that closes on itself, or has a pole, opens there: control points that coincide
-/// move apart. Only edges close a face elsewhere, so this is asked of faces without loops.
-bool OpensFace(const NURBSSurface& surface, const std::vector<MotionPoint>& displacements)
-{
-  const int columns = surface.NumberOfControlPoints[0];
-  const int rows = surface.NumberOfControlPoints[1];
-  double size = 0.0;
-  double largest = 0.0;
-  const auto getDistance = [&](std::size_t a, std::size_t b, bool isMove)
-  {
-    double distance = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      const double x = isMove ? displacements[a][c] : surface.ControlPoints[a][c];
-      const double y = isMove ? displacements[b][c] : surface.ControlPoints[b][c];
-      distance =
-        std::max(distance, std::abs(x / surface.ControlPoints[a][3] - y / surface.ControlPoints[b][3]));
-    }
-    return distance;
-  };
-  for (std::size_t i = 0; i < displacements.size(); ++i)
-  {
-    size = std::max(size, getDistance(0, i, false));
-    for (int c = 0; c < 3; ++c)
-    {
-      largest = std::max(largest, std::abs(displacements[i][c]) / surface.ControlPoints[i][3]);
-    }
-  }
-  // Pairs that coincide within rounding have to move alike within rounding.
-  const auto separates = [&](std::size_t a, std::size_t b)
-  { return getDistance(a, b, false) <= 1e-12 * size && getDistance(a, b, true) > 1e-9 * largest; };
-  for (int j = 0; j < rows; ++j)
-  {
-    for (int i = 0; i < columns; ++i)
-    {
-      const std::size_t at = i + static_cast<std::size_t>(j) * columns;
-      const std::size_t start = static_cast<std::size_t>(j) * columns;
-      const std::size_t last = start + columns - 1;
-      const std::size_t end = i + static_cast<std::size_t>(rows - 1) * columns;
-      // The other side in both directions, and the neighbour along a border.
-      if ((i == 0 && separates(at, last)) || (j == 0 && separates(at, end)) ||
-        (i + 1 < columns && (j == 0 || j == rows - 1) && separates(at, at + 1)) ||
-        (j + 1 < rows && (i == 0 || i == columns - 1) && separates(at, at + columns)))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 int GetDegreeAt(const EdgeCurve& curve, double t)
 {
   return curve.GetDegree(curve.FindPiece(t));
@@ -116,6 +66,11 @@ std::shared_ptr<const VariantShape> VariantShape::Make(
   if (directions.size() > MaximumDirections)
   {
     error = std::to_string(directions.size()) + " directions are more than 10000: use fewer";
+    return nullptr;
+  }
+  error = FindBaseProblem(*base);
+  if (!error.empty())
+  {
     return nullptr;
   }
   const std::shared_ptr<VariantShape> shape(new VariantShape);
@@ -169,7 +124,8 @@ std::string VariantShape::AddDirection(const MovedModel& moved)
     if (!problem.empty())
     {
       return "face " + std::to_string(i) + " of the moved model " + problem +
-        ": move control points only, and those that coincide alike";
+        ": its volume would be wrong; move control points only, and those that coincide alike, or give the "
+        "face edges";
     }
   }
   return {};
@@ -210,7 +166,7 @@ std::string VariantShape::AddFace(std::size_t index, const Face& moved, double f
   }
   if (isMoved && base.Loops.empty() && OpensFace(a, displacements))
   {
-    return "opens where the face closes on itself";
+    return "opens, or moves a border that no edge closes, of a face without loops";
   }
   if (isMoved)
   {

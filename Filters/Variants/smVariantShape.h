@@ -9,8 +9,10 @@
  *
  * A direction is a model that was moved: by sm::MoveControlPoints(), vtkNURBSDeform, or by hand. It needs the
  * faces of the base in their order with the same degrees, knots, weights, loops and trim curves. Edges may
- * have other pieces; they are divided to common ones. What opens stays in the chain: ribbons close it, and
- * GetGaps() says how far each direction moves a face away from its edge.
+ * have other pieces; they are divided to common ones. Where a face moves away from its edge, ribbons close
+ * the chain, and GetGaps() says how far. A face without loops has no edges and no ribbons: it may move only
+ * where it closes on itself or ends in a pole, and its control points that coincide have to move alike,
+ * within 1e-12 of the largest displacement, which no bound includes.
  */
 #ifndef smVariantShape_h
 #define smVariantShape_h
@@ -71,9 +73,10 @@ struct VariantFace
 class SMFILTERSVARIANTS_EXPORT VariantShape
 {
 public:
-  /// Returns the shape, or null with the reason: a model without faces, an Amount that is 0 or not finite, a
-  /// moved model that differs from the base in more than control points and edges. More than 10,000
-  /// directions are refused.
+  /// Returns the shape, or null with the reason: a model without faces, one that is open or whose status is
+  /// not ok (CheckTopology()), several shells that are not a solid and its voids; an Amount that is 0 or not
+  /// finite, a moved model that differs from the base in more than control points and edges, or opens a face
+  /// without loops. More than 10,000 directions are refused.
   static std::shared_ptr<const VariantShape> Make(
     vtkTrimmedNURBSModel* base, const std::vector<MovedModel>& directions, std::string& error);
 

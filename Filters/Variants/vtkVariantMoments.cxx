@@ -1,5 +1,6 @@
 #include "vtkVariantMoments.h"
 
+#include "smFailureReason.h"
 #include "smVariantIntegrator.h"
 
 #include "vtkDoubleArray.h"
@@ -7,6 +8,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkTrimmedNURBSModel.h"
 
+#include <exception>
 #include <vector>
 
 vtkStandardNewMacro(vtkVariantMoments);
@@ -104,6 +106,7 @@ int vtkVariantMoments::GetNumberOfDirections() const
 }
 
 bool vtkVariantMoments::Build()
+try
 {
   Internals& self = *this->Implementation;
   std::string error;
@@ -120,9 +123,16 @@ bool vtkVariantMoments::Build()
   self.Integrator = sm::VariantIntegrator::Make(shape, options, error, method, this->ExpectedVariants);
   return this->Fail(error);
 }
+catch (...)
+{
+  this->Implementation->Integrator = nullptr;
+  return this->Fail(std::string("the variants could not be prepared: ") +
+    sm::GetReason(std::current_exception()) + "; use fewer directions or faces");
+}
 
 bool vtkVariantMoments::Run(
   vtkDataArray* c, vtkDoubleArray* values, vtkDoubleArray* bounds, vtkDoubleArray* gradients)
+try
 {
   const auto& integrator = this->Implementation->Integrator;
   if (!integrator)
@@ -171,6 +181,11 @@ bool vtkVariantMoments::Run(
     integrator->Evaluate(numbers.data(), static_cast<std::size_t>(n), toValues, toBounds);
   }
   return this->Fail({});
+}
+catch (...)
+{
+  return this->Fail(std::string("nothing was evaluated: ") + sm::GetReason(std::current_exception()) +
+    "; evaluate fewer variants at a time");
 }
 
 bool vtkVariantMoments::Evaluate(vtkDataArray* c, vtkDoubleArray* values, vtkDoubleArray* bounds)

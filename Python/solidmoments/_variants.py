@@ -1,5 +1,6 @@
 """Moments of many variants of one solid, as NumPy arrays."""
 import collections
+import operator
 
 VariantMoments = collections.namedtuple("VariantMoments", "values bounds gradients")
 
@@ -14,7 +15,7 @@ class Variants:
     fit.
 
     reference is the point that first and second moments are about; used_method and reason say how variants are evaluated; gaps has, for each
-    direction, how far c_k = 1 moves a face away from an edge.
+    direction, how far c_k = 1 moves a face away from an edge, the largest found at the samples; that is not a bound.
     """
 
     NAMES = ("volume", "x", "y", "z", "xx", "yy", "zz", "xy", "yz", "xz")
@@ -67,8 +68,12 @@ class Variants:
         import numpy
         from vtkmodules.util.numpy_support import numpy_to_vtk
 
-        if isinstance(direction, int):
-            self._check(self._moments.AddNormalOffset(direction, reach) >= 0)
+        try:
+            face = operator.index(direction)
+        except TypeError:
+            face = None
+        if face is not None:
+            self._check(self._moments.AddNormalOffset(face, reach) >= 0)
             return
         if not isinstance(direction, dict):
             moved, amount = direction

@@ -204,7 +204,7 @@ def check_variants(box):
     areas = numpy.array([15.0, 15.0, 10.0, 10.0, 6.0, 6.0])
     c = numpy.random.default_rng(5).uniform(-0.2, 0.2, (1000, 6))
     for method in ("points", "polynomial"):
-        variants = solidmoments.Variants(box, range(6), [0.2] * 6, method=method)
+        variants = solidmoments.Variants(box, numpy.arange(6), [0.2] * 6, method=method)
         check_equal("method", method, variants.used_method)
         values, bounds, gradients = variants.evaluate(c, gradients=method == "polynomial")
         check_equal("shapes", ((1000, 10), (1000, 10)), (values.shape, bounds.shape))

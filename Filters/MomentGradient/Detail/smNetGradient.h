@@ -37,16 +37,14 @@ struct NetGradient
   }
 };
 
-/// Bounds of the areas of ribbons along each edge, over all its uses.
-using EdgeStrips = std::map<const Edge*, double>;
-
 /// Bounds of ribbons and caps of one face.
 struct FaceStrips
 {
   std::vector<StripBound> Ribbons;
   /// The area of all ribbons along each coedge, counted through all loops.
   std::vector<double> Coedges;
-  double Caps = 0.0;
+  /// The area of all caps, and of the ribbons at corners, which lead from a vertex to the face.
+  double Corners = 0.0;
   /// Largest distance of patches and ribbons from the origin.
   double Reach = 0.0;
 
@@ -54,11 +52,31 @@ struct FaceStrips
   static FaceStrips Make(const CutFace& face, double tolerance);
 };
 
+/// Bounds of the areas of ribbons and caps by the edge and the vertex that moves them.
+struct BodyStrips
+{
+  struct Use
+  {
+    std::size_t Face;
+    int Coedge;
+    double Area;
+  };
+  std::map<const Edge*, std::vector<Use>> Edges;
+  /// The faces at each vertex, by its coordinates, each once.
+  std::map<std::array<double, 3>, std::vector<std::size_t>> Vertices;
+  /// FaceStrips::Corners of each face.
+  std::vector<double> Corners;
+
+  void Add(const Face& face, const FaceStrips& strips);
+};
+
 struct NetGradientTask
 {
   const CutFace* Cut = nullptr;
   const FaceStrips* Strips = nullptr;
-  const EdgeStrips* Edges = nullptr;
+  const BodyStrips* Body = nullptr;
+  /// Index of the face in Body.
+  std::size_t Index = 0;
   /// Largest distance of the body from the origin.
   double Reach = 0.0;
   /// Absolute tolerance of a derivative of the volume by a control point, and the length that scales those of

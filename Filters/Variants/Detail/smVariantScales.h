@@ -8,7 +8,9 @@
 #include "smVariantChain.h"
 #include "smVariantPolynomial.h"
 
+#include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sm
@@ -23,6 +25,14 @@ VariantChainOptions MakeChainOptions(const VariantShape& shape, const VariantOpt
 /// Cuts and plans all faces, on the threads of vtkSMPTools. Returns false with the reason.
 bool MakeChains(const VariantShape& shape, const VariantChainOptions& options,
   std::vector<VariantFaceChain>& chains, std::string& error);
+
+/// The reason for an exception while variants are prepared, with the remedy.
+std::string ExplainFailure(const std::exception_ptr& failure);
+
+/// Sets the results of each of the n variants c[n][directions] that has a number which is not finite to NaN.
+/// `results` are arrays of so many numbers for each variant, or null.
+void HideNotFinite(const double* c, std::size_t directions, std::size_t n,
+  const std::vector<std::pair<double*, std::size_t>>& results);
 
 /// What each direction opens.
 std::vector<VariantGap> FindGaps(const std::vector<VariantFaceChain>& chains, int directions);

@@ -89,6 +89,10 @@ void CheckBall()
     // bound.
     Check("radius SurfaceArea", 8.0 * Pi * r, static_cast<double>(grown.Value), 1e-9 * area, "the tolerance");
     CheckTrue("radius SurfaceArea bound", std::isnan(grown.Bound));
+    CheckTrue("counted in a message",
+      std::any_of(result.Messages.begin(), result.Messages.end(),
+        [](const std::string& message)
+        { return message.find("bounds of derivatives of SurfaceArea are not known") != std::string::npos; }));
     const sm::FaceMomentGradient& face = result.Faces[0];
     bool isUnknown = true;
     for (int k = 1; k <= 3; ++k)
@@ -309,6 +313,63 @@ void CheckWeight()
   }
 }
 
+/// The bound of the derivative of the volume by the corner of one face of a unit box, whose three edges end
+/// at (0, h, 0) instead of there, and have a vertex that is `away` from this end along x.
+double GetCornerBound(double h, double away)
+{
+  BoxBody boxes;
+  boxes.Add({ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } });
+  const auto leaf = boxes.Make();
+  std::map<const sm::Edge*, std::shared_ptr<const sm::Edge>> edges;
+  std::vector<sm::FacePointer> faces;
+  const std::array<double, 3> corner{};
+  for (const sm::FacePointer& face : leaf->GetModel()->GetFaces())
+  {
+    auto copy = std::make_shared<sm::Face>(*face);
+    copy->Id = sm::NewId();
+    for (sm::Coedge& coedge : copy->Loops[0].Coedges)
+    {
+      std::shared_ptr<const sm::Edge>& known = edges[coedge.Use.get()];
+      if (!known)
+      {
+        auto edge = std::make_shared<sm::Edge>(*coedge.Use);
+        for (std::array<double, 3>& point : edge->Curve.Coefficients)
+        {
+          point = point == corner ? std::array<double, 3>{ 0.0, h, 0.0 } : point;
+        }
+        for (std::array<double, 3>* vertex : { &edge->StartVertex, &edge->EndVertex })
+        {
+          *vertex = *vertex == corner ? std::array<double, 3>{ away, h, 0.0 } : *vertex;
+        }
+        known = edge;
+      }
+      coedge.Use = known;
+    }
+    faces.push_back(copy);
+  }
+  leaf->GetModel()->SetFaces(faces);
+  sm::MomentGradientOptions options;
+  options.Tied = false;
+  options.Faces = { 0 };
+  const sm::MomentGradientResult result = sm::ComputeMomentGradient(leaf, options);
+  const sm::FaceMomentGradient& face = result.Faces[0];
+  const std::size_t at = face.GetIndex(0, 0, 0, FindQuantity("Volume"));
+  Check("Volume by a corner", -0.25, face.Values[at], face.Bounds[at], "the bound");
+  return face.Bounds[at];
+}
+
+/// Each of the three faces at the corner has two caps, triangles from the vertex to the edge's end and to the
+/// face's corner: half the product of these sides is the bound of the area. All of them move with the corner
+/// of one face.
+void CheckCorners()
+{
+  std::printf("--- a vertex off the corner\n");
+  constexpr double h = 1e-3;
+  const double caps = 6.0 * 0.5 * h * std::sqrt(2.0) * h;
+  CheckRange("caps in the bound", 0.999 * caps, GetCornerBound(h, h) - GetCornerBound(h, 0.0), 1.001 * caps,
+    "six caps, and their speed");
+}
+
 void CheckErrors()
 {
   std::printf("--- errors\n");
@@ -345,6 +406,7 @@ int TestMomentGradientValues(int argc, char*[])
   CheckBox(false);
   CheckBox(true);
   CheckWeight();
+  CheckCorners();
   CheckErrors();
   return Finish();
 }

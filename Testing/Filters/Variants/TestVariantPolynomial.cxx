@@ -167,6 +167,78 @@ void CheckProperties()
     "bound of the inertia", 0.0, derived.InertiaBound, 1e-9 * inertia[2], "1e-9 of the largest moment");
 }
 
+/// A box of six faces without loops, side 10: no edge, so no ribbon follows a face that is offset, and the
+/// volume would be 1000 + 33.3 c instead of 1000 + 100 c.
+void CheckLoopless()
+{
+  BoxBody body;
+  body.Add({ { 0.0, 0.0, 0.0 }, { 10.0, 10.0, 10.0 } });
+  const vtkSmartPointer<vtkTrimmedNURBSModel> box = body.Make()->GetModel();
+  std::vector<sm::FacePointer> faces;
+  for (const sm::FacePointer& face : box->GetFaces())
+  {
+    auto bare = std::make_shared<sm::Face>(*face);
+    bare->Id = sm::NewId();
+    bare->Loops.clear();
+    faces.push_back(bare);
+  }
+  const auto base = MakeModel(faces, { 0, 10, 0, 10, 0, 10 });
+  std::string error;
+  const auto fixed = sm::VariantPolynomial::Make(sm::VariantShape::Make(base, {}, error), {}, error);
+  CheckTrue("a box without edges that does not move", fixed != nullptr, error);
+  if (fixed)
+  {
+    double values[10];
+    double bounds[10];
+    fixed->Evaluate(nullptr, 1, values, bounds);
+    Check("its volume", 1000.0, values[0], bounds[0], "the bound");
+  }
+  for (int f = 0; f < 6; ++f)
+  {
+    const auto moved = sm::MakeNormalOffset(base, f, error);
+    CheckTrue("a face without edges is offset: refused",
+      moved && !sm::VariantShape::Make(base, { { moved, 1.0 } }, error) &&
+        error.find("no edge closes") != std::string::npos,
+      error);
+  }
+}
+
+/// Bases whose moments are not those of a solid.
+void CheckBases()
+{
+  const auto make = [](const std::vector<BoxShell>& shells)
+  {
+    BoxBody body;
+    for (const BoxShell& shell : shells)
+    {
+      body.Add(shell);
+    }
+    return vtkSmartPointer<vtkTrimmedNURBSModel>(body.Make()->GetModel());
+  };
+  const BoxShell outer{ { 0.0, 0.0, 0.0 }, { 4.0, 4.0, 4.0 } };
+  const BoxShell inner{ { 1.0, 1.0, 1.0 }, { 2.0, 2.0, 2.0 }, false };
+  std::string error;
+  const auto hollow =
+    sm::VariantPolynomial::Make(sm::VariantShape::Make(make({ outer, inner }), {}, error), {}, error);
+  CheckTrue("a box with a void", hollow != nullptr, error);
+  if (hollow)
+  {
+    double values[10];
+    double bounds[10];
+    hollow->Evaluate(nullptr, 1, values, bounds);
+    Check("its volume", 63.0, values[0], bounds[0], "the bound");
+  }
+  const auto isRefused = [&](const std::vector<BoxShell>& shells, const std::string& reason)
+  { return !sm::VariantShape::Make(make(shells), {}, error) && error.find(reason) != std::string::npos; };
+  BoxShell wrong = inner;
+  wrong.Outward = true;
+  CheckTrue("a void that is inside out", isRefused({ outer, wrong }, "same side"), error);
+  CheckTrue("two equal shells", isRefused({ outer, outer }, "equal volumes"), error);
+  BoxShell open = outer;
+  open.Faces = 5;
+  CheckTrue("an open box", isRefused({ open }, "not shared by two faces"), error);
+}
+
 void CheckErrors()
 {
   const VariantSolid box = MakeBoxOfSides();
@@ -188,6 +260,8 @@ void CheckErrors()
     CheckTrue("a ball that opens",
       !sm::VariantShape::Make(ball, { { MakeModel({ face }, { -1, 1, -1, 1, -1, 1 }), 1.0 } }, error), error);
   }
+  CheckLoopless();
+  CheckBases();
   sm::VariantOptions options;
   options.Ranges = { 1.0 };
   CheckTrue("too few ranges", !sm::VariantPolynomial::Make(box.Shape, options, error), error);
@@ -198,11 +272,16 @@ void CheckErrors()
   CheckTrue("tolerance 0", !sm::VariantPolynomial::Make(box.Shape, options, error), error);
   CheckTrue("no shape", !sm::VariantPolynomial::Make(nullptr, {}, error), error);
   const auto polynomial = sm::VariantPolynomial::Make(box.Shape, {}, error);
-  const double c[3] = { std::nan(""), 0.0, 0.0 };
+  const double c[3] = { std::nan(""), 1.0, 0.0 };
   double values[10];
   double bounds[10];
-  polynomial->Evaluate(c, 1, values, bounds);
-  CheckTrue("NaN gives NaN", std::isnan(values[0]) && std::isnan(bounds[0]));
+  double gradients[30];
+  double gradientBounds[30];
+  polynomial->Evaluate(c, 1, values, bounds, gradients, gradientBounds);
+  const auto areNaN = [](const double* from, int count)
+  { return std::all_of(from, from + count, [](double x) { return std::isnan(x); }); };
+  CheckTrue("NaN gives NaN",
+    areNaN(values, 10) && areNaN(bounds, 10) && areNaN(gradients, 30) && areNaN(gradientBounds, 30));
 }
 }
 
