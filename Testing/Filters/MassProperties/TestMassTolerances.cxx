@@ -435,7 +435,7 @@ void CheckBoxMoments()
     worst = std::max(worst, t * (sides + others) / v);
   }
   CheckRange("reach of the centre over its first order", worst, GetTotal(filter, names::CenterOfMassReach),
-    1.25 * worst, "2/sqrt(3) by the inequality of Cauchy and Schwarz, and second order");
+    1.35 * worst, "2/sqrt(3) by the inequality of Cauchy and Schwarz, and second order at both ends");
 }
 
 void CheckPlacedBox()
