@@ -288,7 +288,7 @@ std::string ExplainUnknown(
   {
     return name +
       ": what tolerances leave open is not known, since there are creases, corners or borders of faces that "
-      "are no edges of the model; split the faces there, with edges that both sides share:" +
+      "are not edges of the model; split the faces there, with edges that both sides share:" +
       NameFaces(body, creased);
   }
   return name +

@@ -17,7 +17,7 @@ constexpr double Pi = 3.14159265358979323846;
 /// Relative error of the sums.
 constexpr double FewRoundings = 64.0 * UnitRoundoff;
 /// Smallest factor by which a curvature radius is taken to shrink. A face whose radius shrinks to nothing is
-/// tight; in between strips of it are no thicker than ten times those of the first order.
+/// tight; in between strips of it have at most ten times the thickness of the first order.
 constexpr double SmallestShrink = 0.1;
 /// Normals around a point are those of an apex if one less their product with the mean is larger.
 constexpr double SharpApex = 4e-4;
@@ -69,7 +69,7 @@ public:
     , Change(change)
     , Growth(areas.size(), 0.0)
     , IsTight(areas.size(), 0)
-    , IsTurned(areas.size(), 0)
+    , IsInverted(areas.size(), 0)
   {
   }
 
@@ -84,10 +84,10 @@ public:
     {
       edges.push_back(this->AddEdge(edge));
     }
-    this->FindTurned();
+    this->FindInverted();
     for (std::size_t f = 0; f < this->Areas.size(); ++f)
     {
-      if (this->IsTurned[f] || this->Growth[f] > 0.5 * this->Areas[f])
+      if (this->IsInverted[f] || this->Growth[f] > 0.5 * this->Areas[f])
       {
         this->Change.NarrowFaces.push_back(f);
         this->IsTight[f] = 1;
@@ -115,7 +115,7 @@ public:
 private:
   /// Finds the faces with an edge that is shorter than its ends move along it, so that it turns around or
   /// vanishes.
-  void FindTurned()
+  void FindInverted()
   {
     std::vector<double> shorter(this->Geometry.Edges.size(), 0.0);
     for (const OffsetVertex& vertex : this->Geometry.Vertices)
@@ -137,7 +137,7 @@ private:
       const OffsetEdge& edge = this->Geometry.Edges[i];
       for (const std::size_t f : edge.Faces)
       {
-        this->IsTurned[f] = this->IsTurned[f] || shorter[i] >= edge.Length ? 1 : 0;
+        this->IsInverted[f] = this->IsInverted[f] || shorter[i] >= edge.Length ? 1 : 0;
       }
     }
   }
@@ -363,7 +363,7 @@ private:
   /// By how much each face grows or shrinks, and whether strips next to it overlap otherwise than expected.
   std::vector<double> Growth;
   std::vector<char> IsTight;
-  std::vector<char> IsTurned;
+  std::vector<char> IsInverted;
 };
 }
 

@@ -25,7 +25,7 @@
  * |---|---|---|---|
  * | VolumePerOffset | 1 | L^2 | NaN |
  * | MassPerOffset | 1 | kg / L | NaN, also without a density |
- * | SurfaceAreaPerOffset | 1 | L | NaN, also where an edge of the solid is not shared by two faces, or a face has a crease or border without an edge |
+ * | SurfaceAreaPerOffset | 1 | L | NaN, also where an edge is not shared, or missing at a crease |
  * | CenterOfMassPerOffset | 3 | 1, in world axes | NaN |
  * | PrincipalMomentsPerOffset | 3 | L^4, ascending moments | NaN, also where moments coincide |
  *

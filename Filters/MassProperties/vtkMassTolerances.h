@@ -22,8 +22,8 @@
  *
  * Outputs are those of vtkMassSensitivity. Field data of port 0 and the table of solids (port 1) have in
  * addition, NaN where not known: no volume; an edge that is not shared by two faces; a crease or border of a
- * face that is no edge; neighbours, one of them curved, that have different tolerances and meet at less than
- * 6 degrees, except for tangent ones (0.06 degrees), between which there is a step:
+ * face that is not an edge; neighbours, one of them curved, that have different tolerances and meet at less
+ * than 6 degrees, except for tangent ones (0.06 degrees), between which there is a step:
  *
  * | name | components | unit |
  * |---|---|---|

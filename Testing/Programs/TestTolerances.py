@@ -44,7 +44,7 @@ check("upper volume of a table", 10.4 ** 3, volume["maximum"], 1e-9)
 check("lower volume of a table", 9.8 ** 3, volume["minimum"], 1e-9)
 check("normal deviation", (6 * 100.0 ** 2 * 0.05 ** 2) ** 0.5, volume["deviation"], 1e-9)
 check_true("the line without a face is named", any("sphere*" in message for message in answer["messages"]))
-# A table from a pipe can be read once; it is an input that no output may overwrite.
+# A table from a pipe can be read once; outputs must not overwrite it.
 pipe = os.path.join(folder, "pipe")
 if os.path.exists(pipe):
     os.remove(pipe)
@@ -62,7 +62,7 @@ answer = run_json(file, "--face-tolerance", pipe)
 thread.join()
 check("upper volume by a pipe", 10.2 ** 3, answer["total"]["tolerance"]["volume"]["maximum"], 1e-9)
 result = run(file, "--face-tolerance", table, "--csv", table)
-check_true("the table is no output", result.returncode == 1 and "would overwrite" in result.stderr, result.stderr)
+check_true("the table is not an output", result.returncode == 1 and "would overwrite" in result.stderr, result.stderr)
 rows = os.path.join(folder, "rows.csv")
 run(file, "--face-tolerance", "0.1", "--csv", rows)
 with open(rows, encoding="utf-8", newline="") as text:

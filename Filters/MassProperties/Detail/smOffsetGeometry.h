@@ -55,7 +55,8 @@ struct OffsetFace
   /// False if the face could not be cut or evaluated.
   bool IsKnown = true;
   bool IsFlat = true;
-  /// True if it has a crease, or a border, that is no edge of the model, or if an edge of it has a corner.
+  /// True if it has a crease, or a border, that is not an edge of the model, or if an edge of it has a
+  /// corner.
   bool IsCreased = false;
   /// A box that contains the face, in coordinates of the model.
   Vector3 Low{};

@@ -258,7 +258,7 @@ void CheckHiddenEdges()
   auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
   CheckTrue("nor a change of the area",
     std::isnan(table->GetRowData()->GetArray(names::SurfaceAreaPerOffset)->GetTuple1(0)));
-  CheckTrue("the faces are named", Says(filter, "no edges of the model") && Says(filter, "#100"),
+  CheckTrue("the faces are named", Says(filter, "not edges of the model") && Says(filter, "#100"),
     GetMessages(filter));
 
   std::printf("--- a prism with a crease in a side\n");
@@ -266,7 +266,7 @@ void CheckHiddenEdges()
   faces = base->GetModel()->GetFaces();
   auto creased = std::make_shared<sm::Face>(*faces[0]);
   sm::NURBSSurface& surface = creased->Surface;
-  // The middle of the side sinks by 1: a crease at u = 0.5, which is no edge.
+  // The middle of the side sinks by 1: a crease at u = 0.5, which is not an edge.
   surface.Knots[0] = { 0.0, 0.0, 0.5, 1.0, 1.0 };
   surface.NumberOfControlPoints[0] = 3;
   surface.ControlPoints = { { 0, 0, 0, 1 }, { 5, 1, 0, 1 }, { 10, 0, 0, 1 }, { 0, 0, 10, 1 }, { 5, 1, 10, 1 },
@@ -305,7 +305,7 @@ void CheckManySides(int sides)
 }
 
 /// A chamfer that vanishes where the faces shrink: its edges turn around.
-void CheckTurnedEdges()
+void CheckInvertedEdges()
 {
   std::printf("--- a chamfer narrower than the tolerance\n");
   vtkNew<vtkMassTolerances> filter;
@@ -561,7 +561,7 @@ int TestMassTolerances(int, char*[])
   CheckHiddenEdges();
   CheckManySides(400);
   CheckManySides(7000);
-  CheckTurnedEdges();
+  CheckInvertedEdges();
   CheckGrowingAndShrinking();
   CheckTight();
   CheckShell();
