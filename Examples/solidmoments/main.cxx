@@ -184,6 +184,10 @@ sm::FileResult TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& 
   {
     ReportFailure("no mesh " + job.MeshName + ": " + outcome.MeshError, *outcome.File, exitStatus);
   }
+  if (!outcome.AnalysisError.empty())
+  {
+    ReportFailure("no file of " + outcome.AnalysisError, *outcome.File, exitStatus);
+  }
   if (!outcome.PictureError.empty())
   {
     ReportFailure("no picture " + job.PictureName + ": " + outcome.PictureError, *outcome.File, exitStatus);

@@ -70,6 +70,8 @@ struct AnalysisRun
   vtkSmartPointer<vtkPolyData>& Drawing;
   /// Index of the analysis in the list, and of its results.
   std::size_t Index;
+  /// Reports why its output was not written; empty: it was.
+  std::function<void(const std::string&)> ReportOutput;
 };
 
 /// An analysis with the values of its options.
@@ -94,6 +96,9 @@ public:
   virtual const char* GetMissingModule() const { return nullptr; }
   virtual const char* GetOption() const { return ""; }
   virtual bool IsWanted() const = 0;
+  /// Return the names of a file that its options name, to read and to write; empty: none.
+  virtual std::string GetInputFile() const { return {}; }
+  virtual std::string GetOutputFile() const { return {}; }
   /// Returns results of which nothing is known yet; null if it has none of its own.
   virtual std::unique_ptr<AnalysisResult> MakeResult() const { return nullptr; }
   virtual void Run(const AnalysisRun& run) const = 0;

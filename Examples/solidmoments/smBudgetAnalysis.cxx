@@ -89,12 +89,34 @@ BudgetResult MakeBudget(const Quantities& body, const AnalysisResults& analyses)
       budget.Lines.back().Mass = Unknown;
     }
   }
-  budget.Mass = 0.0;
-  for (const BudgetLine& line : budget.Lines)
-  {
-    budget.Mass += BudgetExcess * line.Mass;
-  }
+  budget.Sum();
   return budget;
+}
+
+void BudgetResult::Sum()
+{
+  this->Mass = 0.0;
+  for (const BudgetLine& line : this->Lines)
+  {
+    this->Mass += BudgetExcess * line.Mass;
+  }
+}
+
+void AddTolerances(const std::vector<BudgetResult>& solids, BudgetResult& total)
+{
+  BudgetLine& sum = total.Lines.back();
+  if (sum.Name != "tolerance" || std::isnan(sum.Mass))
+  {
+    return;
+  }
+  sum.Mass = 0.0;
+  for (const BudgetResult& solid : solids)
+  {
+    // Bodies without a volume have no mass that could be off.
+    const double mass = solid.Lines.back().Mass;
+    sum.Mass += std::isnan(mass) && std::isnan(solid.Lines.front().Mass) ? 0.0 : BudgetExcess * mass;
+  }
+  total.Sum();
 }
 
 void BudgetResult::Visit(Fields& fields, const char* key)
@@ -188,21 +210,19 @@ std::string BudgetAnalysis::FindProblem(const CLI::App& app) const
 
 void BudgetAnalysis::Run(const AnalysisRun& run) const
 {
-  const auto make = [](const Quantities& body, const AnalysisResults& analyses)
-  { return std::make_unique<BudgetResult>(MakeBudget(body, analyses)); };
+  std::vector<BudgetResult> solids;
   for (SolidResult& solid : run.File.Solids)
   {
-    solid.Analyses.Set(run.Index, make(solid, solid.Analyses));
+    solids.push_back(MakeBudget(solid, solid.Analyses));
+    solid.Analyses.Set(run.Index, std::make_unique<BudgetResult>(solids.back()));
   }
-  auto result = make(run.File.Total, run.File.Total.Analyses);
+  auto result = std::make_unique<BudgetResult>(MakeBudget(run.File.Total, run.File.Total.Analyses));
+  AddTolerances(solids, *result);
   const BudgetResult total = *result;
   run.File.Total.Analyses.Set(run.Index, std::move(result));
   const std::string problem = run.File.Total.Mass.IsKnown()
     ? WriteBudget(total, run.Options, this->PictureName)
     : "the mass is not known, for there is no density; --density gives one";
-  if (!problem.empty())
-  {
-    run.Messages.AddEcho("no picture of the budget " + this->PictureName + ": " + problem);
-  }
+  run.ReportOutput(problem);
 }
 }

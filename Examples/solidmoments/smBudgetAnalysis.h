@@ -28,6 +28,9 @@ struct BudgetLine
 class BudgetResult : public AnalysisResultOf<BudgetResult>
 {
 public:
+  /// Sets Mass to the sum of the lines.
+  void Sum();
+
   /// The sum of the lines; not known if one of them is not.
   double Mass = Unknown;
   std::vector<BudgetLine> Lines;
@@ -39,6 +42,9 @@ public:
 /// Returns the budget of a body: numerical, closing, density, and tolerance if that of its faces is known.
 /// The mass and its uncertainty are those of `body`, the tolerance that of its analyses.
 BudgetResult MakeBudget(const Quantities& body, const AnalysisResults& analyses);
+
+/// Makes the tolerance of the total that of its solids together, each at its own largest density.
+void AddTolerances(const std::vector<BudgetResult>& solids, BudgetResult& total);
 
 /// Returns bars for the lines, in kg, one plot of bars with the lines in their order.
 vtkSmartPointer<vtkChartXY> MakeBudgetChart(const BudgetResult& budget);
@@ -54,6 +60,7 @@ public:
   void Declare(CLI::App& app) override;
   std::string FindProblem(const CLI::App& app) const override;
   bool IsWanted() const override { return !this->PictureName.empty(); }
+  std::string GetOutputFile() const override { return this->PictureName; }
   std::unique_ptr<AnalysisResult> MakeResult() const override { return std::make_unique<BudgetResult>(); }
   void Run(const AnalysisRun& run) const override;
 

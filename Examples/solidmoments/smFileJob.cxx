@@ -282,7 +282,9 @@ vtkSmartPointer<vtkPolyData> RunAnalyses(vtkCADReader* reader, const sm::JobOpti
       ProgressScope progress(algorithm, analysis.GetStage(), send);
       algorithm->Update();
     };
-    analysis.Run({ reader, options, update, file, messages, drawing, i });
+    const auto report = [&send](const std::string& problem)
+    { send(JobMessage::OfOutput(JobMessage::Analysis, problem)); };
+    analysis.Run({ reader, options, update, file, messages, drawing, i, report });
   }
   return drawing;
 }

@@ -98,7 +98,8 @@ struct JobMessage
     Result,
     Textures,
     Mesh,
-    Picture
+    Picture,
+    Analysis
   };
   Kinds Kind = Progress;
   std::string Text; ///< the stage; of an output why it was not written, empty if it was

@@ -133,6 +133,16 @@ void FindOutputErrors(
   {
     outcome.MeshError = explain(said.Mesh, "the process that made it");
   }
+  for (const std::shared_ptr<sm::Analysis>& analysis : options.Analyses)
+  {
+    const std::string name = analysis->IsWanted() ? analysis->GetOutputFile() : std::string();
+    const std::string problem =
+      name.empty() || !isRead ? std::string() : explain(said.Analysis, "the process that made it");
+    if (!problem.empty())
+    {
+      outcome.AnalysisError = std::string(analysis->GetOption()) + " " + name + ": " + problem;
+    }
+  }
   if (!options.PictureName.empty() && isRead)
   {
     outcome.PictureError = explain(said.Picture, "the process that drew it");
@@ -173,9 +183,10 @@ void JobMessages::Take(
   }
   else
   {
-    (kind == JobMessage::Textures  ? this->Textures
-        : kind == JobMessage::Mesh ? this->Mesh
-                                   : this->Picture) = text;
+    (kind == JobMessage::Textures      ? this->Textures
+        : kind == JobMessage::Mesh     ? this->Mesh
+        : kind == JobMessage::Analysis ? this->Analysis
+                                       : this->Picture) = text;
   }
 }
 

@@ -141,6 +141,13 @@ std::string CheckOutputs(const Arguments& arguments)
       inputs.push_back(table);
     }
   }
+  for (const std::shared_ptr<Analysis>& analysis : arguments.Job.Analyses)
+  {
+    if (!analysis->GetInputFile().empty())
+    {
+      inputs.push_back(analysis->GetInputFile());
+    }
+  }
   for (const std::string& file : inputs)
   {
     for (const std::string& identity : Identities(file))
@@ -162,6 +169,10 @@ std::string CheckOutputs(const Arguments& arguments)
     }
   }
   outputs.emplace_back("--write-validation", arguments.Job.ValidationTarget);
+  for (const std::shared_ptr<Analysis>& analysis : arguments.Job.Analyses)
+  {
+    outputs.emplace_back(analysis->GetOption(), analysis->GetOutputFile());
+  }
   for (const auto& [option, name] : outputs)
   {
     if (name.empty() || name == "-")

@@ -1,6 +1,5 @@
 #include "smToleranceAnalysis.h"
 
-#include "smColumns.h"
 #include "smFileJob.h"
 #include "smFilterSetUp.h"
 #include "smFormat.h"
@@ -13,6 +12,7 @@
 #include "smResults.h"
 #include "smSTEPTolerances.h"
 #include "smText.h"
+#include "smTrimText.h"
 
 #include "vtkCADReader.h"
 #include "vtkDataSetAttributes.h"
@@ -71,12 +71,6 @@ void KeepLargest(std::vector<ToleranceEntry>& faces)
   faces.resize(std::min(faces.size(), ToleranceResult::MaxFaces));
 }
 
-std::string Trimmed(const std::string& text)
-{
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? std::string() : TrimEnd(text.substr(first));
-}
-
 /// Reads one line of a table. Returns an error message; empty if the line is right.
 std::string ReadLine(
   const std::string& line, std::vector<ToleranceFileRule>& rules, double& lower, double& upper)
@@ -85,7 +79,7 @@ std::string ReadLine(
   for (std::size_t begin = 0; begin <= line.size();)
   {
     const std::size_t end = std::min(line.find(',', begin), line.size());
-    values.push_back(Trimmed(line.substr(begin, end - begin)));
+    values.push_back(Trim(line.substr(begin, end - begin)));
     begin = end + 1;
   }
   const std::string kind = LowerCase(values[0]);
@@ -104,6 +98,12 @@ std::string ReadLine(
   if (!std::isfinite(first) || !(first <= last))
   {
     return "the limits must be numbers, the lower one first; one number is half of a symmetric range";
+  }
+  if (first > 0.0 || last < 0.0)
+  {
+    return "a range without 0 leaves out the face of the model, for which no worst case is known; move the "
+           "face "
+           "to the middle of its range";
   }
   if (isForAll)
   {
@@ -234,7 +234,7 @@ std::string ReadTolerances(
   std::string line;
   for (int place = 1; std::getline(file, line); ++place)
   {
-    line = Trimmed(line);
+    line = Trim(line);
     if (!line.empty() && line[0] != '#')
     {
       const std::string problem = ReadLine(line, rules, lower, upper);
@@ -294,20 +294,6 @@ void ToleranceResult::Visit(Fields& fields, const char* key)
   fields.End();
 }
 
-void ToleranceResult::AddColumns(Columns& columns) const
-{
-  columns.Note("with `--face-tolerance` or `--tolerances`");
-  for (const auto& [stem, range] :
-    { std::pair("tolerance_volume", this->Volume), std::pair("tolerance_mass", this->Mass) })
-  {
-    const double values[3] = { range.Minimum, range.Maximum, range.Deviation };
-    columns.Add(stem, values, { "minimum", "maximum", "deviation" });
-  }
-  columns.Add("tolerance_center_reach", this->CenterReach);
-  columns.AddPoint("tolerance_center_deviation", this->CenterDeviation.Value);
-  columns.Add("tolerance_inertia_reach", this->InertiaReach);
-}
-
 std::string ToleranceResult::FormatRows(const std::string& unit) const
 {
   std::string text = Row("within tolerances", "volume " + FormatRange(this->Volume, RaiseUnit(unit, 3)), "");
@@ -357,27 +343,29 @@ void ToleranceAnalysis::Declare(CLI::App& app)
 
 std::string ToleranceAnalysis::FindProblem(const CLI::App& app) const
 {
-  std::vector<ToleranceFileRule> rules;
-  double lower = 0.0;
-  double upper = 0.0;
   if (!this->IsWanted())
   {
     return app.count("--tolerance-distribution") > 0
       ? "--tolerance-distribution is for --face-tolerance or --tolerances, which are missing"
       : "";
   }
-  return this->Tolerance.empty() ? "" : ReadTolerances(this->Tolerance, rules, lower, upper);
+  if (this->Tolerance.empty() || this->IsRead)
+  {
+    return {};
+  }
+  const std::string problem = ReadTolerances(this->Tolerance, this->Rules, this->Lower, this->Upper);
+  this->IsRead = problem.empty();
+  return problem;
+}
+
+std::string ToleranceAnalysis::GetInputFile() const
+{
+  return std::isnan(ParseNumber(this->Tolerance)) ? this->Tolerance : std::string();
 }
 
 void ToleranceAnalysis::Run(const AnalysisRun& run) const
 {
-  std::vector<ToleranceFileRule> rules;
-  double lower = 0.0;
-  double upper = 0.0;
-  if (!this->Tolerance.empty())
-  {
-    ReadTolerances(this->Tolerance, rules, lower, upper);
-  }
+  std::vector<ToleranceFileRule> rules = this->Rules;
   std::vector<DrawingTolerance> drawing;
   if (this->FromFile)
   {
@@ -395,7 +383,7 @@ void ToleranceAnalysis::Run(const AnalysisRun& run) const
   filter->SetRelativeTolerance(run.Options.Tolerance);
   filter->SetDistribution(
     this->Distribution == "normal" ? vtkMassTolerances::NORMAL : vtkMassTolerances::UNIFORM);
-  filter->SetFaceTolerance(lower, upper);
+  filter->SetFaceTolerance(this->Lower, this->Upper);
   for (const ToleranceFileRule& rule : rules)
   {
     filter->AddTolerance(rule.Kind.c_str(), rule.Pattern.c_str(), rule.Lower, rule.Upper);

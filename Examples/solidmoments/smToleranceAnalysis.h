@@ -49,7 +49,6 @@ public:
   std::vector<DrawingTolerance> Drawing;
 
   void Visit(Fields& fields, const char* key) override;
-  void AddColumns(Columns& columns) const override;
   std::string FormatRows(const std::string& unit) const override;
 };
 
@@ -76,6 +75,7 @@ public:
   void Declare(CLI::App& app) override;
   std::string FindProblem(const CLI::App& app) const override;
   bool IsWanted() const override { return !this->Tolerance.empty() || this->FromFile; }
+  std::string GetInputFile() const override;
   std::unique_ptr<AnalysisResult> MakeResult() const override { return std::make_unique<ToleranceResult>(); }
   void Run(const AnalysisRun& run) const override;
 
@@ -85,6 +85,10 @@ private:
   std::string Distribution = "uniform";
   /// True if the tolerances of the drawing in the file count.
   bool FromFile = false;
+  /// What FindProblem() read of Tolerance, which may be a pipe that can be read once.
+  mutable bool IsRead = false;
+  mutable std::vector<ToleranceFileRule> Rules;
+  mutable double Lower = 0.0, Upper = 0.0;
 };
 }
 

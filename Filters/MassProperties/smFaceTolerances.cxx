@@ -71,7 +71,8 @@ public:
     double thickness = 0.0;
     Vector3 reach{};
     const double density = row.Mass / row.Properties.Volume;
-    const double movable = std::max(lower.Second, upper.Second);
+    // A solid of the set may grow at one place and shrink at another.
+    const double movable = lower.Second + upper.Second;
     const double step = std::max(lower.Reach, upper.Reach);
     for (std::size_t f = 0; f < ranges.size(); ++f)
     {
@@ -86,7 +87,8 @@ public:
       this->AddFirstOrder(moments, box, largest);
       this->AddDeviation(moments, ranges[f], density);
       areaError += largest * moments.AreaBound;
-      thickness += 0.5 * largest * largest * (moments.Area + moments.AreaBound);
+      thickness += 0.5 * (ranges[f].Lower * ranges[f].Lower + ranges[f].Upper * ranges[f].Upper) *
+        (moments.Area + moments.AreaBound);
     }
     const double changes[2] = { lower.Volume - lower.Remainder - areaError,
       upper.Volume + upper.Remainder + areaError };
@@ -119,10 +121,6 @@ public:
     result.VolumeDeviation = std::sqrt(this->Variance);
     result.MassLower = std::max(row.Mass - row.MassBound + SumExcess * this->MassChange[0], 0.0);
     result.MassUpper = row.Mass + row.MassBound + SumExcess * this->MassChange[1];
-    if (std::isnan(row.Mass))
-    {
-      result.MassLower = row.Mass;
-    }
     result.MassDeviation = std::sqrt(this->MassVariance);
     this->Bounds.VolumeBound = SumExcess * std::max(std::abs(this->Change[0]), std::abs(this->Change[1]));
     const MassSpread spread = ComputeSpread({ this->Bounds }, v - bound, this->Properties.Center);
@@ -265,6 +263,44 @@ void ReportFaces(const BodyIntegrals& body, const OffsetChange& lower, const Off
   report(lower.NarrowFaces, upper.NarrowFaces, "face is about as narrow as the tolerances",
     "faces are about as narrow as the tolerances");
 }
+
+/// Returns why the worst case of a solid is not known, with its consequence and remedy.
+std::string ExplainUnknown(
+  const BodyIntegrals& body, const OffsetGeometry& geometry, const std::vector<std::size_t>& unmet)
+{
+  const std::string name = body.Name.empty() ? "solid " + body.Id : body.Name;
+  if (!unmet.empty())
+  {
+    return name +
+      ": what tolerances leave open is not known, since faces with different tolerances meet at less than 6 "
+      "degrees, which does not say where they meet when they are moved; give them one tolerance:" +
+      NameFaces(body, unmet);
+  }
+  std::vector<std::size_t> creased;
+  for (std::size_t f = 0; f < geometry.Faces.size(); ++f)
+  {
+    if (geometry.Faces[f].IsCreased)
+    {
+      creased.push_back(f);
+    }
+  }
+  if (!creased.empty())
+  {
+    return name +
+      ": what tolerances leave open is not known, since there are creases, corners or borders of faces that "
+      "are not edges of the model; split the faces there, with edges that both sides share:" +
+      NameFaces(body, creased);
+  }
+  return name +
+    ": what tolerances leave open is not known, since an edge is not shared by two faces, a face was not "
+    "integrated, or the run was stopped; sew the faces, see the other messages";
+}
+
+const char* GetKindName(FaceToleranceRule::Kind kind)
+{
+  using Kind = FaceToleranceRule::Kind;
+  return kind == Kind::Face ? "face" : kind == Kind::Part ? "part" : "colour";
+}
 }
 
 bool FindToleranceKind(const std::string& name, FaceToleranceRule::Kind& kind)
@@ -312,7 +348,7 @@ FaceToleranceResults ComputeFaceTolerances(const std::vector<BodyIntegrals>& bod
       const auto rule = std::find_if(options.Rules.begin(), options.Rules.end(),
         [&](const FaceToleranceRule& candidate) { return Fits(candidate, body, *faces[f]); });
       const bool isFound = rule != options.Rules.end();
-      if (isFound)
+      if (isFound && body.IsSolid())
       {
         isUsed[static_cast<std::size_t>(rule - options.Rules.begin())] = 1;
       }
@@ -323,20 +359,31 @@ FaceToleranceResults ComputeFaceTolerances(const std::vector<BodyIntegrals>& bod
       isKnown = isKnown && HasAreaMoments(body, rows[b], f);
       areas[f] = isKnown ? (*body.Faces)[f].Face[MassArea] : 0.0;
     }
+    OffsetChange lower;
+    OffsetChange upper;
+    if (isKnown)
+    {
+      lower = EvaluateOffsets(offsets.Get(b), areas, ends[0]);
+      upper = EvaluateOffsets(offsets.Get(b), areas, ends[1]);
+      isKnown = lower.IsKnown() && upper.IsKnown();
+    }
     if (!isKnown)
     {
       if (body.IsSolid())
       {
-        results.Messages.push_back((body.Name.empty() ? "solid " + body.Id : body.Name) +
-          ": tolerances of its faces leave an unknown volume open, since an edge is not shared by two faces, "
-          "or "
-          "a face was not integrated");
+        std::vector<std::size_t> unmet = lower.UnmetFaces;
+        unmet.insert(unmet.end(), upper.UnmetFaces.begin(), upper.UnmetFaces.end());
+        std::sort(unmet.begin(), unmet.end());
+        unmet.erase(std::unique(unmet.begin(), unmet.end()), unmet.end());
+        const std::string text = ExplainUnknown(body, offsets.Get(b), unmet);
+        if (std::find(results.Messages.begin(), results.Messages.end(), text) == results.Messages.end())
+        {
+          results.Messages.push_back(text);
+        }
         isWhole = false;
       }
       continue;
     }
-    const OffsetChange lower = EvaluateOffsets(offsets.Get(b), areas, ends[0]);
-    const OffsetChange upper = EvaluateOffsets(offsets.Get(b), areas, ends[1]);
     ReportFaces(body, lower, upper, results.Messages);
     ToleranceSums own(rows[b].Properties, options);
     own.Add(body, rows[b], offsets.Get(b), results.Ranges[b], lower, upper);
@@ -354,7 +401,9 @@ FaceToleranceResults ComputeFaceTolerances(const std::vector<BodyIntegrals>& bod
   {
     if (!isUsed[i])
     {
-      results.Messages.push_back("no face gets its tolerance from the pattern " + options.Rules[i].Pattern);
+      const FaceToleranceRule& rule = options.Rules[i];
+      results.Messages.push_back(std::string("the tolerance for ") + GetKindName(rule.By) + " \"" +
+        rule.Pattern + "\" fits no face of a solid and has no effect: check the name; * and ? are wildcards");
     }
   }
   return results;

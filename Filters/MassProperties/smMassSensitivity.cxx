@@ -193,7 +193,8 @@ std::array<double, 3> GetPrincipalSlopes(
   return slopes;
 }
 
-BodyOffsets::BodyOffsets(const std::vector<BodyIntegrals>& bodies)
+BodyOffsets::BodyOffsets(
+  const std::vector<BodyIntegrals>& bodies, const std::function<bool()>& shouldContinue)
 {
   std::map<vtkTrimmedNURBSModel*, std::shared_ptr<const OffsetGeometry>> known;
   for (const BodyIntegrals& body : bodies)
@@ -206,7 +207,7 @@ BodyOffsets::BodyOffsets(const std::vector<BodyIntegrals>& bodies)
       {
         sides[f] = (body.InsideOut ? -1.0 : 1.0) * body.GetSide(f) > 0.0 ? 1 : -1;
       }
-      geometry = std::make_shared<OffsetGeometry>(MeasureOffsets(*body.Model, sides));
+      geometry = std::make_shared<OffsetGeometry>(MeasureOffsets(*body.Model, sides, shouldContinue));
     }
     else if (!geometry)
     {

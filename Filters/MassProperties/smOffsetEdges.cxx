@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <unordered_map>
 
@@ -29,6 +30,7 @@ constexpr double StraightTolerance = 1e-12;
 /// Relative rounding error of the terms of a slope.
 constexpr double AreaRounding = 64.0 * UnitRoundoff;
 constexpr std::size_t FaceGrain = 8;
+constexpr std::size_t FacesBetweenPolls = 1024;
 constexpr std::size_t UseGrain = 64;
 
 /// A use of an edge by a face, whose outward normal has the factor Side of that of the face alone.
@@ -91,6 +93,27 @@ double MeasureAcross(const OffsetUse& use, double t, const Vector3& tangent, dou
     (2.0 * step);
 }
 
+/// Returns the sum of the angles of an edge's corners between pieces; infinity if one is above LargestCrease.
+/// Velocities are those of the pieces' ends.
+double MeasureTurns(const EdgeCurve& curve)
+{
+  double sum = 0.0;
+  for (int k = 1; k < curve.GetNumberOfPieces(); ++k)
+  {
+    Vector3 before;
+    Vector3 behind;
+    curve.GetPiece(k - 1).Evaluate(1.0, &before);
+    curve.GetPiece(k).Evaluate(0.0, &behind);
+    const double turn = std::atan2(Norm(Cross(before, behind)), Dot(before, behind));
+    if (!(turn <= LargestCrease) || !(Norm(before) > 0.0) || !(Norm(behind) > 0.0))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    sum += turn;
+  }
+  return sum;
+}
+
 /// Evaluates the angle between two faces; false where a normal is missing.
 bool EvaluateAngle(const OffsetUse& first, const OffsetUse& second, double t, OffsetEdgeSample& sample)
 {
@@ -142,6 +165,7 @@ bool MeasureOffsetEdge(const OffsetUse& first, const OffsetUse& second, OffsetEd
   std::sort(breaks.begin(), breaks.end());
   const double smallest = 1e-9 * (curve.GetEnd() - curve.GetStart());
   edge.Faces = { first.Index, second.Index };
+  edge.Turn = MeasureTurns(curve);
   std::vector<OffsetEdgeSample> coarse;
   double start = curve.GetStart();
   bool isKnown = true;
@@ -255,6 +279,13 @@ public:
       });
     this->Geometry.IsKnown =
       this->Geometry.IsKnown && std::find(known.begin(), known.end(), 0) == known.end();
+    for (const OffsetEdge& edge : this->Geometry.Edges)
+    {
+      for (const std::size_t f : edge.Faces)
+      {
+        this->Geometry.Faces[f].IsCreased = this->Geometry.Faces[f].IsCreased || std::isinf(edge.Turn);
+      }
+    }
   }
 
 private:
@@ -310,6 +341,7 @@ private:
     const Vector3 normal = getNormal(before, !before.Reversed);
     OffsetCorner corner;
     corner.Face = use.Index;
+    corner.Edges = { this->Places.at(before.Use.get()), this->Places.at(behind.Use.get()) };
     corner.Normal = ScaleBy(use.GetOutward(), normal);
     corner.Before =
       GetTangent(before, before.Reversed ? before.Use->Curve.GetStart() : before.Use->Curve.GetEnd());
@@ -330,30 +362,43 @@ private:
 };
 }
 
-OffsetGeometry MeasureOffsets(const vtkTrimmedNURBSModel& model, const std::vector<signed char>& sides)
+OffsetGeometry MeasureOffsets(const vtkTrimmedNURBSModel& model, const std::vector<signed char>& sides,
+  const std::function<bool()>& shouldContinue)
 {
   const std::vector<FacePointer>& faces = model.GetFaces();
   OffsetGeometry geometry;
   geometry.Faces.resize(faces.size());
-  ParallelFor(faces.size(), FaceGrain,
-    [&](std::size_t begin, std::size_t end)
+  const auto measure = [&](std::size_t first, std::size_t begin, std::size_t end)
+  {
+    for (std::size_t f = first + begin; f < first + end; ++f)
     {
-      for (std::size_t f = begin; f < end; ++f)
+      OffsetFace& face = geometry.Faces[f];
+      face = MeasureOffsetFace(*faces[f]);
+      if (!sides.empty() && sides[f] < 0)
       {
-        OffsetFace& face = geometry.Faces[f];
-        face = MeasureOffsetFace(*faces[f]);
-        if (!sides.empty() && sides[f] < 0)
-        {
-          face.Mean = -face.Mean;
-          face.Smallest = -face.Smallest;
-          face.Largest = -face.Largest;
-          std::swap(face.Smallest, face.Largest);
-        }
+        face.Mean = -face.Mean;
+        face.Smallest = -face.Smallest;
+        face.Largest = -face.Largest;
+        std::swap(face.Smallest, face.Largest);
       }
-    });
+    }
+  };
+  for (std::size_t first = 0; first < faces.size(); first += FacesBetweenPolls)
+  {
+    if (shouldContinue && !shouldContinue())
+    {
+      geometry.IsKnown = false;
+      return geometry;
+    }
+    ParallelFor(std::min(FacesBetweenPolls, faces.size() - first), FaceGrain,
+      [&](std::size_t begin, std::size_t end) { measure(first, begin, end); });
+  }
   geometry.IsKnown = std::all_of(
     geometry.Faces.begin(), geometry.Faces.end(), [](const OffsetFace& face) { return face.IsKnown; });
   OffsetCollector(model, sides, geometry).MeasureEdges();
+  geometry.IsKnown = geometry.IsKnown &&
+    std::none_of(
+      geometry.Faces.begin(), geometry.Faces.end(), [](const OffsetFace& face) { return face.IsCreased; });
   for (OffsetFace& face : geometry.Faces)
   {
     face.AreaSlope = face.Mean;

@@ -1,5 +1,6 @@
 #include "Detail/smOffsetParts.h"
 
+#include "smBernstein.h"
 #include "smFacePanels.h"
 #include "smGaussLegendre.h"
 #include "smPolynomialCurve.h"
@@ -22,39 +23,32 @@ constexpr double SmallestWeight = 1e-12;
 /// flat.
 constexpr double FlatTolerance = 1e-12;
 
-/// Values and the first two derivatives of the Bernstein polynomials of a degree at a point.
+/// Values and the first two derivatives of the Bernstein polynomials of a degree at a point: differences of
+/// those of lower degrees.
 struct BernsteinBasis
 {
   double Value[3][MaximumDegree + 1];
 
   BernsteinBasis(int degree, double x)
   {
-    double lower[MaximumDegree + 1] = { 1.0 };
-    for (auto& values : this->Value)
+    constexpr double signs[3][3] = { { 1.0, 0.0, 0.0 }, { -1.0, 1.0, 0.0 }, { 1.0, -2.0, 1.0 } };
+    double factor = 1.0;
+    for (int order = 0; order < 3; ++order)
     {
-      std::fill_n(values, degree + 1, 0.0);
-    }
-    for (int d = 0; d <= degree; ++d)
-    {
-      // `lower` has the polynomials of degree d.
-      const int derivative = degree - d;
-      if (derivative <= 2)
+      std::fill_n(this->Value[order], degree + 1, 0.0);
+      double lower[MaximumDegree + 1];
+      if (order <= degree)
       {
-        const double factor = derivative == 0 ? 1.0 : derivative == 1 ? degree : degree * (degree - 1.0);
-        for (int i = 0; i <= d; ++i)
+        FillBernsteinBasis(degree - order, x, lower);
+      }
+      for (int i = 0; i <= degree - order; ++i)
+      {
+        for (int k = 0; k <= order; ++k)
         {
-          constexpr double signs[3][3] = { { 1.0, 0.0, 0.0 }, { -1.0, 1.0, 0.0 }, { 1.0, -2.0, 1.0 } };
-          for (int k = 0; k <= derivative; ++k)
-          {
-            this->Value[derivative][i + k] += factor * signs[derivative][k] * lower[i];
-          }
+          this->Value[order][i + k] += factor * signs[order][k] * lower[i];
         }
       }
-      for (int i = d + 1; i > 0 && d < degree; --i)
-      {
-        lower[i] = (i <= d ? (1.0 - x) * lower[i] : 0.0) + x * lower[i - 1];
-      }
-      lower[0] *= 1.0 - x;
+      factor *= degree - order;
     }
   }
 };
@@ -226,6 +220,7 @@ OffsetFace MeasureOffsetFace(const Face& source)
     return face;
   }
   face.IsFlat = IsFlat(source.Surface);
+  FindCreases(source, face);
   bool hasEdges = false;
   for (const Loop& loop : source.Loops)
   {
@@ -265,8 +260,8 @@ OffsetFace MeasureOffsetFace(const Face& source)
     face.AbsoluteMean = sums[1].AbsoluteMean + 10.0 * std::abs(sums[1].AbsoluteMean - sums[0].AbsoluteMean);
     face.AbsoluteGauss =
       sums[1].AbsoluteGauss + 10.0 * std::abs(sums[1].AbsoluteGauss - sums[0].AbsoluteGauss);
-    face.MeanError = 10.0 * std::abs(sums[1].Mean - sums[0].Mean);
-    face.GaussError = 10.0 * std::abs(sums[1].Gauss - sums[0].Gauss);
+    face.MeanError += 10.0 * std::abs(sums[1].Mean - sums[0].Mean);
+    face.GaussError += 10.0 * std::abs(sums[1].Gauss - sums[0].Gauss);
     face.IsKnown = std::isfinite(face.Mean + face.Gauss + face.MeanError + face.GaussError);
   }
   catch (const std::exception&)

@@ -5,6 +5,7 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,10 +16,13 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 /// Relative error of the sums.
 constexpr double FewRoundings = 64.0 * UnitRoundoff;
-/// Normals at a vertex with a smaller sine between them count as one.
-constexpr double SameNormal = 0.02;
-/// Smallest factor by which a curvature radius is taken to shrink; where it shrinks more the face is named.
+/// Smallest factor by which a curvature radius is taken to shrink. A face whose radius shrinks to nothing is
+/// tight; in between strips of it have at most ten times the thickness of the first order.
 constexpr double SmallestShrink = 0.1;
+/// Normals around a point are those of an apex if one less their product with the mean is larger.
+constexpr double SharpApex = 4e-4;
+/// Rounding of a normal.
+constexpr double NormalRounding = 1e-12;
 /// Distance of an offset plane from the point where others meet, relative to the offsets.
 constexpr double MeetTolerance = 1e-9;
 /// Smallest product of normals with their mean direction that bounds how far a vertex moves.
@@ -43,7 +47,7 @@ bool FindMeetingPoint(const OffsetVertex& vertex, const std::vector<double>& off
       }
     }
   }
-  if (!(vtkMath::Determinant3x3(m) > SameNormal * SameNormal))
+  if (!(vtkMath::Determinant3x3(m) > TangentSine * TangentSine))
   {
     return false;
   }
@@ -65,6 +69,7 @@ public:
     , Change(change)
     , Growth(areas.size(), 0.0)
     , IsTight(areas.size(), 0)
+    , IsInverted(areas.size(), 0)
   {
   }
 
@@ -79,9 +84,10 @@ public:
     {
       edges.push_back(this->AddEdge(edge));
     }
+    this->FindInverted();
     for (std::size_t f = 0; f < this->Areas.size(); ++f)
     {
-      if (this->Growth[f] > 0.5 * this->Areas[f])
+      if (this->IsInverted[f] || this->Growth[f] > 0.5 * this->Areas[f])
       {
         this->Change.NarrowFaces.push_back(f);
         this->IsTight[f] = 1;
@@ -99,9 +105,43 @@ public:
     }
     this->Change.Second += this->Change.Remainder;
     this->Change.Remainder += FewRoundings * (this->First + this->Change.Second);
+    if (!this->Change.UnmetFaces.empty())
+    {
+      const double nan = std::numeric_limits<double>::quiet_NaN();
+      this->Change.Volume = this->Change.Remainder = this->Change.Second = this->Change.Reach = nan;
+    }
   }
 
 private:
+  /// Finds the faces with an edge that is shorter than its ends move along it, so that it turns around or
+  /// vanishes.
+  void FindInverted()
+  {
+    std::vector<double> shorter(this->Geometry.Edges.size(), 0.0);
+    for (const OffsetVertex& vertex : this->Geometry.Vertices)
+    {
+      Vector3 point;
+      if (!FindMeetingPoint(vertex, this->Offsets, point))
+      {
+        continue;
+      }
+      // Each edge is in two corners, behind one and before the other.
+      for (const OffsetCorner& corner : vertex.Corners)
+      {
+        shorter[corner.Edges[0]] += 0.5 * std::max(-Dot(point, corner.Before), 0.0);
+        shorter[corner.Edges[1]] += 0.5 * std::max(Dot(point, corner.Behind), 0.0);
+      }
+    }
+    for (std::size_t i = 0; i < shorter.size(); ++i)
+    {
+      const OffsetEdge& edge = this->Geometry.Edges[i];
+      for (const std::size_t f : edge.Faces)
+      {
+        this->IsInverted[f] = this->IsInverted[f] || shorter[i] >= edge.Length ? 1 : 0;
+      }
+    }
+  }
+
   void AddFace(std::size_t f)
   {
     const OffsetFace& face = this->Geometry.Faces[f];
@@ -133,7 +173,10 @@ private:
   {
     const double t[2] = { this->Offsets[edge.Faces[0]], this->Offsets[edge.Faces[1]] };
     const double largest = std::max(std::abs(t[0]), std::abs(t[1]));
+    const bool isFlat =
+      this->Geometry.Faces[edge.Faces[0]].IsFlat && this->Geometry.Faces[edge.Faces[1]].IsFlat;
     double whole = 0.0;
+    double turned = 0.0;
     for (const OffsetEdgeSample& sample : edge.Samples)
     {
       const double half = sample.GetWay();
@@ -148,9 +191,18 @@ private:
         isMet = isMet && (step == 0.0 || std::abs(way[i]) <= LongestOffsetWay * largest);
       }
       double volume = 0.5 * (t[0] * way[0] + t[1] * way[1]);
-      if (!isMet)
+      if (!isMet && std::abs(sample.Sine) > TangentSine)
       {
-        // Nearly tangent: a step joins the faces, anywhere near the edge.
+        // Planes meet there, however far it is.
+        isMet = isFlat;
+        if (!isMet)
+        {
+          this->AddUnmet(edge.Faces);
+        }
+      }
+      else if (!isMet)
+      {
+        // Tangent: a step joins the faces, anywhere near the edge.
         volume = t[0] * t[1] * half;
         this->Change.Remainder += sample.Length * std::abs(step) * (std::abs(t[0]) + std::abs(t[1]));
         way[0] = t[0] * half;
@@ -170,14 +222,28 @@ private:
         rest += way[i] == 0.0 ? 0.0 : GetCurvature(sample.Across[i], t[i]) * way[i] * way[i] * reach * slope;
         this->Growth[edge.Faces[i]] += sample.Length * std::abs(way[i]);
       }
+      turned = std::max(turned, reach * swept);
       whole += sample.Length * volume;
       this->Change.Remainder += sample.Length * rest;
       this->Change.Second += sample.Length * swept;
       this->Change.Reach = std::max(this->Change.Reach, reach);
     }
     this->Change.Volume += whole;
-    this->Change.Remainder += edge.WayError * largest * largest;
+    // A corner of an edge bends it in one point.
+    this->Change.Remainder += edge.WayError * largest * largest + (turned > 0.0 ? edge.Turn * turned : 0.0);
     return whole;
+  }
+
+  void AddUnmet(const std::array<std::size_t, 2>& faces)
+  {
+    std::vector<std::size_t>& all = this->Change.UnmetFaces;
+    for (const std::size_t f : faces)
+    {
+      if (std::find(all.begin(), all.end(), f) == all.end())
+      {
+        all.push_back(f);
+      }
+    }
   }
 
   /// Returns no less than a curvature, and than that of the face with an offset.
@@ -186,13 +252,23 @@ private:
     return curvature / std::max(1.0 - curvature * std::abs(offset), SmallestShrink);
   }
 
+  void AddApex(double apex, double largest)
+  {
+    // The cone between the normals, and no more than the ball.
+    const double share = std::min(4.0 * (1.0 - apex), 1.0);
+    const double reach = largest / std::max(apex, SmallestProduct);
+    this->Change.Remainder += (apex < 1.0 - SharpApex ? 1.0 : share) * 4.0 * Pi / 3.0 * reach * reach * reach;
+    this->Change.Reach = std::max(this->Change.Reach, reach);
+  }
+
   void AddVertex(const OffsetVertex& vertex)
   {
     double largest = 0.0;
-    double spread = 0.0;
     double smallest = std::numeric_limits<double>::infinity();
+    // The largest sine between normals that count as one, the smallest between others.
+    double same = 0.0;
+    double apart = 1.0;
     std::vector<Vector3> normals;
-    Vector3 sum{};
     bool isTight = false;
     for (const OffsetCorner& corner : vertex.Corners)
     {
@@ -200,25 +276,28 @@ private:
       largest = std::max(largest, t);
       smallest = std::min(smallest, t);
       isTight = isTight || this->IsTight[corner.Face];
-      if (std::none_of(normals.begin(), normals.end(),
-            [&corner](const Vector3& n)
-            { return Dot(n, corner.Normal) > 0.0 && Norm(Cross(n, corner.Normal)) < SameNormal; }))
+      bool isNew = true;
+      for (const Vector3& normal : normals)
+      {
+        const double sine = Norm(Cross(normal, corner.Normal));
+        const bool isSame = Dot(normal, corner.Normal) > 0.0 && sine <= TangentSine;
+        same = isSame ? std::max(same, sine) : same;
+        apart = isSame ? apart : std::min(apart, sine);
+        isNew = isNew && !isSame;
+      }
+      if (isNew)
       {
         normals.push_back(corner.Normal);
       }
     }
-    for (const Vector3& normal : normals)
+    const double spread = largest - std::min(smallest, largest);
+    this->AddApex(vertex.Apex, largest);
+    const double reach = GetReach(vertex, normals, largest);
+    const double ball = (static_cast<double>(vertex.Corners.size()) + 2.0 * Pi / 3.0) * reach * reach * reach;
+    if (same > NormalRounding)
     {
-      for (int d = 0; d < 3; ++d)
-      {
-        sum[d] += normal[d];
-      }
-    }
-    spread = largest - std::min(smallest, largest);
-    if (vertex.Apex < 1.0 - SameNormal * SameNormal)
-    {
-      const double reach = largest / std::max(vertex.Apex, SmallestProduct);
-      this->Change.Remainder += 4.0 * Pi / 3.0 * reach * reach * reach;
+      // What lies between normals that count as one: sectors with that angle.
+      this->Change.Remainder += same * ball;
       this->Change.Reach = std::max(this->Change.Reach, reach);
     }
     if (normals.size() < 3)
@@ -244,15 +323,36 @@ private:
       this->Change.Reach = std::max(this->Change.Reach, Norm(point));
       return;
     }
-    double product = 1.0;
+    if (spread > 0.0 && apart * LongestOffsetWay < 1.0)
+    {
+      // The faces meet far from there, and nothing says where.
+      for (const OffsetCorner& corner : vertex.Corners)
+      {
+        this->AddUnmet({ corner.Face, corner.Face });
+      }
+    }
+    this->Change.Remainder += ball;
+    this->Change.Reach = std::max(this->Change.Reach, reach);
+  }
+
+  /// Returns how far a vertex may move by offsets of at most `largest`; `normals` are its different ones.
+  static double GetReach(const OffsetVertex& vertex, const std::vector<Vector3>& normals, double largest)
+  {
+    Vector3 sum{};
     for (const Vector3& normal : normals)
     {
-      product = std::min(product, Norm(sum) > 0.0 ? Dot(normal, sum) / Norm(sum) : 0.0);
+      for (int d = 0; d < 3; ++d)
+      {
+        sum[d] += normal[d];
+      }
     }
-    const double reach = largest / std::max(product, SmallestProduct);
-    this->Change.Remainder +=
-      (static_cast<double>(vertex.Corners.size()) + 2.0 * Pi / 3.0) * reach * reach * reach;
-    this->Change.Reach = std::max(this->Change.Reach, reach);
+    const double size = Norm(sum);
+    double product = 1.0;
+    for (const OffsetCorner& corner : vertex.Corners)
+    {
+      product = std::min(product, size > 0.0 ? Dot(corner.Normal, sum) / size : 0.0);
+    }
+    return largest / std::max(product, SmallestProduct);
   }
 
   const OffsetGeometry& Geometry;
@@ -263,6 +363,7 @@ private:
   /// By how much each face grows or shrinks, and whether strips next to it overlap otherwise than expected.
   std::vector<double> Growth;
   std::vector<char> IsTight;
+  std::vector<char> IsInverted;
 };
 }
 

@@ -35,7 +35,7 @@ sm::IntegralRequest vtkMassSensitivity::MakeRequest() const
 void vtkMassSensitivity::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
 {
   this->Superclass::AnalyzeBodies(bodies);
-  this->Offsets = std::make_unique<sm::BodyOffsets>(bodies);
+  this->Offsets = std::make_unique<sm::BodyOffsets>(bodies, [this] { return !this->GetAbortExecute(); });
 }
 
 void vtkMassSensitivity::ResetResults()

@@ -25,7 +25,7 @@
  * |---|---|---|---|
  * | VolumePerOffset | 1 | L^2 | NaN |
  * | MassPerOffset | 1 | kg / L | NaN, also without a density |
- * | SurfaceAreaPerOffset | 1 | L | NaN, also where an edge is not shared by two faces |
+ * | SurfaceAreaPerOffset | 1 | L | NaN, also where an edge is not shared, or missing at a crease |
  * | CenterOfMassPerOffset | 3 | 1, in world axes | NaN |
  * | PrincipalMomentsPerOffset | 3 | L^4, ascending moments | NaN, also where moments coincide |
  *
@@ -35,7 +35,8 @@
  * _Z, PrincipalMomentsPerOffset_1, _2 and _3. Values are those of the solid that the face belongs to, at unit
  * density except for the mass. All are known only for solids with a volume.
  *
- * Nine more integrals over the area of every face are evaluated. Limits, threads and GL contexts are as in
+ * Nine more integrals over the area of every face are evaluated, and curvatures on faces and angles along
+ * edges, in parallel on the CPU; stopping the run stops that, too. Limits, threads and GL contexts are as in
  * vtkMassPropertiesGPU.
  */
 #ifndef vtkMassSensitivity_h

@@ -87,6 +87,14 @@ bool vtkMassTolerances::CheckRange(double lower, double upper)
                                         << " is not used: give finite limits, the lower one first.");
     return false;
   }
+  if (lower > 0.0 || upper < 0.0)
+  {
+    vtkErrorMacro("The tolerance from "
+      << sm::FormatDigits(lower, 6) << " to " << sm::FormatDigits(upper, 6)
+      << " is not used: a range without 0 excludes the face of the model, and no worst case is known; move "
+         "the face to the middle of its range first.");
+    return false;
+  }
   return true;
 }
 

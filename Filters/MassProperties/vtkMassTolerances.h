@@ -21,7 +21,9 @@
  * different densities, centre and inertia are those of the volume.
  *
  * Outputs are those of vtkMassSensitivity. Field data of port 0 and the table of solids (port 1) have in
- * addition, NaN where not known (no volume, or an edge that is not shared by two faces):
+ * addition, NaN where not known: no volume; an edge that is not shared by two faces; a crease or border of a
+ * face that is not an edge; neighbours, one of them curved, that have different tolerances and meet at less
+ * than 6 degrees, except for tangent ones (0.06 degrees), between which there is a step:
  *
  * | name | components | unit |
  * |---|---|---|
@@ -73,8 +75,8 @@ public:
   ///@{
   /**
    * Range of the offsets of all faces without a rule, lower and upper limit in the length unit of the input;
-   * one value is half of a symmetric range. Limits that are not finite, or a lower one above the upper, are
-   * reported as an error and change nothing. Default: 0, 0.
+   * one value is half of a symmetric range. Limits that are not finite, a lower one above the upper, and a
+   * range without 0 are reported as an error and change nothing. Default: 0, 0.
    */
   void SetFaceTolerance(double lower, double upper);
   void SetFaceTolerance(double tolerance);
@@ -87,7 +89,7 @@ public:
    * face in the file, any other one is for its name), "part" (the name of the solid) or "colour" ("#rrggbb",
    * the colour of the face). In a pattern `*` stands for any characters and `?` for one; letters of ASCII
    * match in either case. An unknown kind, an empty pattern and wrong limits are reported as an error and
-   * change nothing. A rule that fits no face gets a message. Default: none.
+   * change nothing. A rule that fits no face of a solid gets a message. Default: none.
    */
   void AddTolerance(const char* kind, const char* pattern, double lower, double upper);
   void AddTolerance(const char* kind, const char* pattern, const char* lower, const char* upper);

@@ -34,6 +34,8 @@ constexpr STEPAttribute UsageDefinition = { "ITEM_IDENTIFIED_REPRESENTATION_USAG
 constexpr STEPAttribute UsageItem = { "ITEM_IDENTIFIED_REPRESENTATION_USAGE", 4, 4, "identified item" };
 constexpr STEPAttribute GeometryOfFace = { "FACE_SURFACE", 0, 2, "face geometry" };
 constexpr STEPAttribute SenseOfFace = { "FACE_SURFACE", 1, 3, "same sense" };
+constexpr STEPAttribute RelatedTolerance = { "GEOMETRIC_TOLERANCE_RELATIONSHIP", 3, 3,
+  "related geometric tolerance" };
 constexpr STEPAttribute PositionOfSurface = { "ELEMENTARY_SURFACE", 0, 1, "position" };
 constexpr STEPAttribute AxisOfPosition = { "AXIS2_PLACEMENT_3D", 0, 2, "axis" };
 constexpr STEPAttribute RatiosOfDirection = { "DIRECTION", 0, 1, "direction ratios" };
@@ -54,6 +56,14 @@ public:
       {
         this->AddItems(
           this->Entities.Follow(this->Entities.Get(i, UsageDefinition)), this->Entities.Get(i, UsageItem), 0);
+      }
+      else if (this->Is(i, "GEOMETRIC_TOLERANCE_RELATIONSHIP"))
+      {
+        this->Refinements.insert(this->Entities.Follow(this->Entities.Get(i, RelatedTolerance)));
+      }
+      else if (this->Is(i, "PRODUCT"))
+      {
+        ++this->Products;
       }
       else if (this->Is(i, "SHAPE_ASPECT_RELATIONSHIP") && !file.IsComplex(i))
       {
@@ -91,6 +101,14 @@ public:
       else
       {
         this->ReadGeometric(i, tolerance);
+      }
+      if (tolerance.Problem.empty() && (tolerance.Lower > 0.0 || tolerance.Upper < 0.0))
+      {
+        tolerance.Problem = "its range leaves out the face of the model, for which no worst case is known";
+      }
+      if (!tolerance.Problem.empty())
+      {
+        tolerance.Problem += "; give the face a range with --face-tolerance";
       }
       tolerances.push_back(tolerance);
     }
@@ -206,6 +224,14 @@ private:
     {
       tolerance.Problem = "no face is linked to it";
     }
+    else if (!isWhole)
+    {
+      tolerance.Problem = "it is also about other things than faces";
+    }
+    else if (tolerance.IsForAll && this->Products > 1)
+    {
+      tolerance.Problem = "it is for one product, and the file has several";
+    }
     return faces;
   }
 
@@ -229,6 +255,11 @@ private:
       }
       tolerance.Lower = shift - width;
       tolerance.Upper = shift + 0.5 * width;
+    }
+    if (tolerance.Problem.empty() && this->Refinements.count(i) > 0)
+    {
+      tolerance.Problem =
+        "it refines another tolerance of a composite one, and does not say where the face is";
     }
     const bool hasDatum = this->Is(i, "GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE");
     if (tolerance.Problem.empty() && tolerance.Kind != "surface profile")
@@ -357,22 +388,22 @@ private:
       return;
     }
     // A thickness or a width: the sign depends on which plane is in front of the other.
-    const double way = this->GetWay(tolerance.Faces, normals[0]);
-    if (way == 0.0)
+    const double distance = this->GetSignedDistance(tolerance.Faces, normals[0]);
+    if (distance == 0.0)
     {
       tolerance.Problem = "its planes coincide";
       return;
     }
-    tolerance.Lower = 0.5 * (way < 0.0 ? lower : -upper);
-    tolerance.Upper = 0.5 * (way < 0.0 ? upper : -lower);
+    tolerance.Lower = 0.5 * (distance < 0.0 ? lower : -upper);
+    tolerance.Upper = 0.5 * (distance < 0.0 ? upper : -lower);
   }
 
   /// Returns how far the second plane is in front of the first, whose outward normal is given.
-  double GetWay(const std::vector<std::uint64_t>& faces, const std::array<double, 3>& normal) const
+  double GetSignedDistance(const std::vector<std::uint64_t>& faces, const std::array<double, 3>& normal) const
   {
     constexpr STEPAttribute location = { "PLACEMENT", 0, 1, "location" };
     constexpr STEPAttribute coordinates = { "CARTESIAN_POINT", 0, 1, "coordinates" };
-    double way = 0.0;
+    double distance = 0.0;
     for (int k = 0; k < 2; ++k)
     {
       const Index plane =
@@ -384,10 +415,10 @@ private:
       {
         double coordinate = 0.0;
         GetPart21Value(point.Text, d).GetNumber(coordinate);
-        way += (k == 0 ? -1.0 : 1.0) * coordinate * normal[d];
+        distance += (k == 0 ? -1.0 : 1.0) * coordinate * normal[d];
       }
     }
-    return way;
+    return distance;
   }
 
   const Part21File& File;
@@ -396,6 +427,9 @@ private:
   std::map<Index, std::vector<Index>> Faces;
   std::map<Index, std::vector<Index>> Parts;
   std::set<Index> Others;
+  /// Tolerances that refine others.
+  std::set<Index> Refinements;
+  std::size_t Products = 0;
 };
 }
 

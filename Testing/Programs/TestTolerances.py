@@ -1,14 +1,16 @@
 """TestTolerances.py --program P --output DIR: tolerances of faces and the budget of the mass, by the command line, of boxes."""
 import argparse
+import csv
 import functools
 import os
 import sys
+import threading
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 import smprogram  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smpicture import read_picture  # noqa: E402
-from smproduct import Part, write_product  # noqa: E402
+from smproduct import Assembly, Part, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
 for name in ("--program", "--output"):
@@ -42,6 +44,30 @@ check("upper volume of a table", 10.4 ** 3, volume["maximum"], 1e-9)
 check("lower volume of a table", 9.8 ** 3, volume["minimum"], 1e-9)
 check("normal deviation", (6 * 100.0 ** 2 * 0.05 ** 2) ** 0.5, volume["deviation"], 1e-9)
 check_true("the line without a face is named", any("sphere*" in message for message in answer["messages"]))
+# A table from a pipe can be read once; outputs must not overwrite it.
+pipe = os.path.join(folder, "pipe")
+if os.path.exists(pipe):
+    os.remove(pipe)
+os.mkfifo(pipe)
+
+
+def feed():
+    with open(pipe, "w", encoding="utf-8") as out:
+        out.write("all,0.1\n")
+
+
+thread = threading.Thread(target=feed)
+thread.start()
+answer = run_json(file, "--face-tolerance", pipe)
+thread.join()
+check("upper volume by a pipe", 10.2 ** 3, answer["total"]["tolerance"]["volume"]["maximum"], 1e-9)
+result = run(file, "--face-tolerance", table, "--csv", table)
+check_true("the table is not an output", result.returncode == 1 and "would overwrite" in result.stderr, result.stderr)
+rows = os.path.join(folder, "rows.csv")
+run(file, "--face-tolerance", "0.1", "--csv", rows)
+with open(rows, encoding="utf-8", newline="") as text:
+    lengths = [len(row) for row in csv.reader(text)]
+check_equal("rows of the head, the total and the solid", [lengths[0]] * 3, lengths)
 result = run(file, "--face-tolerance", "0.1")
 check_equal("exit status", 0, result.returncode)
 check_true("rows of the table", "within tolerances" in result.stdout and "centre within" in result.stdout, result.stdout)
@@ -49,7 +75,7 @@ for wrong, word in (("-1", "not a tolerance"), (os.path.join(folder, "missing.cs
     result = run(file, "--face-tolerance", wrong)
     check_true(f"refused: {wrong}", result.returncode == 1 and word in result.stderr, result.stderr)
 for line, word in (("edge,#1,0.1", "is not face, part, colour or all"), ("face,#1", "KIND,PATTERN"), ("face,,0.1", "pattern is empty"),
-                   ("face,#1,0.2,0.1", "lower one first"), ("face,#1,x", "lower one first")):
+                   ("face,#1,0.2,0.1", "lower one first"), ("face,#1,x", "lower one first"), ("face,#1,0.1,0.2", "without 0")):
     with open(table, "w", encoding="utf-8") as out:
         out.write("\n" + line + "\n")
     result = run(file, "--face-tolerance", table)
@@ -85,5 +111,24 @@ check_true("rows of the budget", "which is the sum of" in result.stdout and "num
 check_equal("another ending", 1, run(file, "--budget", "budget.jpg").returncode)
 check_equal("two files", 1, run(file, file, "--budget", picture).returncode)
 result = run(file, "--budget", picture)
-check_true("no density", "the mass is not known" in result.stdout, result.stdout)
+check_true("no density", result.returncode != 0 and "the mass is not known" in result.stdout, result.stdout)
+result = run(file, "--density", "7850", "--budget", os.path.join(folder, "missing", "b.png"))
+check_true("a folder that is missing", result.returncode == 1 and "cannot be written" in result.stderr, result.stderr)
+result = run(file, "--density", "7850", "--budget", picture, "--png", picture)
+check_true("two outputs of one name", result.returncode == 1 and "would overwrite" in result.stderr, result.stderr)
+
+# The tolerance of a total is that of its solids, each at its own largest density.
+pair = os.path.join(folder, "pair.step")
+write_product(pair, Assembly("pair", [(Part("a", [((0, 0, 0), (10, 10, 10))]), (0, 0, 0), None),
+                                      (Part("b", [((0, 0, 0), (10, 10, 10))]), (20, 0, 0), None)]))
+weights = os.path.join(folder, "weights.csv")
+with open(weights, "w", encoding="utf-8") as out:
+    out.write("a,light,1e6,50%\nb,heavy,9e6\n")
+with open(table, "w", encoding="utf-8") as out:
+    out.write("part,a,0.1\n")
+answer = run_json(pair, "--materials", weights, "--face-tolerance", table, "--budget", picture)
+lines = {line["name"]: line["mass"] for line in answer["total"]["budget"]["lines"]}
+check("mass", 10.0, answer["total"]["mass"], 1e-9)
+check("density of a pair", 0.5, lines["density"], 1e-9)
+check("tolerance of a pair", 1.5 * (1.02 ** 3 - 1.0), lines["tolerance"], 1e-9)
 finish()

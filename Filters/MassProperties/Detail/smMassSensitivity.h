@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -77,7 +78,9 @@ std::array<double, 3> GetPrincipalSlopes(
 class SMFILTERSMASSPROPERTIES_EXPORT BodyOffsets
 {
 public:
-  explicit BodyOffsets(const std::vector<BodyIntegrals>& bodies);
+  /// Where `shouldContinue` returns false nothing is known of the bodies that are left.
+  explicit BodyOffsets(
+    const std::vector<BodyIntegrals>& bodies, const std::function<bool()>& shouldContinue = nullptr);
   const OffsetGeometry& Get(std::size_t body) const { return *this->Geometries[body]; }
 
 private:

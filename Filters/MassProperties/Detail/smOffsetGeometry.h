@@ -24,7 +24,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 class vtkTrimmedNURBSModel;
@@ -32,7 +34,8 @@ class vtkTrimmedNURBSModel;
 namespace sm
 {
 /// Curvatures of a face, positive where it is convex; lengths in model units. Integrals come from Gauss rules
-/// of 12 by 12 points on each panel; ten times the difference from those of 8 counts as their error.
+/// of 12 by 12 points on each panel; ten times the difference from those of 8 counts as their error, and what
+/// creases add.
 struct OffsetFace
 {
   /// Integrals of the sum of the principal curvatures, of their product, and of the absolute values of both.
@@ -52,15 +55,20 @@ struct OffsetFace
   /// False if the face could not be cut or evaluated.
   bool IsKnown = true;
   bool IsFlat = true;
+  /// True if it has a crease, or a border, that is not an edge of the model, or if an edge of it has a
+  /// corner.
+  bool IsCreased = false;
   /// A box that contains the face, in coordinates of the model.
   Vector3 Low{};
   Vector3 High{};
 };
 
 /// Faces are continued to meet at an edge if the edge moves across them by no more than so many offsets. A
-/// sharper edge is cut off there; between faces that are nearly tangent, and have different offsets, there is
-/// a step.
+/// sharper edge is cut off there.
 constexpr double LongestOffsetWay = 10.0;
+/// Faces are tangent if the sine of the angle between their normals is no larger; if their offsets differ
+/// there is a step between them.
+constexpr double TangentSine = 1e-3;
 
 /// A point of an edge between two faces.
 struct OffsetEdgeSample
@@ -92,6 +100,8 @@ struct OffsetEdge
   /// The same difference for GetWay().
   double WayError = 0.0;
   double Length = 0.0;
+  /// Sum of the angles of small corners between pieces of the edge.
+  double Turn = 0.0;
 };
 
 /// The corner of a face at a vertex: the outward normal, unit vectors along the loop before and behind the
@@ -99,6 +109,8 @@ struct OffsetEdge
 struct OffsetCorner
 {
   std::size_t Face = 0;
+  /// Indices of the edges before and behind the vertex.
+  std::array<std::size_t, 2> Edges{};
   Vector3 Normal{};
   Vector3 Before{};
   Vector3 BeforeOut{};
@@ -121,29 +133,37 @@ struct SMFILTERSMASSPROPERTIES_EXPORT OffsetGeometry
   std::vector<OffsetFace> Faces;
   std::vector<OffsetEdge> Edges;
   std::vector<OffsetVertex> Vertices;
-  /// False if an edge is not used twice, or something could not be evaluated.
+  /// False if an edge is not used twice, a face is creased, or something could not be evaluated.
   bool IsKnown = true;
 };
 
 /// Measures the faces of a model, in parallel. `sides` has the factor 1 or -1 of each face's outward normal;
-/// empty: all are 1.
-SMFILTERSMASSPROPERTIES_EXPORT OffsetGeometry MeasureOffsets(
-  const vtkTrimmedNURBSModel& model, const std::vector<signed char>& sides);
+/// empty: all are 1. When `shouldContinue`, which is called in the calling thread, returns false nothing is
+/// known.
+SMFILTERSMASSPROPERTIES_EXPORT OffsetGeometry MeasureOffsets(const vtkTrimmedNURBSModel& model,
+  const std::vector<signed char>& sides, const std::function<bool()>& shouldContinue = nullptr);
 
-/// What offsets of the faces change.
+/// What offsets of the faces change; NaN where it is not known.
 struct SMFILTERSMASSPROPERTIES_EXPORT OffsetChange
 {
   /// Change of the volume by the formula above.
   double Volume = 0.0;
   /// Bound of what the formula lacks: third order in the offsets, zero for polyhedra.
   double Remainder = 0.0;
-  /// No less than the volume that the second and third order sweep, without signs, and than the farthest way
-  /// of a point.
+  /// No less than the volume that the second and third order of the formula sweep, without signs, and what it
+  /// lacks.
   double Second = 0.0;
+  /// No less than the farthest way of a point.
   double Reach = 0.0;
-  /// Faces whose curvature radius is not above their offset, and faces that are narrower than the offsets.
+  /// Faces whose curvature radius is not above their offset, and faces that are narrower than the offsets or
+  /// have an edge that is shorter than it moves.
   std::vector<std::size_t> TightFaces;
   std::vector<std::size_t> NarrowFaces;
+  /// Neighbours, not all flat, with different offsets at so small an angle that nothing says where they meet;
+  /// if there are any the change is not known.
+  std::vector<std::size_t> UnmetFaces;
+
+  bool IsKnown() const { return std::isfinite(this->Volume + this->Remainder + this->Second + this->Reach); }
 };
 
 /// Evaluates offsets of all faces, one for each, which have all one sign. `areas` are those of the faces.

@@ -92,6 +92,12 @@ DATA;
 #109=(GEOMETRIC_TOLERANCE('','',#70,#108)GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE((#99))SURFACE_PROFILE_TOLERANCE());
 #110=ANGULAR_LOCATION('',$,#50,#51,.SMALL.);
 #111=PLUS_MINUS_TOLERANCE(#90,#110);
+#112=(GEOMETRIC_TOLERANCE('','',#70,#50)GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE((#99))SURFACE_PROFILE_TOLERANCE());
+#113=GEOMETRIC_TOLERANCE_RELATIONSHIP('composite',$,#80,#112);
+#114=SHAPE_ASPECT('a face and a point','',#40,.T.);
+#115=GEOMETRIC_ITEM_SPECIFIC_USAGE('','',#114,$,SET_REPRESENTATION_ITEM((#35,#10)));
+#116=(GEOMETRIC_TOLERANCE('','',#70,#114)GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE((#99))SURFACE_PROFILE_TOLERANCE());
+#120=PRODUCT('a','a','',());
 ENDSEC;
 END-ISO-10303-21;
 )";
@@ -123,14 +129,16 @@ int TestSTEPTolerances(int, char*[])
   const Expected expected[] = { { 80, "surface profile", "#30", -0.1, 0.1, "" },
     { 81, "surface profile", "#30 #34", -0.127, 0.127, "" },
     { 82, "surface profile", "#31", -0.1, 0.1, "without a datum" },
-    { 83, "surface profile", "#31", 0.1, 0.4, "" }, { 84, "position", "#35", -0.1, 0.1, "along its normal" },
-    { 85, "surface profile", "all", -0.1, 0.1, "" }, { 86, "flatness", "#31", -0.1, 0.1, "along its normal" },
-    { 92, "diameter", "#34", -0.025, 0.15, "" }, { 94, "radius", "#35", -0.3, 0.05, "" },
-    { 96, "thickness", "#30 #31", -0.025, 0.15, "" }, { 98, "thickness", "#33 #32", -0.15, 0.025, "" },
-    { 101, "diameter", "#36", 0.0, 0.0, "cylinders" },
+    { 83, "surface profile", "#31", 0.1, 0.4, "leaves out the face" },
+    { 84, "position", "#35", -0.1, 0.1, "along its normal" }, { 85, "surface profile", "all", -0.1, 0.1, "" },
+    { 86, "flatness", "#31", -0.1, 0.1, "along its normal" }, { 92, "diameter", "#34", -0.025, 0.15, "" },
+    { 94, "radius", "#35", -0.3, 0.05, "" }, { 96, "thickness", "#30 #31", -0.025, 0.15, "" },
+    { 98, "thickness", "#33 #32", -0.15, 0.025, "" }, { 101, "diameter", "#36", 0.0, 0.0, "cylinders" },
     { 103, "thickness", "#31 #32", 0.0, 0.0, "opposite normals" },
     { 105, "plus minus", "", 0.0, 0.0, "those of a fit" }, { 107, "plus minus", "", 0.0, 0.0, "not lengths" },
-    { 109, "surface profile", "", -0.1, 0.1, "no face" }, { 111, "plus minus", "", 0.0, 0.0, "angle" } };
+    { 109, "surface profile", "", -0.1, 0.1, "no face" }, { 111, "plus minus", "", 0.0, 0.0, "angle" },
+    { 112, "surface profile", "#30", -0.1, 0.1, "composite" },
+    { 116, "surface profile", "#35", -0.1, 0.1, "other things than faces" } };
   const std::vector<sm::STEPTolerance> found = sm::ReadSTEPTolerances(file);
   CheckEqual("number", static_cast<long long>(std::size(expected)), static_cast<long long>(found.size()));
   for (std::size_t i = 0; i < std::min(found.size(), std::size(expected)); ++i)
@@ -143,8 +151,21 @@ int TestSTEPTolerances(int, char*[])
     Check(what + ": upper", expected[i].Upper, found[i].Upper, 1e-15);
     const std::string problem = expected[i].Problem;
     CheckTrue(what + ": reason",
-      problem.empty() ? found[i].Problem.empty() : found[i].Problem.find(problem) != std::string::npos,
+      problem.empty() ? found[i].Problem.empty()
+                      : found[i].Problem.find(problem) != std::string::npos &&
+          found[i].Problem.find("--face-tolerance") != std::string::npos,
       found[i].Problem);
+  }
+  // Of several products nothing says whose faces "all" are.
+  std::string text = ToleranceText;
+  text.insert(text.rfind("ENDSEC;"), "#121=PRODUCT('b','b','',());\n");
+  sm::Part21File several;
+  CheckTrue("the second text is read", several.Parse(text));
+  for (const sm::STEPTolerance& tolerance : sm::ReadSTEPTolerances(several))
+  {
+    CheckTrue("#" + std::to_string(tolerance.Id) + " of two products",
+      !tolerance.IsForAll || tolerance.Problem.find("the file has several") != std::string::npos,
+      tolerance.Problem);
   }
   return Finish();
 }
