@@ -133,6 +133,10 @@ void FindOutputErrors(
   {
     outcome.MeshError = explain(said.Mesh, "the process that made it");
   }
+  if (!options.RobotName.empty() && isRead)
+  {
+    outcome.RobotError = explain(said.Robot, "the process that made it");
+  }
   if (!options.PictureName.empty() && isRead)
   {
     outcome.PictureError = explain(said.Picture, "the process that drew it");
@@ -173,9 +177,10 @@ void JobMessages::Take(
   }
   else
   {
-    (kind == JobMessage::Textures  ? this->Textures
-        : kind == JobMessage::Mesh ? this->Mesh
-                                   : this->Picture) = text;
+    (kind == JobMessage::Textures   ? this->Textures
+        : kind == JobMessage::Mesh  ? this->Mesh
+        : kind == JobMessage::Robot ? this->Robot
+                                    : this->Picture) = text;
   }
 }
 

@@ -26,6 +26,7 @@ struct JobOutcome
   std::string TextureError;       ///< why a requested trim texture is missing; empty: none is
   std::string
     MeshError; ///< why the requested triangles are missing; empty: they are not, or none were requested
+  std::string RobotError;   ///< what is missing of the requested robot; empty: nothing, or none was requested
   std::string PictureError; ///< why the requested picture is missing; empty: it is not, or none was requested
 };
 
@@ -37,7 +38,7 @@ struct JobMessages
   std::optional<FileResult> Result;
   bool IsComplete = false; ///< of the result
   /// Why an output was not written, empty if it was; none: not reported.
-  std::optional<std::string> Textures, Mesh, Picture;
+  std::optional<std::string> Textures, Mesh, Robot, Picture;
   std::string Stage;
 
   /// Takes a message as WriteMessage() wrote it, without its head; one that is damaged is ignored.
