@@ -188,6 +188,10 @@ sm::FileResult TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& 
   {
     ReportFailure("no file of " + outcome.AnalysisError, *outcome.File, exitStatus);
   }
+  if (!outcome.RobotError.empty())
+  {
+    ReportFailure("robot " + job.RobotName + ": " + outcome.RobotError, *outcome.File, exitStatus);
+  }
   if (!outcome.PictureError.empty())
   {
     ReportFailure("no picture " + job.PictureName + ": " + outcome.PictureError, *outcome.File, exitStatus);
@@ -203,6 +207,8 @@ std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
   const std::vector<std::string> pictures =
     sm::OutputNames(arguments.Files, arguments.Compare ? "" : arguments.Picture);
   const std::vector<std::string> prefixes = sm::TexturePrefixes(arguments);
+  const std::vector<std::string> taken =
+    arguments.RobotName.empty() ? std::vector<std::string>() : sm::ListFiles(arguments);
   std::vector<sm::JobOptions> jobs(arguments.Files.size(), arguments.Job);
   for (size_t i = 0; i < jobs.size(); ++i)
   {
@@ -210,6 +216,8 @@ std::vector<sm::JobOptions> MakeJobs(const sm::Arguments& arguments)
     jobs[i].MeshName = meshes[i];
     jobs[i].PictureName = pictures[i];
     jobs[i].RobotName = robots[i];
+    jobs[i].TakenNames = taken;
+    jobs[i].AllRobots = robots;
     jobs[i].TexturePrefix = prefixes[i];
   }
   return jobs;

@@ -3,6 +3,7 @@
 #include "smMaterialFile.h"
 #include "smOptionValues.h"
 #include "smText.h"
+#include "smTrimText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,18 +109,6 @@ std::string CheckFrame(const std::string& text)
     : text + " is not a frame; write origin, a point X,Y,Z, or nine numbers: origin, z axis and x axis";
 }
 
-std::vector<std::string> Split(const std::string& text)
-{
-  std::vector<std::string> words;
-  for (size_t begin = 0; begin <= text.size();)
-  {
-    const size_t end = std::min(text.find(',', begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
-}
-
 /// Returns an error message if the text is not a list of known words.
 static std::string CheckWords(const std::string& text, const std::set<std::string>& known)
 {
@@ -128,7 +117,7 @@ static std::string CheckWords(const std::string& text, const std::set<std::strin
   {
     all += (all.empty() ? "" : ", ") + word;
   }
-  for (const std::string& word : Split(text))
+  for (const std::string& word : SplitFields(text))
   {
     if (!known.count(word))
     {

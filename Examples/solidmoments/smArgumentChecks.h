@@ -28,9 +28,6 @@ std::string CheckShare(const std::string& text);
 std::string CheckFrame(const std::string& text);
 std::string CheckFailOn(const std::string& text);
 std::string CheckRequire(const std::string& text);
-
-/// The words between commas.
-std::vector<std::string> Split(const std::string& text);
 }
 
 #endif

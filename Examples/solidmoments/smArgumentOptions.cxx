@@ -1,6 +1,7 @@
 #include "smArgumentOptions.h"
 
 #include "smArgumentChecks.h"
+#include "smTrimText.h"
 
 namespace
 {
@@ -10,7 +11,7 @@ CLI::Option* AddListOption(CLI::App& app, const std::string& option, std::vector
 {
   return app
     .add_option_function<std::string>(
-      option, [&words](const std::string& text) { words = sm::Split(text); }, help)
+      option, [&words](const std::string& text) { words = sm::SplitFields(text); }, help)
     ->type_name(type);
 }
 
@@ -186,6 +187,8 @@ void DeclareRobot(CLI::App& app, sm::Arguments& arguments)
     ->type_name("FORMAT FILE")
     ->expected(2)
     ->allow_extra_args(false);
+  // Hidden: what older versions had, see ParseArguments().
+  app.add_option("--urdf")->group("")->expected(0, 1)->allow_extra_args(false);
   sm::AddFileOption(app, "--joints", arguments.Joints,
     "Joints: CSV with lines PARENT,CHILD,TYPE[,axis X,Y,Z[,origin X,Y,Z]], the types\n"
     "fixed, revolute and prismatic, in --unit and the frame of the file; links\n"

@@ -36,7 +36,7 @@ Examples:
 
 Exit status:
   0  all files computed with status ok
-  1  wrong usage, or an output (table, JSON, CSV, PNG) could not be written
+  1  wrong usage, or an output (table, JSON, CSV, PNG, mesh, robot) could not be written
   2  some file is unreadable
   3  some result is flagged: open, tolerance-not-met, suspect, not-computed, empty
   4  with --compare: the products differ
@@ -335,7 +335,9 @@ std::optional<int> ParseArguments(int argc, char** argv, Arguments& arguments)
     return PrintOpenGLProbe();
   }
   arguments.Files = ExpandFolders(arguments.Files);
-  std::string problem = TakeMass(arguments);
+  std::string problem = app.count("--urdf") > 0
+    ? "--urdf is gone: write --robot urdf FILE, and --fuse '*' for one link"
+    : TakeMass(arguments);
   problem = problem.empty() ? TakeRobot(arguments) : problem;
   problem = problem.empty() ? FindProblem(app, arguments) : problem;
   if (!problem.empty())

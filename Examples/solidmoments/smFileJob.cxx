@@ -3,6 +3,7 @@
 #include "smComparisonPicture.h"
 #include "smFileReader.h"
 #include "smFilterSetUp.h"
+#include "smLengthUnits.h"
 #include "smMassPropertyNames.h"
 #include "smMeshFile.h"
 #include "smMessageCollector.h"
@@ -325,21 +326,6 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
     file.Validation = sm::CompareValidation(sm::StatedFile(GetSource(options)).List(),
       sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationLimit);
   }
-  if (!options.RobotName.empty())
-  {
-    std::vector<std::string> notes;
-    const std::string problem =
-      sm::WriteRobot(reader->GetOutputDataObject(0), file.GetProduct(), options, notes);
-    for (const std::string& note : notes)
-    {
-      messages.AddEcho(note);
-    }
-    if (!problem.empty())
-    {
-      messages.AddEcho(problem);
-      file.Status = file.Status == names::StatusOk ? names::StatusNotComputed : file.Status;
-    }
-  }
   if (!options.ValidationTarget.empty())
   {
     const std::string problem = sm::WriteValidation(GetSource(options),
@@ -378,10 +364,32 @@ std::array<double, 3> PlaceMesh(vtkCADReader* reader, vtkMassPropertiesBase* fil
   return origin.Origin;
 }
 
-/// Writes trim textures, triangles and picture.
-void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* drawing,
-  const std::array<double, 3>& meshOrigin, const sm::JobOptions& options, const sm::JobListener& send,
-  const FileResult& file)
+/// Returns the robot to write, and adds its messages.
+sm::Robot PlanRobot(
+  vtkCADReader* reader, const FileResult& file, const sm::JobOptions& options, sm::MessageList& messages)
+{
+  if (options.RobotName.empty())
+  {
+    return {};
+  }
+  sm::Robot robot = sm::MakeFileRobot(reader->GetOutputDataObject(0), file.GetProduct(), options);
+  for (const std::string& message : robot.Messages)
+  {
+    messages.AddEcho("robot: " + message);
+  }
+  return robot;
+}
+
+/// What is written besides the results: decided before these are sent, as its messages go with them.
+struct Plans
+{
+  std::array<double, 3> MeshOrigin{};
+  sm::Robot Robot;
+};
+
+/// Writes trim textures, triangles, robot and picture.
+void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* drawing, Plans plans,
+  const sm::JobOptions& options, const sm::JobListener& send, const FileResult& file)
 {
   if (!options.TexturePrefix.empty())
   {
@@ -394,7 +402,14 @@ void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
   {
     send(JobMessage::OfProgress(sm::stages::Mesh));
     send(JobMessage::OfOutput(
-      JobMessage::Mesh, sm::WriteMesh(bodies, reader->GetLengthUnit(), meshOrigin, options.MeshName)));
+      JobMessage::Mesh, sm::WriteMesh(bodies, reader->GetLengthUnit(), plans.MeshOrigin, options.MeshName)));
+  }
+  if (!options.RobotName.empty())
+  {
+    send(JobMessage::OfProgress(sm::stages::Robot));
+    send(JobMessage::OfOutput(JobMessage::Robot,
+      sm::WriteRobot(
+        reader->GetOutputDataObject(0), sm::GetMetres(file.LengthUnit.value_or("")), options, plans.Robot)));
   }
   if (!options.PictureName.empty())
   {
@@ -441,12 +456,15 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   {
     messages.AddEcho(message);
   }
-  const std::array<double, 3> meshOrigin =
-    isRead ? PlaceMesh(reader, filter, options, messages) : std::array<double, 3>{};
+  Plans plans;
+  if (isRead)
+  {
+    plans = { PlaceMesh(reader, filter, options, messages), PlanRobot(reader, file, options, messages) };
+  }
   SendResult(send, file, messages, true);
   if (isRead)
   {
-    WriteOutputs(reader, filter, drawing, meshOrigin, options, send, file);
+    WriteOutputs(reader, filter, drawing, std::move(plans), options, send, file);
   }
   vtkOutputWindow::SetInstance(nullptr);
 }
@@ -475,6 +493,7 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
     {
       waiting = message.Text == stages::Mesh ? JobMessage::Mesh
         : message.Text == stages::Textures   ? JobMessage::Textures
+        : message.Text == stages::Robot      ? JobMessage::Robot
                                              : JobMessage::Picture;
     }
     if (message.Kind == JobMessage::Result)

@@ -60,6 +60,8 @@ struct JobOptions
   bool Validate = false;              ///< adds "validation" to the entry, see CompareValidation()
   double ValidationLimit = 1e-3;
   std::string RobotName; ///< file of a robot to write; empty: none
+  /// Of the whole run: files that its meshes must not replace, and all robots.
+  std::vector<std::string> TakenNames, AllRobots;
   sm::RobotFormat RobotFormat = sm::RobotFormat::Urdf;
   std::vector<std::string> Fused; ///< see MakeRobot()
   std::vector<RobotJoint> Joints;
@@ -85,6 +87,7 @@ constexpr const char* Repair = "repair";
 constexpr const char* Integrate = "integrate";
 constexpr const char* Textures = "textures";
 constexpr const char* Mesh = "mesh";
+constexpr const char* Robot = "robot";
 constexpr const char* Draw = "draw";
 }
 
@@ -98,6 +101,7 @@ struct JobMessage
     Result,
     Textures,
     Mesh,
+    Robot,
     Picture,
     Analysis
   };

@@ -143,6 +143,10 @@ void FindOutputErrors(
       outcome.AnalysisError = std::string(analysis->GetOption()) + " " + name + ": " + problem;
     }
   }
+  if (!options.RobotName.empty() && isRead)
+  {
+    outcome.RobotError = explain(said.Robot, "the process that made it");
+  }
   if (!options.PictureName.empty() && isRead)
   {
     outcome.PictureError = explain(said.Picture, "the process that drew it");
@@ -185,6 +189,7 @@ void JobMessages::Take(
   {
     (kind == JobMessage::Textures      ? this->Textures
         : kind == JobMessage::Mesh     ? this->Mesh
+        : kind == JobMessage::Robot    ? this->Robot
         : kind == JobMessage::Analysis ? this->Analysis
                                        : this->Picture) = text;
   }

@@ -28,6 +28,7 @@ struct JobOutcome
     MeshError; ///< why the requested triangles are missing; empty: they are not, or none were requested
   /// Why the output of an analysis is missing, with its name; empty: it is not, or none was requested.
   std::string AnalysisError;
+  std::string RobotError;   ///< what is missing of the requested robot; empty: nothing, or none was requested
   std::string PictureError; ///< why the requested picture is missing; empty: it is not, or none was requested
 };
 
@@ -39,7 +40,7 @@ struct JobMessages
   std::optional<FileResult> Result;
   bool IsComplete = false; ///< of the result
   /// Why an output was not written, empty if it was; none: not reported.
-  std::optional<std::string> Textures, Mesh, Picture, Analysis;
+  std::optional<std::string> Textures, Mesh, Robot, Picture, Analysis;
   std::string Stage;
 
   /// Takes a message as WriteMessage() wrote it, without its head; one that is damaged is ignored.

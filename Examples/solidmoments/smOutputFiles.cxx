@@ -59,6 +59,50 @@ std::vector<std::string> MakeDistinct(std::vector<std::string> names)
   }
   return names;
 }
+
+std::vector<std::string> ListInputs(const sm::Arguments& arguments)
+{
+  std::vector<std::string> inputs = arguments.Files;
+  for (const std::string& table : { arguments.Materials, arguments.Joints })
+  {
+    if (!table.empty())
+    {
+      inputs.push_back(table);
+    }
+  }
+  for (const std::shared_ptr<sm::Analysis>& analysis : arguments.Job.Analyses)
+  {
+    if (!analysis->GetInputFile().empty())
+    {
+      inputs.push_back(analysis->GetInputFile());
+    }
+  }
+  return inputs;
+}
+
+/// Returns options and names of outputs; a name may be empty, or - for the standard output.
+std::vector<std::pair<std::string, std::string>> ListOutputs(const sm::Arguments& arguments)
+{
+  std::vector<std::pair<std::string, std::string>> outputs = { { "--json", arguments.Json },
+    { "--csv", arguments.Csv }, { "--bom-csv", arguments.PartsCsv } };
+  for (const auto& [option, given] : { std::make_pair("--mesh", arguments.Mesh),
+         std::make_pair("--png", arguments.Picture), std::make_pair("--robot", arguments.RobotName) })
+  {
+    // Two products that are compared share one picture.
+    const bool isOne = arguments.Compare && given == arguments.Picture;
+    for (const std::string& name :
+      isOne ? std::vector<std::string>{ given } : sm::OutputNames(arguments.Files, given))
+    {
+      outputs.emplace_back(option, name);
+    }
+  }
+  outputs.emplace_back("--write-validation", arguments.Job.ValidationTarget);
+  for (const std::shared_ptr<sm::Analysis>& analysis : arguments.Job.Analyses)
+  {
+    outputs.emplace_back(analysis->GetOption(), analysis->GetOutputFile());
+  }
+  return outputs;
+}
 }
 
 namespace sm
@@ -130,50 +174,37 @@ std::string MakeTextureFolder(const Arguments& arguments)
     : "--trim-textures: the folder " + folder + " cannot be made or written";
 }
 
+bool IsSameFile(const std::string& a, const std::string& b)
+{
+  const std::set<std::string> known = Identities(a);
+  const std::set<std::string> other = Identities(b);
+  return std::any_of(
+    other.begin(), other.end(), [&known](const std::string& identity) { return known.count(identity) > 0; });
+}
+
+std::vector<std::string> ListFiles(const Arguments& arguments)
+{
+  std::vector<std::string> names = ListInputs(arguments);
+  for (const auto& [option, name] : ListOutputs(arguments))
+  {
+    names.push_back(name);
+  }
+  const auto isNone = [](const std::string& name) { return name.empty() || name == "-"; };
+  names.erase(std::remove_if(names.begin(), names.end(), isNone), names.end());
+  return names;
+}
+
 std::string CheckOutputs(const Arguments& arguments)
 {
   std::map<std::string, std::string> taken;
-  std::vector<std::string> inputs = arguments.Files;
-  for (const std::string& table : { arguments.Materials, arguments.Joints })
-  {
-    if (!table.empty())
-    {
-      inputs.push_back(table);
-    }
-  }
-  for (const std::shared_ptr<Analysis>& analysis : arguments.Job.Analyses)
-  {
-    if (!analysis->GetInputFile().empty())
-    {
-      inputs.push_back(analysis->GetInputFile());
-    }
-  }
-  for (const std::string& file : inputs)
+  for (const std::string& file : ListInputs(arguments))
   {
     for (const std::string& identity : Identities(file))
     {
       taken.emplace(identity, "the input " + file);
     }
   }
-  std::vector<std::pair<std::string, std::string>> outputs = { { "--json", arguments.Json },
-    { "--csv", arguments.Csv }, { "--bom-csv", arguments.PartsCsv } };
-  for (const auto& [option, given] : { std::make_pair("--mesh", arguments.Mesh),
-         std::make_pair("--png", arguments.Picture), std::make_pair("--robot", arguments.RobotName) })
-  {
-    // Two products that are compared share one picture.
-    const bool isOne = arguments.Compare && given == arguments.Picture;
-    for (const std::string& name :
-      isOne ? std::vector<std::string>{ given } : OutputNames(arguments.Files, given))
-    {
-      outputs.emplace_back(option, name);
-    }
-  }
-  outputs.emplace_back("--write-validation", arguments.Job.ValidationTarget);
-  for (const std::shared_ptr<Analysis>& analysis : arguments.Job.Analyses)
-  {
-    outputs.emplace_back(analysis->GetOption(), analysis->GetOutputFile());
-  }
-  for (const auto& [option, name] : outputs)
+  for (const auto& [option, name] : ListOutputs(arguments))
   {
     if (name.empty() || name == "-")
     {

@@ -21,6 +21,12 @@ std::vector<std::string> TexturePrefixes(const Arguments& arguments);
 /// Returns true if a file of this name exists and is a STEP or BREP file by its extension or its first line.
 bool IsModelFile(const std::string& name);
 
+/// Returns true if two names are those of one file, which need not exist.
+bool IsSameFile(const std::string& a, const std::string& b);
+
+/// Returns every input and every output of a run except the meshes of robots and the trim textures.
+std::vector<std::string> ListFiles(const Arguments& arguments);
+
 /// Makes the folder of the trim textures, if one is given. Returns an error message when it cannot be
 /// written, otherwise an empty text.
 std::string MakeTextureFolder(const Arguments& arguments);

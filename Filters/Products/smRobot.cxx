@@ -5,6 +5,7 @@
 #include "smMaterials.h"
 #include "smProductResults.h"
 #include "smProducts.h"
+#include "smTrimText.h"
 #include "smVector.h"
 
 #include "vtkMath.h"
@@ -13,6 +14,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -43,15 +45,15 @@ std::array<double, 3> ToLocal(const Pose& pose, const std::array<double, 3>& p)
   return result;
 }
 
-std::array<double, 3> TurnToLocal(const Pose& pose, const std::array<double, 3>& v)
+std::array<double, 3> RotateToLocal(const Pose& pose, const std::array<double, 3>& v)
 {
-  Pose turn = pose;
-  turn[3] = turn[7] = turn[11] = 0.0;
-  return ToLocal(turn, v);
+  Pose rotation = pose;
+  rotation[3] = rotation[7] = rotation[11] = 0.0;
+  return ToLocal(rotation, v);
 }
 
 /// Returns R^T I R.
-Matrix3 TurnToLocal(const Pose& pose, const Matrix3& tensor)
+Matrix3 RotateToLocal(const Pose& pose, const Matrix3& tensor)
 {
   Matrix3 result{};
   for (int i = 0; i < 3; ++i)
@@ -85,6 +87,13 @@ bool IsRigid(const double* placement)
   return std::abs(vtkMath::Determinant3x3(determinant) - 1.0) < 1e-9;
 }
 
+std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 /// Letters and digits of names of links and files.
 std::string Simplify(const std::string& name)
 {
@@ -108,9 +117,10 @@ public:
     , Fused(fused)
     , Joints(joints)
     , Result(robot)
+    , HasFrame(frame.size() == 9)
     , Metres(GetMetres(results.LengthUnit.value_or("")))
   {
-    if (frame.size() == 9)
+    if (this->HasFrame)
     {
       const std::array<double, 3> z = Normalized<double>({ frame[3], frame[4], frame[5] });
       const std::array<double, 3> y = Normalized(Cross(z, { frame[6], frame[7], frame[8] }));
@@ -135,6 +145,15 @@ public:
     }
     this->AddNode(tree);
     this->AddJoints();
+    for (std::size_t i = 0; i < this->Result.Links.size(); ++i)
+    {
+      this->Weigh(this->Solids[i], this->Result.Links[i]);
+    }
+    if (this->HasFrame && !this->IsFrameUsed)
+    {
+      this->Result.Messages.push_back("no link has the frame of --about: a link has that of its product, "
+                                      "unless --fuse names it");
+    }
     if (this->Result.Problem.empty() && this->Result.Links.empty())
     {
       this->Result.Problem = "no solid has a mass and an inertia: give the densities that are missing, see "
@@ -169,7 +188,7 @@ private:
       bodies.clear();
       ListBelow(node, bodies);
     }
-    this->AddLink(node.Name, bodies, isFused && !node.Children.empty());
+    this->AddLink(node.Name, bodies, isFused);
     for (const ProductTreeNode& child : node.Children)
     {
       if (!isFused)
@@ -179,22 +198,27 @@ private:
     }
   }
 
+  /// Returns a name that no other link has, nor a mesh or a joint of one; also without regard to case, as
+  /// names of files on some systems.
   std::string MakeUnique(const std::string& name)
   {
     const std::string plain = Simplify(name);
-    std::string unique = plain;
-    // Meshes have the names of their links, and names of files differ by more than case on every system.
-    const auto lower = [](std::string text)
+    for (int& i = this->Last[LowerCase(plain)];;)
     {
-      std::transform(text.begin(), text.end(), text.begin(),
-        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      return text;
-    };
-    for (int i = 2; !this->Taken.insert(lower(unique)).second; ++i)
-    {
-      unique = plain + "-" + std::to_string(i);
+      ++i;
+      const std::string unique = i == 1 ? plain : plain + "-" + std::to_string(i);
+      std::vector<std::string> own;
+      for (const char* const ending : { "", "-hull", "_hull", "_joint" })
+      {
+        own.push_back(LowerCase(unique) + ending);
+      }
+      if (std::none_of(
+            own.begin(), own.end(), [this](const std::string& text) { return this->Taken.count(text) > 0; }))
+      {
+        this->Taken.insert(own.begin(), own.end());
+        return unique;
+      }
     }
-    return unique;
   }
 
   void AddLink(const std::string& product, const std::vector<ProductTreeNode::Body>& bodies, bool isFused)
@@ -216,7 +240,7 @@ private:
       return;
     }
     link.Product = product;
-    link.Name = this->MakeUnique(product);
+    link.Name = this->MakeUnique(product.empty() ? this->Result.Name : product);
     link.Pose = this->Frame;
     if (!isFused && placement && IsRigid(placement))
     {
@@ -226,17 +250,11 @@ private:
         link.Pose[i] *= this->Metres;
       }
     }
-    for (const RobotJoint& joint : this->Joints)
+    else
     {
-      if (joint.Origin && (joint.Child == link.Name || joint.Child == product))
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          link.Pose[4 * i + 3] = this->Metres * (*joint.Origin)[i];
-        }
-      }
+      this->IsFrameUsed = true;
     }
-    if (!this->Weigh(solids, link))
+    if (!HasMass(solids))
     {
       this->Result.Messages.push_back("the link " + link.Name +
         " is left out: its mass or inertia is not known; give its density, see --density and --materials");
@@ -244,22 +262,27 @@ private:
       return;
     }
     this->Result.Links.push_back(link);
+    this->Solids.push_back(solids);
   }
 
-  /// Sums masses and tensors about the common centre, by Steiner's theorem. Returns false if one is not
-  /// known.
-  bool Weigh(const std::vector<const SolidResults*>& solids, RobotLink& link) const
+  static bool HasMass(const std::vector<const SolidResults*>& solids)
+  {
+    return std::all_of(solids.begin(), solids.end(),
+      [](const SolidResults* solid)
+      {
+        const Quantities& q = solid->Values;
+        return q.Mass.Get() > 0.0 && q.MassCenter.IsKnown() && q.MassInertia.IsKnown();
+      });
+  }
+
+  /// Sums masses and tensors about the common centre, by Steiner's theorem.
+  void Weigh(const std::vector<const SolidResults*>& solids, RobotLink& link) const
   {
     link.Mass = 0.0;
     std::array<double, 3> center{};
     for (const SolidResults* solid : solids)
     {
-      const Quantities& q = solid->Values;
-      if (!(q.Mass.Get() > 0.0) || !q.MassCenter.IsKnown() || !q.MassInertia.IsKnown())
-      {
-        return false;
-      }
-      link.Mass += q.Mass.Get();
+      link.Mass += solid->Values.Mass.Get();
     }
     for (const SolidResults* solid : solids)
     {
@@ -288,8 +311,7 @@ private:
       }
     }
     link.Center = ToLocal(link.Pose, center);
-    link.Inertia = TurnToLocal(link.Pose, tensor);
-    return true;
+    link.Inertia = RotateToLocal(link.Pose, tensor);
   }
 
   /// Returns the index of the link of this name, or of the only one of this product; -1 if there is none, -2
@@ -310,6 +332,19 @@ private:
       }
     }
     return found;
+  }
+
+  /// Adds a message, once, if the name of a link is that of a product that is several links, too.
+  void NoteFirst(int index, const std::string& name)
+  {
+    const std::vector<RobotLink>& links = this->Result.Links;
+    const auto count = std::count_if(
+      links.begin(), links.end(), [&name](const RobotLink& link) { return link.Product == name; });
+    if (index >= 0 && links[index].Name == name && count > 1 && this->Noted.insert(name).second)
+    {
+      this->Result.Messages.push_back("the table of joints: " + name + " is one link, the first of " +
+        std::to_string(count) + " of the product of that name");
+    }
   }
 
   void Refuse(const std::string& problem)
@@ -344,11 +379,20 @@ private:
           name + (child < 0 ? "the world cannot be a child" : "its child has another joint already"));
         return;
       }
+      for (const auto& [index, said] :
+        { std::make_pair(child, joint.Child), std::make_pair(parent, joint.Parent) })
+      {
+        this->NoteFirst(index, said);
+      }
       RobotLink& link = links[child];
       isPlaced[child] = true;
+      for (int i = 0; i < 3 && joint.Origin; ++i)
+      {
+        link.Pose[4 * i + 3] = this->Metres * (*joint.Origin)[i];
+      }
       link.Parent = parent;
       link.JointType = joint.Type;
-      link.Axis = Normalized(TurnToLocal(link.Pose, joint.Axis));
+      link.Axis = Normalized(RotateToLocal(link.Pose, joint.Axis));
       root = parent < 0 ? child : root;
     }
     while (root < static_cast<int>(links.size()) && isPlaced[root] && links[root].Parent >= 0)
@@ -392,10 +436,18 @@ private:
   const std::vector<std::string>& Fused;
   const std::vector<RobotJoint>& Joints;
   Robot& Result;
+  bool HasFrame;
+  bool IsFrameUsed = false;
   double Metres;
-  /// Of links that are fused of several products.
+  /// Of links that are fused, and of mirrored ones.
   Pose Frame = IdentityPose;
+  /// In lower case.
   std::set<std::string> Taken;
+  /// The last number of each name.
+  std::map<std::string, int> Last;
+  std::set<std::string> Noted;
+  /// Of each link.
+  std::vector<std::vector<const SolidResults*>> Solids;
 };
 
 std::array<double, 3> GetPrincipalMoments(const Matrix3& tensor)
@@ -414,22 +466,12 @@ std::array<double, 3> GetPrincipalMoments(const Matrix3& tensor)
   return moments;
 }
 
-std::vector<std::string> SplitFields(const std::string& line)
+bool IsHeader(const std::vector<std::string>& fields)
 {
-  std::vector<std::string> fields;
-  for (std::size_t begin = 0; begin <= line.size();)
-  {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    const std::string field = line.substr(begin, end - begin);
-    const std::size_t first = field.find_first_not_of(" \t\r");
-    const std::size_t last = field.find_last_not_of(" \t\r");
-    fields.push_back(first == std::string::npos ? "" : field.substr(first, last - first + 1));
-    begin = end + 1;
-  }
-  return fields;
+  return fields.size() >= 3 && fields[0] == "parent" && fields[1] == "child" && fields[2] == "type";
 }
 
-/// Reads three numbers; returns false if one is none.
+/// Reads three numbers; returns false if a field is not a finite number.
 bool ParseVector(const std::vector<std::string>& fields, std::size_t first, std::array<double, 3>& vector)
 {
   for (int i = 0; i < 3; ++i)
@@ -463,7 +505,9 @@ std::string ParseRobotJoints(const std::string& text, std::vector<RobotJoint>& j
     const std::vector<std::string> fields = SplitFields(text.substr(begin, end - begin));
     begin = end + 1;
     ++number;
-    if (fields[0].empty() || fields[0][0] == '#' || fields[0] == "parent")
+    const bool isEmpty = fields.size() == 1 && fields[0].empty();
+    const bool isRemark = !fields[0].empty() && fields[0][0] == '#';
+    if (isEmpty || isRemark || IsHeader(fields))
     {
       continue;
     }
@@ -471,6 +515,11 @@ std::string ParseRobotJoints(const std::string& text, std::vector<RobotJoint>& j
     if (fields.size() != 3 && fields.size() != 6 && fields.size() != 9)
     {
       return place + "write PARENT,CHILD,TYPE, or with ,X,Y,Z of the axis, or with ,X,Y,Z of the origin, too";
+    }
+    if (fields[0].empty() || fields[1].empty())
+    {
+      return place + "the " + (fields[0].empty() ? "parent" : "child") +
+        " is empty: write the name of a link, or world for the parent of the root";
     }
     RobotJoint joint;
     joint.Parent = fields[0];

@@ -34,7 +34,8 @@ SMFILTERSPRODUCTS_EXPORT std::optional<RobotFormat> ParseRobotFormat(const std::
 /// A line of the table of joints.
 struct RobotJoint
 {
-  /// Names of links, or of products that are one link. Parent "world": the child is the root.
+  /// Names of links, or of products that are one link: a link comes before a product of the same name. Parent
+  /// "world": the child is the root.
   std::string Parent, Child;
   /// fixed, revolute or prismatic.
   std::string Type = "fixed";
@@ -46,13 +47,15 @@ struct RobotJoint
 };
 
 /// Reads lines "parent,child,type,axis x,y,z,origin x,y,z", where the axis, or the origin, may be missing;
-/// lines that begin with # or with "parent," are skipped. Returns an error message; empty if all is well.
+/// empty lines, those that begin with #, and the header "parent,child,type..." are skipped. Returns an error
+/// message; empty if all is well.
 SMFILTERSPRODUCTS_EXPORT std::string ParseRobotJoints(
   const std::string& text, std::vector<RobotJoint>& joints);
 
 struct RobotLink
 {
-  /// Unique, with letters, digits, _, - and . only.
+  /// Letters, digits, _, - and . only. No two of all names, alone and with -hull, _hull and _joint behind
+  /// them, are equal or differ in case alone.
   std::string Name;
   std::string Product;
   /// Ids of its bodies.
@@ -68,7 +71,7 @@ struct RobotLink
   std::string JointType = "fixed";
   /// A unit vector in the frame of the link.
   std::array<double, 3> Axis{ 0.0, 0.0, 1.0 };
-  /// Names of mesh files, metres and the frame of the link; empty: none.
+  /// Names of mesh files, UTF-8, without control characters; metres and the frame of the link; empty: none.
   std::string VisualMesh, CollisionMesh;
 };
 
@@ -88,11 +91,12 @@ struct Robot
  * Makes a link for every occurrence of a product that has solids; of a product whose name matches one of the
  * patterns `fused` (MatchesPattern), and of all products below it, one link. A link has the frame of its
  * product, or `frame` (nine numbers in the unit of the results: origin, z axis, x axis; empty: that of the
- * file) if it is fused of several products or its product is mirrored; with a joint that has an origin, it is
- * translated there. The first link is the root, the others are fixed to it where `joints` says nothing else.
+ * file) if a pattern matches its product or the product is mirrored; with a joint that has an origin, it is
+ * translated there. The name of a link without a product name is made of `name`. The first link is the root,
+ * the others are fixed to it where `joints` says nothing else.
  *
  * A link whose mass or inertia is not known is left out. `results` are those of the products in `tree`;
- * solids that are missing there are none of the robot. Values are as exact as the results: rounding of the
+ * the robot has no other solids. Values are as exact as the results: rounding of the
  * sums adds some 1e-16 of them.
  */
 SMFILTERSPRODUCTS_EXPORT Robot MakeRobot(const std::string& name, const ProductTreeNode& tree,

@@ -98,6 +98,21 @@ std::array<double, 3> GetRollPitchYaw(const Pose& r)
                       : std::array<double, 3>{ std::atan2(-r[6], r[5]), pitch, 0.0 };
 }
 
+/// Returns text for an attribute or an element.
+std::string Escape(const std::string& text)
+{
+  std::string result;
+  for (const char c : text)
+  {
+    result += c == '&' ? "&amp;"
+      : c == '<'       ? "&lt;"
+      : c == '>'       ? "&gt;"
+      : c == '"'       ? "&quot;"
+                       : std::string(1, c);
+  }
+  return result;
+}
+
 constexpr const char* Remark =
   "kg, m, kg m^2. The inertia is about the centre of mass, with the axes of the link;\n"
   "     products of inertia are entries of the tensor, which are negative products. By SolidMoments.";
@@ -121,8 +136,8 @@ std::string FormatUrdf(const Robot& robot)
     {
       if (!mesh.empty())
       {
-        text += std::string("    <") + tag + "><geometry><mesh filename=\"" + mesh + "\"/></geometry></" +
-          tag + ">\n";
+        text += std::string("    <") + tag + "><geometry><mesh filename=\"" + Escape(mesh) +
+          "\"/></geometry></" + tag + ">\n";
       }
     }
     text += "  </link>\n";
@@ -168,7 +183,7 @@ std::string FormatSdf(const Robot& robot)
     {
       if (!mesh.empty())
       {
-        text += std::string("    <") + tag + " name=\"" + tag + "\"><geometry><mesh><uri>" + mesh +
+        text += std::string("    <") + tag + " name=\"" + tag + "\"><geometry><mesh><uri>" + Escape(mesh) +
           "</uri></mesh></geometry></" + tag + ">\n";
       }
     }
@@ -228,10 +243,10 @@ std::string FormatMjcf(const Robot& robot)
   {
     text += link.VisualMesh.empty()
       ? ""
-      : "    <mesh name=\"" + link.Name + "\" file=\"" + link.VisualMesh + "\"/>\n";
+      : "    <mesh name=\"" + link.Name + "\" file=\"" + Escape(link.VisualMesh) + "\"/>\n";
     text += link.CollisionMesh.empty()
       ? ""
-      : "    <mesh name=\"" + link.Name + "_hull\" file=\"" + link.CollisionMesh + "\"/>\n";
+      : "    <mesh name=\"" + link.Name + "_hull\" file=\"" + Escape(link.CollisionMesh) + "\"/>\n";
   }
   text += "  </asset>\n  <worldbody>\n";
   for (int k = 0; k < static_cast<int>(robot.Links.size()); ++k)

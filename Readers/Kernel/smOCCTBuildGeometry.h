@@ -42,7 +42,7 @@ struct BuiltSurface
   bool IsMirrored() const { return this->Native && this->Native->IsMirrored(); }
 };
 
-/// Builds an elementary surface; nothing if the surface is none, or if it is none after an edit.
+/// Builds an elementary surface; nothing if the surface is another one, before or after an edit.
 std::optional<BuiltSurface> BuildElementarySurface(const NURBSSurface& surface, const AffineMap& map);
 
 /// The curve of an edge. Its parameter is Factor * (t - Start) for the parameter t of the model's edge.

@@ -240,19 +240,119 @@ for said in ("libsdformat leaves out links below 1e-6 kg", "MuJoCo refuses momen
 partial = write_product(os.path.join(folder, "partial.step"), make_machine(plate_density=None))
 target = os.path.join(folder, "partial.urdf")
 result = run("--robot", "urdf", target, partial)
-check_equal("exit status without a mass", 3, result.returncode)
+check_equal("exit status without a mass", 1, result.returncode)
+check_true("what is missing", "it is without 2 of its links" in result.stderr, result.stderr)
 check_true("the reason", "is left out: its mass or inertia is not known" in " ".join(result.stdout.split()), result.stdout)
 check_equal("the others are there", 4, len(read_urdf(ElementTree.parse(target).getroot())))
+gone = os.path.join(folder, "gone.urdf")
+result = run("--fail-on", "none", "--robot", "urdf", gone, "--only", "plate*", "--json", "-", partial)
+check_equal("exit status without a robot", (1, False), (result.returncode, os.path.exists(gone)))
+check_true("the reason is shown", f"robot {gone}: not written: no solid has a mass" in result.stderr, result.stderr)
+entry = json.loads(result.stdout)["files"][0]
+check_equal("the numbers are right all the same", "ok", entry["status"])
+check_true("the reason is in the results", any("not written" in text for text in entry["messages"]), str(entry["messages"]))
 check_equal("a part of it", 0, run("--robot", "urdf", target, "--only", "bolt", "-q", partial).returncode)
 # Two files are two robots.
 check_equal("two files", 0, run("--robot", "sdf", os.path.join(folder, "two.sdf"), "-q", path, dust).returncode)
 check_true("have two names", all(os.path.exists(os.path.join(folder, name)) for name in ("two-machine.sdf", "two-dust.sdf")))
 for table, said in (("bolt,rail,fixed\n", "there is no link rail"), ("a,b,loose\n", "there is no type loose"), ("a,b\n", "line 1"),
-                    ("plate__1_,bolt,fixed\nbolt,plate__1_,fixed\n", "circle")):
+                    ("plate__1_,bolt,fixed\nbolt,plate__1_,fixed\n", "circle"), (",bolt,prismatic,1,0,0\n", "line 1: the parent is empty"),
+                    ("\n# two\nbolt,,fixed\n", "line 3: the child is empty"), (",,\n", "line 1: the parent is empty"),
+                    ("parent,bolt,fixed\n", "there is no link parent"), ("plate <1>,bolt,fixed\n", "several links are of the product plate <1>")):
     with open(joints, "w", encoding="ascii") as file:
         file.write(table)
     result = run("--joints", joints, "--robot", "urdf", target, path)
     check_true(f"joints {table!r}", result.returncode in (1, 3) and said in " ".join((result.stdout + result.stderr).split()), result.stdout + result.stderr)
+
+
+def write_joints(text):
+    with open(joints, "w", encoding="ascii") as file:
+        file.write(text)
+    return joints
+
+
+def in_folder(name):
+    return os.path.join(folder, name)
+
+
+def read_robot(kind, *arguments, name="case", status=0):
+    """Runs the program. Returns its result, the root element and the links of the robot."""
+    target = in_folder(f"{name}.{kind}")
+    result = run("--robot", kind, target, *arguments, errors="replace")
+    check_equal("exit status", status, result.returncode)
+    root = ElementTree.parse(target).getroot()
+    return result, root, READ[kind](root)
+
+
+def check_origin(what, expected, link):
+    for i in range(3):
+        check(f"{what}: axis {i}", expected[i], link[0][1][i], 1e-15)
+
+
+# Every occurrence of a product has the hinge of its own line: 45,5,25 and 5,5,25 mm.
+base, wheel = Part("base", [((0, 0, 0), (60, 10, 20))], "1000."), Part("wheel", [((0, 0, 0), (10, 10, 10))], "2000.")
+car = Assembly("car", [(base, (0, 0, 0), None), (wheel, (0, 0, 20), None), (wheel, (40, 0, 20), None)])
+car_path = write_product(in_folder("car.step"), car)
+table = write_joints("base,wheel-2,revolute,0,1,0,45,5,25\nbase,wheel,revolute,0,1,0,5,5,25\n")
+for kind in READ:
+    result, _, links = read_robot(kind, "--joints", table, car_path)
+    check_robot(f"two hinges in {kind}", links, [[box] for box in expand(car)])
+    check_origin(f"hinge of wheel-2 in {kind}", (0.045, 0.005, 0.025), links["wheel-2"])
+    check_origin(f"hinge of wheel in {kind}", (0.005, 0.005, 0.025), links["wheel"])
+    check_true("the first one is named", "wheel is one link, the first of 2 of the product" in " ".join(result.stdout.split()), result.stdout)
+# A joint of one occurrence leaves the other where it is.
+_, _, links = read_robot("sdf", "--joints", write_joints("base,wheel-2,revolute,0,1,0,45,5,25\n"), car_path)
+check_origin("the other wheel", (0.0, 0.0, 0.020), links["wheel"])
+# A product may have the name of the heading of a column.
+parents = write_product(in_folder("parents.step"), Assembly("top", [(Part("parent", [((0, 0, 0), (1, 2, 3))], "1."), (0, 0, 0), None),
+                                                                   (Part("child", [((0, 0, 0), (1, 2, 3))], "1."), (9, 0, 0), None)]))
+_, root, _ = read_robot("urdf", "--joints", write_joints("parent,child,type,x,y,z\nparent,child,prismatic,1,0,0\n"), parents)
+check_equal("a product called parent", ["prismatic"], [joint.get("type") for joint in root.iter("joint") if joint.get("type") != "fixed"])
+# Names of links, meshes and joints differ, whatever the products are called.
+names = ("A", "A-hull", "A_hull", "A_joint", "a", "A_JOINT")
+twins = write_product(in_folder("twins.step"), Assembly("twins", [(Part(name, [((0, 0, 0), (1, 2, 3 + i))], "1000."), (10 * i, 0, 0), None)
+                                                                 for i, name in enumerate(names)]))
+for kind in READ:
+    _, root, links = read_robot(kind, "--collision", "hull", twins, name="twins")
+    check_equal("links", 6, len(links))
+    meshes = [element.get("filename") or element.get("file") or element.findtext("uri") for element in root.iter("mesh")]
+    meshes = [mesh for mesh in meshes if mesh]
+    check_equal(f"{kind}: meshes", (12, 12), (len(meshes), len({mesh.lower() for mesh in meshes})))
+    called = [element.get("name") for element in root.iter() if element.tag in ("link", "joint", "body")]
+    check_equal(f"{kind}: names", len(called), len(set(called)))
+    if kind == "mjcf":
+        called = [mesh.get("name") for mesh in root.find("asset").findall("mesh")]
+        check_equal("names of meshes", (12, 12), (len(called), len(set(called))))
+    for name, (pose, _, center, _, mesh) in links.items():
+        with open(in_folder(mesh), encoding="ascii") as file:
+            heights = [float(line.split()[3]) for line in file if line.startswith("v ")]
+        check(f"{kind}: the mesh of {name}", 2.0 * center[2], max(heights) - min(heights), 1e-15)
+# A mesh replaces no other file of the run.
+result = run("--mesh", in_folder("robot-wheel.obj"), "--robot", "urdf", in_folder("robot.urdf"), car_path)
+check_true("a mesh that is an output", result.returncode == 1 and "robot-wheel.obj is another file of this run" in result.stderr, result.stderr)
+check_true("is not replaced", os.path.getsize(in_folder("robot-wheel.obj")) > 100 and not os.path.exists(in_folder("robot.urdf")))
+first = write_product(in_folder("a.step"), Part("b-X", [((0, 0, 0), (1, 1, 1))], "1000."))
+second = write_product(in_folder("a-b.step"), Part("X", [((0, 0, 0), (2, 2, 2))], "1000."))
+result = run("--robot", "urdf", in_folder("r.urdf"), first, second)
+check_true("a mesh of two robots", result.returncode == 1 and "r-a-b-X.obj could be a mesh of the robot" in result.stderr, result.stderr)
+check_equal("is that of one", [False, True], [os.path.exists(in_folder(name)) for name in ("r-a.urdf", "r-a-b.urdf")])
+# Any name of a file gives XML, with the meshes at their places.
+for name in ("a&b", 'quote"', "less<", "tab\tline\n", "umlaut\u00e4", os.fsdecode(b"latin\xe4")):
+    for kind in READ:
+        _, _, links = read_robot(kind, "-q", car_path, name=name)
+        check_robot(ascii(name), links, [[box] for box in expand(car)])
+# A fused link has the frame of --about, and a name.
+one = write_product(in_folder("one.step"), Part("cube", [((1, 2, 3), (4, 4, 4))], "1000."))
+_, _, links = read_robot("sdf", "--fuse", "cube", "--about", "0,0,7", one)
+check_origin("a fused product", (0.0, 0.0, 0.007), links["cube"])
+check_robot("a fused product", links, [[box] for box in expand(Part("cube", [((1, 2, 3), (4, 4, 4))], "1000."))])
+result, _, _ = read_robot("sdf", "--about", "0,0,7", one)
+check_true("a frame of no link", "no link has the frame of --about" in " ".join(result.stdout.split()), result.stdout)
+_, _, links = read_robot("sdf", "--fuse", "*", car_path)
+check_equal("everything is one link", 1, len(links))
+check_true("with a name", "link_" not in links, str(list(links)))
+result = run("--urdf", in_folder("old.urdf"), one)
+check_true("an option that is gone", result.returncode == 1 and "--urdf is gone: write --robot urdf FILE, and --fuse '*' for one link" in result.stderr, result.stderr)
 for arguments, said in ((("--robot", "vrml", target, path), "urdf, sdf or mjcf"), (("--fuse", "x", path), "add --robot")):
     result = run(*arguments)
     check_true("wrong usage", result.returncode == 1 and said in result.stderr, result.stderr)

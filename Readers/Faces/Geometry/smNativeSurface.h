@@ -46,8 +46,8 @@ struct SMREADERSFACES_EXPORT NativeSurface
  * two points of equal weight that are a parallelogram, of the others those that ConvertGeometry() makes, at
  * most one turn, moved and scaled or not. Every control point must be that of the surface within 64
  * roundings of the largest coordinate and the rounding that the surface states, so that the result has no
- * other error, and what an edit moved is found to be none. The frame is right-handed, the angle of a cone
- * above 0, and a torus does not cross its axis.
+ * other error, and nothing is returned for what an edit deformed. The frame is right-handed, the angle of a
+ * cone above 0, and a torus does not cross its axis.
  */
 SMREADERSFACES_EXPORT std::optional<NativeSurface> FindNativeSurface(const NURBSSurface& surface);
 
