@@ -258,8 +258,9 @@ void ReportFaces(const BodyIntegrals& body, const OffsetChange& lower, const Off
       }
     }
   };
-  report(lower.TightFaces, upper.TightFaces, "face has a curvature radius that is not above its tolerance",
-    "faces have curvature radii that are not above their tolerances");
+  report(lower.TightFaces, upper.TightFaces,
+    "face has a curvature radius that is not well above its tolerance",
+    "faces have curvature radii that are not well above their tolerances");
   report(lower.NarrowFaces, upper.NarrowFaces, "face is about as narrow as the tolerances",
     "faces are about as narrow as the tolerances");
 }

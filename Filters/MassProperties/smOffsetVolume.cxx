@@ -16,8 +16,8 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 /// Relative error of the sums.
 constexpr double FewRoundings = 64.0 * UnitRoundoff;
-/// Smallest factor by which a curvature radius is taken to shrink. A face whose radius shrinks to nothing is
-/// tight; in between strips of it have at most ten times the thickness of the first order.
+/// Smallest factor by which a curvature radius is taken to shrink; a face whose radius shrinks more is tight,
+/// and named.
 constexpr double SmallestShrink = 0.1;
 /// Normals around a point are those of an apex if one less their product with the mean is larger.
 constexpr double SharpApex = 4e-4;
@@ -160,7 +160,7 @@ private:
     this->Growth[f] += size * std::abs(face.Mean);
     // Outwards concave curvature decides, inwards convex.
     const double curvature = t > 0.0 ? -face.Smallest : face.Largest;
-    if (curvature * size >= 1.0)
+    if (curvature * size > 1.0 - SmallestShrink)
     {
       this->Change.TightFaces.push_back(f);
       this->IsTight[f] = 1;

@@ -155,8 +155,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT OffsetChange
   double Second = 0.0;
   /// No less than the farthest way of a point.
   double Reach = 0.0;
-  /// Faces whose curvature radius is not above their offset, and faces that are narrower than the offsets or
-  /// have an edge that is shorter than it moves.
+  /// Faces whose curvature radius is not well above their offset, and faces that are narrower than the
+  /// offsets or have an edge that is shorter than it moves.
   std::vector<std::size_t> TightFaces;
   std::vector<std::size_t> NarrowFaces;
   /// Neighbours, not all flat, with different offsets at so small an angle that nothing says where they meet;
