@@ -37,6 +37,7 @@
 #include <exception>
 #include <new>
 #include <system_error>
+#include <utility>
 
 namespace
 {
