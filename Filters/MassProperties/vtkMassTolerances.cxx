@@ -91,8 +91,8 @@ bool vtkMassTolerances::CheckRange(double lower, double upper)
   {
     vtkErrorMacro("The tolerance from "
       << sm::FormatDigits(lower, 6) << " to " << sm::FormatDigits(upper, 6)
-      << " is not used: a range without 0 excludes the face of the model, and no worst case is known; move "
-         "the face to the middle of its range first.");
+      << " is not used: give a range that has 0 in it. Another one excludes the face of the model, and no "
+         "worst case is known; move the face to the middle of its range first.");
     return false;
   }
   return true;

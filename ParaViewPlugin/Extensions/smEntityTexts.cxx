@@ -84,9 +84,9 @@ std::string NameSolid(vtkTable* solids, vtkIdType row)
 std::string NameEntity(const std::string& kind, const char* indexColumn, const char* idColumn,
   vtkTable* table, vtkTable* solids, vtkIdType row)
 {
-  const std::string id = GetText(table, idColumn, row);
+  const vtkIdType id = GetIndex(table, idColumn, row);
   return kind + " " + std::to_string(GetIndex(table, indexColumn, row)) +
-    (id.empty() || id == "0" ? std::string() : " (#" + id + ")") + " of " +
+    (id > 0 ? " (#" + std::to_string(id) + ")" : std::string()) + " of " +
     NameSolid(solids, GetIndex(table, names::Solid, row));
 }
 

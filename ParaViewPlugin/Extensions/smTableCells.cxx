@@ -3,6 +3,7 @@
 #include "vtkDataArray.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkTypeInt64Array.h"
 
 #include <cmath>
 
@@ -26,6 +27,11 @@ double GetNumber(vtkTable* table, const std::string& column, vtkIdType row)
 
 vtkIdType GetIndex(vtkTable* table, const std::string& column, vtkIdType row)
 {
+  // A double does not hold all entity numbers.
+  if (auto* numbers = FindColumn<vtkTypeInt64Array>(table, column, row))
+  {
+    return static_cast<vtkIdType>(numbers->GetValue(row));
+  }
   const double number = GetNumber(table, column, row);
   return std::isfinite(number) ? static_cast<vtkIdType>(number) : -1;
 }
