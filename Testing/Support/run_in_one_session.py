@@ -33,5 +33,5 @@ for word in sys.argv[1:]:
         scripts[-1].append(word)
 failed = [script[0] for script in scripts if not run(script)]
 print("\nfailed:", ", ".join(failed) if failed else "none", flush=True)
-if failed:  # ParaView 5.11 crashes when a script calls sys.exit() with a view open
+if failed:  # as in smcheck.py
     sys.exit(1)

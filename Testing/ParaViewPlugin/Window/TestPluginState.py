@@ -66,8 +66,7 @@ check_true("a state in Python has the rules of materials, not the table", "Mater
 del reader, shown
 for state in states:
     what = os.path.splitext(state)[1][1:]
-    # ParaView, without the plugin, too, can crash when a view of an ended session is held until the next one
-    # has a view.
+    # Nothing of a session is held when it ends.
     mass = view = masses = views = None
     simple.ResetSession()
     simple.LoadPlugin(plugin, ns=globals())
