@@ -17,7 +17,6 @@ namespace
 constexpr STEPAttribute Orientation = { "ORIENTED_EDGE", 1, 4, "orientation" };
 
 constexpr STEPAttribute VertexOfLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
-constexpr STEPAttribute SurfaceOfFace = { "FACE_SURFACE", 0, 2, "surface" };
 constexpr STEPAttribute PositionOfSurface = { "ELEMENTARY_SURFACE", 0, 1, "position" };
 constexpr STEPAttribute RadiusOfSphere = { "SPHERICAL_SURFACE", 0, 2, "radius" };
 constexpr STEPAttribute MajorRadiusOfTorus = { "TOROIDAL_SURFACE", 0, 2, "major radius" };

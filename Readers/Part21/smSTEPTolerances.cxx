@@ -2,6 +2,7 @@
 
 #include "smPart21Values.h"
 #include "smSTEPAttributes.h"
+#include "smSTEPTopologyAttributes.h"
 #include "smSTEPUnits.h"
 
 #include <algorithm>
@@ -32,8 +33,6 @@ constexpr STEPAttribute RelatingAspect = { "SHAPE_ASPECT_RELATIONSHIP", 2, 2, "r
 constexpr STEPAttribute RelatedAspect = { "SHAPE_ASPECT_RELATIONSHIP", 3, 3, "related shape aspect" };
 constexpr STEPAttribute UsageDefinition = { "ITEM_IDENTIFIED_REPRESENTATION_USAGE", 2, 2, "definition" };
 constexpr STEPAttribute UsageItem = { "ITEM_IDENTIFIED_REPRESENTATION_USAGE", 4, 4, "identified item" };
-constexpr STEPAttribute GeometryOfFace = { "FACE_SURFACE", 0, 2, "face geometry" };
-constexpr STEPAttribute SenseOfFace = { "FACE_SURFACE", 1, 3, "same sense" };
 constexpr STEPAttribute RelatedTolerance = { "GEOMETRIC_TOLERANCE_RELATIONSHIP", 3, 3,
   "related geometric tolerance" };
 constexpr STEPAttribute PositionOfSurface = { "ELEMENTARY_SURFACE", 0, 1, "position" };
@@ -276,7 +275,7 @@ private:
   /// reversed, 0 for other surfaces.
   int GetSense(Index face, std::string_view surface) const
   {
-    if (!this->Is(this->Entities.Follow(this->Entities.Get(face, GeometryOfFace)), surface))
+    if (!this->Is(this->Entities.Follow(this->Entities.Get(face, SurfaceOfFace)), surface))
     {
       return 0;
     }
@@ -285,7 +284,7 @@ private:
 
   bool ReadNormal(Index face, std::array<double, 3>& normal) const
   {
-    const Index plane = this->Entities.Follow(this->Entities.Get(face, GeometryOfFace));
+    const Index plane = this->Entities.Follow(this->Entities.Get(face, SurfaceOfFace));
     const Index position = this->Entities.Follow(this->Entities.Get(plane, PositionOfSurface));
     const Index axis = this->Entities.Follow(this->Entities.Get(position, AxisOfPosition));
     const int sense = this->GetSense(face, "PLANE");
@@ -406,8 +405,7 @@ private:
     double distance = 0.0;
     for (int k = 0; k < 2; ++k)
     {
-      const Index plane =
-        this->Entities.Follow(this->Entities.Get(this->File.Find(faces[k]), GeometryOfFace));
+      const Index plane = this->Entities.Follow(this->Entities.Get(this->File.Find(faces[k]), SurfaceOfFace));
       const Index position = this->Entities.Follow(this->Entities.Get(plane, PositionOfSurface));
       const Part21Value point =
         this->Entities.Get(this->Entities.Follow(this->Entities.Get(position, location)), coordinates);

@@ -7,9 +7,6 @@ namespace sm
 {
 namespace
 {
-constexpr STEPAttribute OrientationOfBound = { "FACE_BOUND", 1, 2, "orientation" };
-constexpr STEPAttribute OrientationOfUse = { "ORIENTED_EDGE", 1, 4, "orientation" };
-
 /// Number of bounds that a thread reads at a time.
 constexpr std::size_t Grain = 64;
 
@@ -25,7 +22,7 @@ bool ReadEdges(const STEPAttributes& entities, STEPFaceLoop& loop)
     {
       return false;
     }
-    loop.Uses.push_back({ edge, entities.Get(oriented, OrientationOfUse).Text != "F" });
+    loop.Uses.push_back({ edge, entities.Get(oriented, SenseOfOriented).Text != "F" });
   }
   return !loop.Uses.empty();
 }
@@ -34,7 +31,7 @@ STEPFaceLoop ReadLoop(const STEPAttributes& entities, Part21File::Index bound)
 {
   STEPFaceLoop loop;
   loop.Entity = entities.Follow(entities.Get(bound, LoopOfBound));
-  loop.IsForward = entities.Get(bound, OrientationOfBound).Text != "F";
+  loop.IsForward = entities.Get(bound, SenseOfBound).Text != "F";
   const auto is = [&](const char* record)
   {
     std::string_view parameters;

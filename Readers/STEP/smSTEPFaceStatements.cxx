@@ -12,11 +12,7 @@ namespace sm
 {
 namespace
 {
-constexpr STEPAttribute SenseOfBound = { "FACE_BOUND", 1, 2, "orientation" };
-constexpr STEPAttribute SenseOfOriented = { "ORIENTED_EDGE", 1, 4, "orientation" };
 constexpr STEPAttribute SenseOfEdgeCurve = { "EDGE_CURVE", 1, 4, "same sense" };
-constexpr STEPAttribute SurfaceOfStatedFace = { "FACE_SURFACE", 0, 2, "surface" };
-constexpr STEPAttribute SenseOfFace = { "FACE_SURFACE", 1, 3, "same sense" };
 /// CLOSED_SHELL has no such attribute.
 constexpr STEPAttribute SenseOfShell = { "ORIENTED_CLOSED_SHELL", 1, 3, "orientation" };
 constexpr STEPAttribute PolygonOfLoop = { "POLY_LOOP", 0, 1, "polygon" };
@@ -178,7 +174,7 @@ private:
     const auto oriented = this->Oriented.find(census.Id);
     const bool isReversed = oriented != this->Oriented.end() && oriented->second;
     statement.IsForward = (this->Entities.Get(face, SenseOfFace).Text != "F") != isReversed;
-    this->ReadSurface(this->Entities.Follow(this->Entities.Get(face, SurfaceOfStatedFace)), unit, statement);
+    this->ReadSurface(this->Entities.Follow(this->Entities.Get(face, SurfaceOfFace)), unit, statement);
     this->Vertices.clear();
     this->Parts.clear();
     this->Gaps.clear();

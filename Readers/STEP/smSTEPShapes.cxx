@@ -16,7 +16,6 @@ namespace sm
 {
 namespace
 {
-constexpr STEPAttribute SenseOfFace = { "FACE_SURFACE", 1, 3, "same sense" };
 constexpr STEPAttribute SenseOfShell = { "ORIENTED_CLOSED_SHELL", 1, 3, "orientation" };
 constexpr STEPAttribute PolygonOfLoop = { "POLY_LOOP", 0, 1, "polygon" };
 constexpr STEPAttribute VertexOfLoop = { "VERTEX_LOOP", 0, 1, "vertex" };

@@ -1,15 +1,12 @@
 #include "smSTEPShapes.h"
 
+#include "smSTEPTopologyAttributes.h"
+
 #include <map>
 #include <unordered_set>
 
 namespace sm
 {
-namespace
-{
-constexpr STEPAttribute SurfaceOfFace = { "FACE_SURFACE", 0, 2, "surface" };
-}
-
 Part21File::Index STEPShapes::GetSurfaceEntity(Index face) const
 {
   return this->Entities.Follow(this->Entities.Get(face, SurfaceOfFace));
