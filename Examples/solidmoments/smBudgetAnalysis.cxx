@@ -14,7 +14,6 @@
 
 #include "vtkAxis.h"
 #include "vtkChartXY.h"
-#include "vtkComputeContext.h"
 #include "vtkContextActor.h"
 #include "vtkContextScene.h"
 #include "vtkDoubleArray.h"
@@ -47,12 +46,11 @@ std::string WriteBudget(const BudgetResult& budget, const JobOptions& options, c
 {
   vtkNew<vtkMassPropertiesGPU> filter;
   SetUpFilter(filter, options);
-  vtkComputeContext* context = filter->GetComputeContext();
-  context->Start();
-  vtkOpenGLRenderWindow* window = context->GetRenderWindow();
+  std::string error;
+  vtkOpenGLRenderWindow* window = StartWindow(filter, error);
   if (!window)
   {
-    return "there is no OpenGL context to draw in: " + context->GetReason();
+    return error;
   }
   vtkNew<vtkContextActor> actor;
   actor->GetScene()->AddItem(MakeBudgetChart(budget));
@@ -64,7 +62,7 @@ std::string WriteBudget(const BudgetResult& budget, const JobOptions& options, c
   window->SetSize(BudgetWidth, BudgetHeight);
   window->AddRenderer(renderer);
   window->Render();
-  std::string error = WriteImage(GrabImage(window), fileName);
+  error = WriteImage(GrabImage(window), fileName);
   window->RemoveRenderer(renderer);
   return error;
 }

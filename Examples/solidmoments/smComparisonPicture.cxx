@@ -12,7 +12,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkCADReader.h"
 #include "vtkCellData.h"
-#include "vtkComputeContext.h"
 #include "vtkImageData.h"
 #include "vtkMassPropertiesGPU.h"
 #include "vtkNURBSDataSet.h"
@@ -120,12 +119,11 @@ std::string WriteComparison(vtkCADReader* before, vtkCADReader* after, const Job
 {
   vtkNew<vtkMassPropertiesGPU> filter;
   SetUpFilter(filter, options);
-  vtkComputeContext* context = filter->GetComputeContext();
-  context->Start();
-  vtkOpenGLRenderWindow* window = context->GetRenderWindow();
+  std::string error;
+  vtkOpenGLRenderWindow* window = StartWindow(filter, error);
   if (!window)
   {
-    return "there is no OpenGL context to draw in: " + context->GetReason();
+    return error;
   }
   vtkNew<vtkRenderer> body;
   vtkNew<vtkRenderer> front;
@@ -133,7 +131,7 @@ std::string WriteComparison(vtkCADReader* before, vtkCADReader* after, const Job
   window->SetSize(Width, Height);
   SetUpComparison(before, after, options, window, body, front);
   window->Render();
-  std::string error = WriteImage(GrabImage(window), options.PictureName);
+  error = WriteImage(GrabImage(window), options.PictureName);
   window->RemoveRenderer(front);
   window->RemoveRenderer(body);
   return error;

@@ -20,7 +20,6 @@
 #include "vtkAlgorithm.h"
 #include "vtkCADReader.h"
 #include "vtkCallbackCommand.h"
-#include "vtkComputeContext.h"
 #include "vtkFieldData.h"
 #include "vtkLogger.h"
 #include "vtkMassPropertiesGPU.h"
@@ -244,17 +243,15 @@ std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase*
   {
     return "there is nothing to draw";
   }
-  vtkComputeContext* context = filter->GetComputeContext();
-  context->Start();
+  std::string problem;
   sm::Picture picture;
-  picture.Window = context->GetRenderWindow();
+  picture.Window = sm::StartWindow(filter, problem);
   picture.Body = bodies;
   picture.Mark = filter->GetOutput();
   picture.Stability = drawing;
   picture.Flagged = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(6));
   picture.Result = &file;
-  return picture.Window ? sm::WritePicture(picture, options.PictureName)
-                        : "there is no OpenGL context to draw in: " + context->GetReason();
+  return picture.Window ? sm::WritePicture(picture, options.PictureName) : problem;
 }
 
 /// Runs the requested analyses, those of bodies first. Sends the results before each. Returns what the

@@ -7,6 +7,7 @@
 
 #include "vtkComputeContext.h"
 #include "vtkMassPropertiesBase.h"
+#include "vtkOpenGLRenderWindow.h"
 
 namespace sm
 {
@@ -44,6 +45,15 @@ void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options)
   {
     filter->SetMaximumSeconds(options.GetSecondsLeft());
   }
+}
+
+vtkOpenGLRenderWindow* StartWindow(vtkSurfaceIntegralBase* filter, std::string& problem)
+{
+  vtkComputeContext* context = filter->GetComputeContext();
+  context->Start();
+  vtkOpenGLRenderWindow* window = context->GetRenderWindow();
+  problem = window ? std::string() : "there is no OpenGL context to draw in: " + context->GetReason();
+  return window;
 }
 
 void AddEffort(vtkSurfaceIntegralBase* filter, FileResult& file, MessageList& messages)

@@ -5,7 +5,10 @@
 #ifndef smFilterSetUp_h
 #define smFilterSetUp_h
 
+#include <string>
+
 class vtkMassPropertiesBase;
+class vtkOpenGLRenderWindow;
 class vtkSurfaceIntegralBase;
 
 namespace sm
@@ -22,6 +25,9 @@ void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options);
 
 /// Limits the next run of a filter to the seconds that the job has left.
 void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options);
+
+/// Starts the OpenGL context of a filter, and returns its window; null with the reason in `problem`.
+vtkOpenGLRenderWindow* StartWindow(vtkSurfaceIntegralBase* filter, std::string& problem);
 
 /// Adds evaluations, dispatches and messages of a filter's last run to the file's. If the file was ok, it
 /// gets the status of the filter.

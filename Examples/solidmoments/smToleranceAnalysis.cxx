@@ -75,13 +75,7 @@ void KeepLargest(std::vector<ToleranceEntry>& faces)
 std::string ReadLine(
   const std::string& line, std::vector<ToleranceFileRule>& rules, double& lower, double& upper)
 {
-  std::vector<std::string> values;
-  for (std::size_t begin = 0; begin <= line.size();)
-  {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    values.push_back(Trim(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  const std::vector<std::string> values = SplitFields(line);
   const std::string kind = LowerCase(values[0]);
   const bool isForAll = kind == "all";
   if (!isForAll && kind != "face" && kind != "part" && kind != "colour" && kind != "color")
@@ -102,8 +96,7 @@ std::string ReadLine(
   if (first > 0.0 || last < 0.0)
   {
     return "a range without 0 leaves out the face of the model, for which no worst case is known; move the "
-           "face "
-           "to the middle of its range";
+           "face to the middle of its range";
   }
   if (isForAll)
   {
