@@ -571,19 +571,22 @@ IntegralRequest MakeMassRequest(const MassTolerance& tolerance)
   return request;
 }
 
+std::function<bool()> MakeContinue(const IntegralLimits& limits, const RunReport& report)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto left =
+    std::chrono::duration<double>(limits.MaximumSeconds - report.PrepareSeconds - report.IntegrateSeconds);
+  return [limits, left, start = Clock::now()]
+  { return limits.Progress(1.0) && !(limits.MaximumSeconds > 0.0 && Clock::now() - start > left); };
+}
+
 MassAnalysis AnalyzeRun(std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options,
   bool checkEdits, const IntegralLimits& limits, SelfCrossingCheck& crossings, RunReport& report)
 {
   MassAnalysis analysis = AnalyzeMass(bodies, options);
   if (options.HasBounds)
   {
-    using Clock = std::chrono::steady_clock;
-    const auto left =
-      std::chrono::duration<double>(limits.MaximumSeconds - report.PrepareSeconds - report.IntegrateSeconds);
-    const Clock::time_point start = Clock::now();
-    crossings.Run(bodies, checkEdits,
-      [&limits, left, start]()
-      { return limits.Progress(1.0) && !(limits.MaximumSeconds > 0.0 && Clock::now() - start > left); });
+    crossings.Run(bodies, checkEdits, MakeContinue(limits, report));
   }
   report.Status = std::max(report.Status, analysis.TotalStatus);
   report.Messages.insert(report.Messages.end(), analysis.Messages.begin(), analysis.Messages.end());

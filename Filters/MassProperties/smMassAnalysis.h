@@ -15,6 +15,7 @@
 #include "smPartsList.h"
 #include "smStatus.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,11 @@ SMFILTERSMASSPROPERTIES_EXPORT MassAnalysis AnalyzeMass(
 /// Returns the request of the integrals for mass properties: once for each part, about its origin, to
 /// tolerances that depend on the part alone.
 SMFILTERSMASSPROPERTIES_EXPORT IntegralRequest MakeMassRequest(const MassTolerance& tolerance);
+
+/// Returns a callback that returns false when the run is stopped, or when the time is over that its report
+/// leaves of its limits, from now on.
+SMFILTERSMASSPROPERTIES_EXPORT std::function<bool()> MakeContinue(
+  const IntegralLimits& limits, const RunReport& report);
 
 /// Calls AnalyzeMass(), looks for bodies that cross themselves if the integrals have bounds, as long as the
 /// limits of the run allow, and adds the status and the messages of the total to the report. `checkEdits` is

@@ -1,7 +1,6 @@
 #include "Detail/smSelfCrossing.h"
 
 #include "smBodyScales.h"
-#include "smFormat.h"
 #include "smMassIntegrands.h"
 #include "smMeshTriangles.h"
 #include "smParallelFor.h"
@@ -15,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace sm
@@ -48,7 +46,6 @@ constexpr double LargestStep = 0.1;
 constexpr std::size_t MaxConfirmations = 256;
 /// Number of samples between two calls of `shouldContinue`.
 constexpr std::size_t SamplesPerReport = 4096;
-constexpr const char* Stopped = "the run was stopped, or its time was over";
 
 Vector3 Transform(const std::array<double, 16>& m, const Vector3& p)
 {
@@ -58,6 +55,17 @@ Vector3 Transform(const std::array<double, 16>& m, const Vector3& p)
     q[r] = m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
   }
   return q;
+}
+
+/// Returns the point at a distance from another one.
+Vector3 Move(const Vector3& p, double distance, const Vector3& direction)
+{
+  return { p[0] + distance * direction[0], p[1] + distance * direction[1], p[2] + distance * direction[2] };
+}
+
+Vector3 GetNormal(const std::array<Vector3, 3>& c)
+{
+  return Normalized(Cross(Subtract(c[1], c[0]), Subtract(c[2], c[0])));
 }
 
 bool IsWrong(double winding)
@@ -201,10 +209,7 @@ void Checker::CollectTriangles(std::size_t part)
   const std::size_t first = this->Extents.size();
   for (std::size_t f = 0; f < body.Faces->size(); ++f)
   {
-    FaceExtent extent;
-    extent.Part = part;
-    extent.Index = f;
-    this->Extents.push_back(extent);
+    this->Extents.push_back({ part, f });
   }
   VisitTriangles(body.Mesh, body.Faces->size(),
     [&](std::size_t face, std::array<Vector3, 3> corners, std::array<Vector3, 3> normals)
@@ -381,14 +386,9 @@ void Checker::TakeBallSamples(const WindingTree& tree)
       const double z = (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(count) - 1.0;
       const double angle = 2.399963229728653 * static_cast<double>(k);
       const double ring = std::sqrt(1.0 - z * z);
-      Sample sample{ WindingTree::None, b, ball.Center, { ring * std::cos(angle), ring * std::sin(angle), z },
-        ball.Error };
-      for (int d = 0; d < 3; ++d)
-      {
-        sample.Position[d] += ball.Radius * sample.Normal[d];
-        sample.Normal[d] *= ball.Side;
-      }
-      this->Samples.push_back(sample);
+      const Vector3 normal{ ring * std::cos(angle), ring * std::sin(angle), z };
+      this->Samples.push_back({ WindingTree::None, b, Move(ball.Center, ball.Radius, normal),
+        Move({}, ball.Side, normal), ball.Error });
     }
   }
 }
@@ -425,12 +425,8 @@ bool Checker::IsSound(const WindingTree& tree, const Sample& sample) const
   // A surface that is nearer is within the slack, and nothing is found there.
   const double step = SmallShare * this->Diagonal;
   const std::array<Vector3, 3>& c = this->Triangles[sample.Triangle].Corners;
-  const Vector3 normal = Normalized(Cross(Subtract(c[1], c[0]), Subtract(c[2], c[0])));
-  Vector3 p = sample.Position;
-  for (int d = 0; d < 3; ++d)
-  {
-    p[d] += step * normal[d];
-  }
+  const Vector3 normal = GetNormal(c);
+  const Vector3 p = Move(sample.Position, step, normal);
   int number = 0;
   return Dot(Subtract(p, c[0]), normal) > 0.5 * step && tree.CountCrossings(p, number) &&
     number + this->SumBalls(p, WindingTree::None) == 0.0;
@@ -466,12 +462,7 @@ bool Checker::FindCrossingBalls(const WindingTree& tree)
       for (int part = 0; part < 3 && !isFound; ++part)
       {
         const double x = 0.5 * (ends[part] + ends[part + 1]) / distance;
-        Vector3 p;
-        for (int d = 0; d < 3; ++d)
-        {
-          p[d] = a.Center[d] + x * (b.Center[d] - a.Center[d]);
-        }
-        isFound = this->ConfirmAt(tree, p, a.Face);
+        isFound = this->ConfirmAt(tree, Move(a.Center, x, Subtract(b.Center, a.Center)), a.Face);
       }
     }
   }
@@ -508,8 +499,7 @@ bool Checker::Confirm(const WindingTree& tree, const Sample& sample, bool inside
   std::size_t face;
   if (sample.Ball == WindingTree::None)
   {
-    const std::array<Vector3, 3>& c = this->Triangles[sample.Triangle].Corners;
-    normal = Normalized(Cross(Subtract(c[1], c[0]), Subtract(c[2], c[0])));
+    normal = GetNormal(this->Triangles[sample.Triangle].Corners);
     face = this->FaceOfTriangle[sample.Triangle];
   }
   else
@@ -518,12 +508,7 @@ bool Checker::Confirm(const WindingTree& tree, const Sample& sample, bool inside
   }
   for (double step = 1.5 * (sample.Deviation + this->Slack); step < LargestStep * this->Diagonal; step *= 1.5)
   {
-    Vector3 p = sample.Position;
-    for (int d = 0; d < 3; ++d)
-    {
-      p[d] += (inside ? -step : step) * normal[d];
-    }
-    if (this->ConfirmAt(tree, p, face))
+    if (this->ConfirmAt(tree, Move(sample.Position, inside ? -step : step, normal), face))
     {
       return true;
     }
@@ -564,7 +549,7 @@ SelfCrossing Checker::Run(const std::function<bool()>& shouldContinue)
   {
     if (first > 0 && shouldContinue && !shouldContinue())
     {
-      this->Result.Unchecked = Stopped;
+      this->Result.Unchecked = SelfCrossing::Stopped;
       return this->Result;
     }
     ParallelFor(std::min(SamplesPerReport, winding.size() - first), 64,
@@ -604,132 +589,11 @@ SelfCrossing Checker::Run(const std::function<bool()>& shouldContinue)
   }
   return this->Result;
 }
-
-/// Adds the result of a body to its messages and its status.
-void Report(const SelfCrossing& result, BodyIntegrals& body)
-{
-  if (result.Winding != 0)
-  {
-    const Vector3 p = Transform(body.Placement, result.Point);
-    const std::string times = std::to_string(std::abs(result.Winding)) + " times";
-    body.Flag(Status::Suspect,
-      "its boundary crosses itself: near face #" + std::to_string(result.Face) + ", about the point (" +
-        FormatDigits(p[0], 6) + ", " + FormatDigits(p[1], 6) + ", " + FormatDigits(p[2], 6) +
-        "), its winding number is " + std::to_string(result.Winding) + ": the volume there " +
-        (result.Winding > 0        ? "counts " + times
-            : result.Winding == -1 ? "is subtracted"
-                                   : "is subtracted " + times));
-    // One of the parts that are checked together has the face.
-    const std::vector<FacePointer>& faces = body.Model->GetFaces();
-    const auto beside = std::find_if(
-      faces.begin(), faces.end(), [&result](const FacePointer& face) { return face->FileId == result.Face; });
-    if (result.Face > 0 && beside != faces.end())
-    {
-      body.FaceDefects.push_back(
-        { { static_cast<std::size_t>(beside - faces.begin()) }, "the boundary crosses itself near it" });
-    }
-  }
-  else if (!result.Unchecked.empty())
-  {
-    body.Messages.push_back("whether its boundary crosses itself was not checked: " + result.Unchecked);
-  }
-}
-
-bool IsCheckable(const BodyIntegrals& body)
-{
-  return body.Faces && body.HasVolume() && body.OpenEdges == 0 && body.SkippedFaces == 0 &&
-    body.Status < Status::Suspect && !body.Faces->empty();
-}
-
-/// Returns true if a body is a part of the same solid of a file as the one before it, because OpenCASCADE
-/// makes a solid of each connected part of a shell. Solids of two files may have the same entity number; the
-/// numbers of their faces distinguish them.
-bool IsSameSolid(const BodyIntegrals& first, const BodyIntegrals& body, const std::set<std::int64_t>& faceIds)
-{
-  const std::vector<FacePointer>& faces = body.Model->GetFaces();
-  return IsCheckable(body) && body.Model->GetFileId() > 0 &&
-    body.Model->GetFileId() == first.Model->GetFileId() && body.Placement == first.Placement &&
-    std::none_of(faces.begin(), faces.end(),
-      [&faceIds](const FacePointer& face) { return faceIds.count(face->FileId) > 0; });
-}
 }
 
 SelfCrossing FindSelfCrossing(
   const std::vector<const BodyIntegrals*>& parts, const std::function<bool()>& shouldContinue)
 {
   return Checker(parts).Run(shouldContinue);
-}
-
-SelfCrossingCheck::EntryPointer SelfCrossingCheck::Find(const std::vector<std::uint64_t>& faces,
-  bool checkEdits, const std::unordered_map<std::uint64_t, EntryPointer>& current) const
-{
-  const auto instance = current.find(faces.front());
-  if (instance != current.end() && instance->second->Faces == faces)
-  {
-    return instance->second;
-  }
-  EntryPointer original;
-  for (const std::uint64_t face : faces)
-  {
-    const auto known = this->Known.find(face);
-    if (known != this->Known.end() && known->second->Faces == faces)
-    {
-      return known->second;
-    }
-    original = original || known == this->Known.end() ? original : known->second;
-  }
-  // An edit may have removed a crossing that was found, so only a sound original decides.
-  return !checkEdits && original && original->Result.Winding == 0 ? original : nullptr;
-}
-
-void SelfCrossingCheck::Run(
-  std::vector<BodyIntegrals>& bodies, bool checkEdits, const std::function<bool()>& shouldContinue)
-{
-  bool isStopped = false;
-  std::unordered_map<std::uint64_t, EntryPointer> current;
-  for (std::size_t b = 0; b < bodies.size();)
-  {
-    if (!IsCheckable(bodies[b]))
-    {
-      ++b;
-      continue;
-    }
-    std::vector<const BodyIntegrals*> parts;
-    std::vector<std::uint64_t> faces;
-    std::set<std::int64_t> ids;
-    std::size_t end = b;
-    for (; end < bodies.size() && (end == b || IsSameSolid(bodies[b], bodies[end], ids)); ++end)
-    {
-      parts.push_back(&bodies[end]);
-      for (const FacePointer& face : bodies[end].Model->GetFaces())
-      {
-        faces.push_back(face->Id);
-        ids.insert(face->FileId);
-      }
-    }
-    EntryPointer entry = this->Find(faces, checkEdits, current);
-    if (!entry)
-    {
-      isStopped = isStopped || (b > 0 && shouldContinue && !shouldContinue());
-      SelfCrossing result;
-      result.Unchecked = Stopped;
-      result = isStopped ? result : FindSelfCrossing(parts, shouldContinue);
-      isStopped = isStopped || result.Unchecked == Stopped;
-      entry = std::make_shared<const Entry>(Entry{ std::move(faces), result });
-    }
-    // A body that could not be checked may have a mesh in the next run.
-    for (const std::uint64_t face : entry->Faces)
-    {
-      if (entry->Result.Unchecked.empty())
-      {
-        current.emplace(face, entry);
-      }
-    }
-    for (; b < end; ++b)
-    {
-      Report(entry->Result, bodies[b]);
-    }
-  }
-  this->Known = std::move(current);
 }
 }

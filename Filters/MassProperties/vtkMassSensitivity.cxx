@@ -11,6 +11,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 vtkStandardNewMacro(vtkMassSensitivity);
@@ -34,8 +35,10 @@ sm::IntegralRequest vtkMassSensitivity::MakeRequest() const
 
 void vtkMassSensitivity::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
 {
+  const std::function<bool()> shouldContinue =
+    sm::MakeContinue(this->MakeLimits(), this->GetEngine().GetReport());
   this->Superclass::AnalyzeBodies(bodies);
-  this->Offsets = std::make_unique<sm::BodyOffsets>(bodies, [this] { return !this->GetAbortExecute(); });
+  this->Offsets = std::make_unique<sm::BodyOffsets>(bodies, shouldContinue);
 }
 
 void vtkMassSensitivity::ResetResults()

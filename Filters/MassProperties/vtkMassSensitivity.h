@@ -36,8 +36,8 @@
  * density except for the mass. All are known only for solids with a volume.
  *
  * Nine more integrals over the area of every face are evaluated, and curvatures on faces and angles along
- * edges, in parallel on the CPU; stopping the run stops that, too. Limits, threads and GL contexts are as in
- * vtkMassPropertiesGPU.
+ * edges, in parallel on the CPU; where the run is stopped, or its time is over, SurfaceAreaPerOffset is NaN.
+ * Limits, threads and GL contexts are as in vtkMassPropertiesGPU.
  */
 #ifndef vtkMassSensitivity_h
 #define vtkMassSensitivity_h

@@ -32,6 +32,8 @@ struct SelfCrossing
   std::size_t Undecided = 0;
   /// Reason why nothing was checked; empty otherwise.
   std::string Unchecked;
+  /// It if `shouldContinue` returned false.
+  static constexpr const char* Stopped = "the run was stopped, or its time was over";
 };
 
 /**
