@@ -237,7 +237,7 @@ def pack(options):
     with tempfile.TemporaryDirectory() as folder:
         for part in ("bin", "programs", "lib/loader", "lib/system", "models", "common", "build", "source"):
             os.makedirs(os.path.join(folder, part))
-        programs = {"solidmoments", "solidmoments-read"} | {
+        programs = {"solidmoments", "solidmoments-kernel"} | {
             name for word in catalogue.get_words() for name in re.findall(r"\{bin\}/([\w.-]+)", word)}
         libraries, needed, versions = {}, {}, {}
         for name in sorted(programs):

@@ -61,7 +61,7 @@ check_here() {
   expect "no static libraries" has_no_static_libraries
   expect "solidmoments and the sample part" has_volume "$volume" solidmoments "$part"
   expect "edit_part" edit_part --help
-  expect "solidmoments-read" test -x /usr/bin/solidmoments-read
+  expect "solidmoments-kernel" test -x /usr/bin/solidmoments-kernel
   for file in man/man1/solidmoments.1.gz man/man1/edit_part.1.gz bash-completion/completions/solidmoments \
     solidmoments/free_form_part.step doc/solidmoments/copyright doc/paraview-solidmoments/copyright \
     doc/solidmoments/Documentation/UserGuide.md; do

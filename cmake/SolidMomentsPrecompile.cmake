@@ -24,6 +24,3 @@ solidmoments_precompile(smPrecompiledVTK
   HEADERS <vtkDoubleArray.h> <vtkNew.h> <vtkPolyData.h> <vtkSmartPointer.h>
   LIBRARIES VTK::CommonDataModel
   TARGETS FiltersSurfaceIntegrals FiltersMassProperties FiltersBuoyancy FiltersMomentSchemes FiltersNURBSEdit FiltersMomentGradient FiltersVariants)
-target_precompile_headers(ReadersKernel PRIVATE ${solidmoments_standard_headers}
-  <BRep_Tool.hxx> <Geom2d_BSplineCurve.hxx> <Geom_BSplineCurve.hxx> <Geom_BSplineSurface.hxx> <Standard_Failure.hxx>
-  <StepData_StepModel.hxx> <TopExp_Explorer.hxx> <TopoDS.hxx>)

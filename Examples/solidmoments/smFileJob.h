@@ -83,7 +83,6 @@ namespace stages
 {
 constexpr const char* Start = "start";
 constexpr const char* Read = "read";
-constexpr const char* Repair = "repair";
 constexpr const char* Integrate = "integrate";
 constexpr const char* Textures = "textures";
 constexpr const char* Mesh = "mesh";

@@ -3,7 +3,6 @@
 #include "smByteFields.h"
 #include "smFormat.h"
 #include "smIntegralNames.h"
-#include "smRepairNotice.h"
 
 #include "vtkSMPTools.h"
 
@@ -68,12 +67,6 @@ void RunChild(const sm::JobOptions& options, int descriptor)
     // Mesa's software rasterizer has threads of its own.
     setenv("LP_NUM_THREADS", std::to_string(options.Threads).c_str(), 0);
   }
-  sm::SetRepairObserver(
-    [descriptor](bool isBeginning)
-    {
-      WriteMessage(
-        descriptor, sm::JobMessage::OfProgress(isBeginning ? sm::stages::Repair : sm::stages::Read));
-    });
   sm::RunFileJob(options, [descriptor](const sm::JobMessage& message) { WriteMessage(descriptor, message); });
 }
 
@@ -102,9 +95,8 @@ void AddFailure(const sm::JobOptions& options, const std::string& stage, const s
     (end.empty() ? "ended without a result" : end) + " in stage \"" + stage + "\"";
   if (!file)
   {
-    const bool isReading = stage == sm::stages::Read || stage == sm::stages::Repair;
-    file = sm::UnreadableFile(options,
-      reason + (isReading && !isExplained ? "; the file is malformed or the CAD kernel cannot read it" : ""));
+    const bool isReading = stage == sm::stages::Read;
+    file = sm::UnreadableFile(options, reason + (isReading && !isExplained ? "; the file is malformed" : ""));
     file->Status = isExplained ? names::StatusNotComputed : names::StatusUnreadable;
     return;
   }
@@ -229,14 +221,6 @@ void IsolatedJob::Wait(const std::vector<IsolatedJob*>& jobs)
   }
   // A signal that arrives just before the wait is noticed a second later.
   HelperProcess::Wait(helpers, 1.0);
-}
-
-std::string IsolatedJob::GetRepairFailure() const
-{
-  return !this->Said.Result && this->Error.empty() && this->Said.Stage == stages::Repair &&
-      !this->Helper.GetEnd().IsForced()
-    ? this->Helper.GetEnd().Describe()
-    : std::string();
 }
 
 JobOutcome IsolatedJob::GetOutcome()

@@ -61,8 +61,6 @@ public:
   /// Waits at most one second until one of the jobs, all of which must be running, sends a message or ends.
   /// Kills those whose time has elapsed, and all of them after an interrupt.
   static void Wait(const std::vector<IsolatedJob*>& jobs);
-  /// Returns how a job that has ended during a repair did so, "ended by signal 11"; empty: it did not.
-  std::string GetRepairFailure() const;
   /// Returns the outcome of a job that has ended; call it once.
   JobOutcome GetOutcome();
 

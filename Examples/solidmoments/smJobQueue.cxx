@@ -68,22 +68,6 @@ std::unique_ptr<IsolatedJob> JobQueue::MakeJob(std::size_t i)
     [this, i](const std::string& stage, double fraction) { this->Progress(i, stage, fraction); });
 }
 
-bool JobQueue::ReadsAgain(Entry& entry, std::size_t i)
-{
-  if (!entry.RepairFailure.empty() || IsInterrupted() || this->Jobs[i].Repair == "never")
-  {
-    return false;
-  }
-  entry.RepairFailure = entry.Job->GetRepairFailure();
-  if (entry.RepairFailure.empty())
-  {
-    return false;
-  }
-  this->Jobs[i].Repair = "never";
-  entry.Job = this->MakeJob(i);
-  return true;
-}
-
 JobOutcome JobQueue::Next()
 {
   // A finished outcome is returned before another job is started, which may take long if its input comes
@@ -107,10 +91,9 @@ JobOutcome JobQueue::Next()
     {
       IsolatedJob::Wait(running);
     }
-    for (std::size_t k = 0; k < this->Started.size(); ++k)
+    for (Entry& entry : this->Started)
     {
-      Entry& entry = this->Started[k];
-      if (entry.Job && !entry.Job->IsRunning() && !this->ReadsAgain(entry, this->NextOut + k))
+      if (entry.Job && !entry.Job->IsRunning())
       {
         entry.Input.reset(); // which may be a copy of some GB
       }
@@ -126,11 +109,6 @@ JobOutcome JobQueue::Next()
     return outcome;
   }
   JobOutcome outcome = entry.Job->GetOutcome();
-  if (outcome.File && !entry.RepairFailure.empty())
-  {
-    outcome.File->Messages.push_back("A repair by OpenCASCADE ended its process, which " +
-      entry.RepairFailure + "; the file was read again without repairs.");
-  }
   if (outcome.File && job.SourceName != job.FileName)
   {
     RestoreName(job, *outcome.File);

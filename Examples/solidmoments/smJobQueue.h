@@ -35,14 +35,11 @@ private:
   {
     std::unique_ptr<InputFile> Input;
     std::unique_ptr<IsolatedJob> Job; ///< null when the input cannot be read
-    std::string RepairFailure;        ///< how the first job ended during a repair; empty: it did not
   };
 
   static bool IsRunning(const Entry& entry);
   void StartJobs();
   std::unique_ptr<IsolatedJob> MakeJob(std::size_t i);
-  /// Starts job i again, without repairs, if it has ended during one.
-  bool ReadsAgain(Entry& entry, std::size_t i);
 
   std::vector<JobOptions> Jobs;
   std::size_t AtOnce = 1;

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <poll.h>
@@ -15,6 +17,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -194,10 +197,17 @@ HelperProcess::HelperProcess(Listener take)
 
 HelperProcess::~HelperProcess()
 {
-  if (this->IsRunning())
+  if (this->IsRunning() && this->Parent == getpid())
   {
     kill(this->Id, SIGKILL);
     this->TakeEnd();
+  }
+  for (const int descriptor : { this->Pipe, this->Requests })
+  {
+    if (descriptor >= 0)
+    {
+      close(descriptor);
+    }
   }
   if (this->OutOfMemory)
   {
@@ -205,28 +215,81 @@ HelperProcess::~HelperProcess()
   }
 }
 
-std::string HelperProcess::Start(
-  const std::string& program, const std::vector<std::string>& arguments, const std::string* input)
+std::string HelperProcess::Run(
+  const std::string& program, const std::vector<std::string>& arguments, int input)
 {
   int ends[2];
-  const int file = input ? MakeInput(*input) : -1;
-  if (input && file < 0)
-  {
-    return std::string("could not be given the content: ") + std::strerror(errno);
-  }
   int error = pipe2(ends, O_CLOEXEC) != 0 ? errno : 0;
   if (error == 0)
   {
     this->MemoryKills = CountMemoryKills();
-    error = Spawn(program, arguments, file, ends[1], this->Id);
+    this->Parent = getpid();
+    error = Spawn(program, arguments, input, ends[1], this->Id);
     close(ends[1]);
     this->Pipe = error == 0 ? ends[0] : (close(ends[0]), -1);
   }
-  if (file >= 0)
+  if (input >= 0)
   {
-    close(file);
+    close(input);
   }
   return error == 0 ? "" : std::string("could not be started: ") + std::strerror(error);
+}
+
+std::string HelperProcess::Start(
+  const std::string& program, const std::vector<std::string>& arguments, const std::string* input)
+{
+  const int file = input ? MakeInput(*input) : -1;
+  return input && file < 0 ? std::string("could not be given the content: ") + std::strerror(errno)
+                           : this->Run(program, arguments, file);
+}
+
+std::string HelperProcess::StartServer(const std::string& program, const std::vector<std::string>& arguments)
+{
+  // A socket, because a write to a pipe whose reader has ended raises a signal.
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+  {
+    return std::string("could not be started: ") + std::strerror(errno);
+  }
+  this->Requests = ends[0];
+  return this->Run(program, arguments, ends[1]);
+}
+
+bool HelperProcess::Send(char kind, const Bytes& content, const std::function<bool()>& watch)
+{
+  constexpr int patience = 100; // milliseconds
+  Bytes head(HeadSize);
+  const std::uint64_t length = content.size();
+  head[0] = kind;
+  std::memcpy(&head[1], &length, sizeof(length));
+  for (const Bytes* part : { static_cast<const Bytes*>(&head), &content })
+  {
+    for (std::size_t at = 0; at < part->size();)
+    {
+      const ssize_t count =
+        send(this->Requests, part->data() + at, part->size() - at, MSG_NOSIGNAL | MSG_DONTWAIT);
+      at += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+      if (count >= 0 || errno == EINTR)
+      {
+        continue;
+      }
+      if (errno != EAGAIN && errno != EWOULDBLOCK)
+      {
+        return false;
+      }
+      struct pollfd waiting = { this->Requests, POLLOUT, 0 };
+      const auto start = Clock::now();
+      poll(&waiting, 1, patience);
+      this->SecondsLeft -= std::chrono::duration<double>(Clock::now() - start).count();
+      if (this->SecondsLeft <= 0.0 || !watch())
+      {
+        this->End.IsTimeOver = this->SecondsLeft <= 0.0;
+        this->Kill();
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 std::string HelperProcess::Fork(const std::function<void(int descriptor)>& work)
@@ -239,7 +302,7 @@ std::string HelperProcess::Fork(const std::function<void(int descriptor)>& work)
   {
     return std::string("no pipe to a child process: ") + std::strerror(errno);
   }
-  const pid_t parent = getpid();
+  this->Parent = getpid();
   this->MemoryKills = CountMemoryKills();
   this->Id = fork();
   if (this->Id == 0)
@@ -252,7 +315,7 @@ std::string HelperProcess::Fork(const std::function<void(int descriptor)>& work)
     close(ends[0]);
     close(ends[1]);
     const int messages = OpenMessages();
-    if (messages < 0 || getppid() != parent)
+    if (messages < 0 || getppid() != this->Parent)
     {
       _exit(1); // the parent has ended already
     }
@@ -279,8 +342,7 @@ void HelperProcess::Kill()
 
 void HelperProcess::TakeEnd()
 {
-  close(this->Pipe);
-  this->Pipe = -1;
+  close(std::exchange(this->Pipe, -1));
   rusage used{};
   while (wait4(this->Id, &this->End.Status, 0, &used) < 0 && errno == EINTR)
   {
@@ -364,6 +426,29 @@ void HelperProcess::Wait(const std::vector<HelperProcess*>& helpers, double seco
   }
 }
 
+std::string FindProgram(const std::string& name)
+{
+  // The library may be in lib/TRIPLET/ParaView.
+  constexpr int levels = 4;
+  Dl_info info;
+  if (dladdr(reinterpret_cast<void*>(&FindProgram), &info) == 0 || !info.dli_fname)
+  {
+    return {};
+  }
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::canonical(info.dli_fname, error).parent_path();
+  for (int i = 0; i < levels && !error && folder.has_relative_path(); ++i)
+  {
+    const std::string program = folder / "bin" / name;
+    if (access(program.c_str(), X_OK) == 0)
+    {
+      return program;
+    }
+    folder = folder.parent_path();
+  }
+  return {};
+}
+
 int OpenMessages()
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -375,6 +460,32 @@ int OpenMessages()
     close(null);
   }
   return messages;
+}
+
+bool ReceiveMessage(int descriptor, char& kind, Bytes& content)
+{
+  const auto take = [descriptor](void* to, std::size_t size)
+  {
+    char* bytes = static_cast<char*>(to);
+    while (size > 0)
+    {
+      const ssize_t count = read(descriptor, bytes, size);
+      if (count == 0 || (count < 0 && errno != EINTR))
+      {
+        return false;
+      }
+      bytes += std::max<ssize_t>(count, 0);
+      size -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    }
+    return true;
+  };
+  std::uint64_t length = 0;
+  if (!take(&kind, 1) || !take(&length, sizeof(length)))
+  {
+    return false;
+  }
+  content.resize(length);
+  return take(content.data(), content.size());
 }
 
 bool SendMessage(int descriptor, char kind, const void* bytes, std::size_t size)

@@ -3,8 +3,8 @@
  * @brief Child processes, a program or a function of this one, that send messages through a pipe; not
  * installed
  *
- * A message is its kind, one byte, and any number of bytes. A child ends with the thread that started it,
- * and its other output to the standard output is discarded.
+ * A message is its kind, one byte, the number of bytes that follow, and these bytes. A child ends with the
+ * thread that started it, and its other output to the standard output is discarded.
  */
 #ifndef smHelperProcess_h
 #define smHelperProcess_h
@@ -55,6 +55,12 @@ public:
   /// it runs.
   std::string Start(
     const std::string& program, const std::vector<std::string>& arguments, const std::string* input);
+  /// Starts a program likewise, whose standard input gets the messages of Send().
+  std::string StartServer(const std::string& program, const std::vector<std::string>& arguments);
+  /// Sends a message to the program of StartServer(). `watch` is called about ten times a second as long as
+  /// the program does not take the bytes, and returns false to stop. Returns false if that or the time of
+  /// SetSecondsLeft() stopped it, or if the program has ended.
+  bool Send(char kind, const Bytes& content, const std::function<bool()>& watch);
   /// Starts a copy of this process, which calls `work` with the descriptor for its messages and ends with
   /// exit status 0. Call from a process with one thread. Signal handlers that report a lack of memory are
   /// installed only if the memory is limited (ulimit -v). Returns why there is no child; empty if there is
@@ -73,6 +79,7 @@ public:
   const ProcessEnd& GetEnd() const { return this->End; }
 
 private:
+  std::string Run(const std::string& program, const std::vector<std::string>& arguments, int input);
   void Receive();
   void TakeMessages();
   void TakeEnd();
@@ -81,18 +88,26 @@ private:
   Bytes Pending;
   ProcessEnd End;
   pid_t Id = -1;
-  int Pipe = -1; ///< -1: there is no child, or it has ended
+  pid_t Parent = -1; ///< the process that started the child; a copy of it leaves the child alone
+  int Pipe = -1;     ///< -1: there is no child, or it has ended
+  int Requests = -1; ///< a socket that is the child's standard input; -1: none
   double SecondsLeft = std::numeric_limits<double>::infinity();
   bool IsKilled = false;
   volatile std::sig_atomic_t* OutOfMemory = nullptr; ///< shared with the child of Fork(), which sets it
   long MemoryKills = 0;                              ///< of the system, before the child
 };
 
+/// Returns the path of a program in the folder bin next to that of this library, or next to a folder above
+/// it; empty if it is not there.
+SMFILTERSCOMMON_EXPORT std::string FindProgram(const std::string& name);
+
 /// For a program that a HelperProcess started: returns the descriptor for its messages, -1 if there is none.
 /// The standard output is /dev/null afterwards. The process ends with the one that started it.
 SMFILTERSCOMMON_EXPORT int OpenMessages();
 /// Sends a message to the other process; returns false if it has ended.
 SMFILTERSCOMMON_EXPORT bool SendMessage(int descriptor, char kind, const void* bytes, std::size_t size);
+/// Waits for the next message of Send(); returns false if the other process has ended.
+SMFILTERSCOMMON_EXPORT bool ReceiveMessage(int descriptor, char& kind, Bytes& content);
 }
 
 #endif

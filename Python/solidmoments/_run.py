@@ -127,7 +127,6 @@ def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=N
     _silence(reader)
     reader.SetFileName(file)
     reader.SetDisplayMeshToNever()  # nothing shows it
-    reader.IsolatedOn()  # a file that crashes OpenCASCADE does not end the interpreter
     reader.SetOutputUnit(unit)
     if content is not None:
         reader.SetContent(bytes(content))

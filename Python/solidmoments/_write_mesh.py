@@ -15,7 +15,6 @@ def main(file, output, unit, input_unit, deflection):
     for event in ("ErrorEvent", "WarningEvent"):
         reader.AddObserver(event, lambda *_: None)
     reader.SetFileName(file)
-    reader.IsolatedOn()
     reader.SetOutputUnit(unit)
     if reader.IsA("vtkBREPReader"):
         reader.SetInputUnit(input_unit)

@@ -4,10 +4,36 @@
 #include "smFile.h"
 #include "smKernel.h"
 #include "smLengthUnits.h"
+#include "smShapeAdder.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkSTEPReader.h"
 #include "vtksys/SystemTools.hxx"
+
+#include <utility>
+
+namespace
+{
+/// Adds a node with the instances of its parts.
+sm::ProductNode AddNode(const sm::ShapeNode& shape, sm::ShapeAdder& adder)
+{
+  sm::ProductNode node;
+  adder.Add(shape.Shapes, sm::PartBody(), shape.Place, sm::Vector3{ -1.0, -1.0, -1.0 }, node);
+  for (const sm::ShapeNode& child : shape.Children)
+  {
+    node.Children.push_back(AddNode(child, adder));
+  }
+  return node;
+}
+
+sm::ReadStatus FindStatus(const sm::BREPContent& content, const sm::Document& document)
+{
+  return content.IsStopped     ? sm::ReadStatus::Aborted
+    : !content.Problem.empty() ? sm::ReadStatus::Unreadable
+    : document.Bodies.empty()  ? sm::ReadStatus::Empty
+                               : sm::ReadStatus::Ok;
+}
+}
 
 vtkStandardNewMacro(vtkBREPReader);
 
@@ -36,15 +62,14 @@ int vtkBREPReader::CanReadContent(const std::string& content)
 sm::Document vtkBREPReader::ReadDocument(std::string content, const sm::ProgressCallback& progress)
 {
   sm::Document document;
-  if (const sm::Kernel* kernel = sm::GetKernel())
-  {
-    document = kernel->ReadBREP(content, progress);
-  }
-  else
-  {
-    document.Problem = "OpenCASCADE, which reads BREP files, is not installed, or its library "
-                       "(smReadersKernel) cannot be loaded";
-  }
+  sm::BREPContent brep = sm::ReadBREPShapes(content, progress);
+  sm::ShapeAdder adder(document);
+  adder.Announce(brep.Shapes);
+  document.Root = AddNode(brep.Root, adder);
+  document.Defects = std::move(brep.Defects);
+  document.Status = FindStatus(brep, document);
+  document.Problem =
+    document.Status == sm::ReadStatus::Empty ? "it has no solid, shell or face" : brep.Problem;
   document.FileUnit = this->InputUnit;
   document.FileUnitInMillimetres = document.UnitInMillimetres = sm::GetUnitInMillimetres(this->InputUnit);
   return document;

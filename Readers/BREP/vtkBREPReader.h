@@ -3,7 +3,8 @@
  * @brief   reads OpenCASCADE's BREP files, text and binary, into exact trimmed NURBS models with a display
  * mesh
  *
- * vtkCADReader documents the output, errors, and how a file is read in a process of its own or from memory.
+ * vtkCADReader documents the output, errors, and how a file is read from memory. OpenCASCADE reads the file
+ * in a process of its own.
  * The format has no names, units, colours, materials or tolerances of coordinates: bodies are called "Solid"
  * or "Shell", and InputUnit is the unit of the numbers. Nested compounds become the product structure, and a
  * shape that occurs several times is one model with several instances.
@@ -48,8 +49,6 @@ protected:
   std::string FindMistakeOfHead(const std::string& head) const override;
   sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) override;
   std::string FindMistakeOfFormat() const override;
-  std::string GetSettingOfFormat() const override { return this->InputUnit; }
-  void SetSettingOfFormat(const std::string& word) override { this->SetInputUnit(word); }
 
 private:
   vtkBREPReader(const vtkBREPReader&) = delete;

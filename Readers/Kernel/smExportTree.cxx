@@ -19,8 +19,6 @@
 
 namespace sm
 {
-const MatrixRows IdentityPlacement{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
-
 namespace
 {
 /// Placements are equal if their entries differ by no more than this, relative to 1 or, for translations, to

@@ -20,12 +20,14 @@ namespace sm
 using MatrixRows = std::array<double, 12>;
 using Color = std::array<double, 3>;
 
+constexpr MatrixRows IdentityPlacement{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
+
 /// A body of a part: the model, mapped by `Own` (the identity, unless the part has several bodies, or is
 /// mirrored).
 struct ExportBody
 {
   vtkSmartPointer<vtkTrimmedNURBSModel> Model;
-  MatrixRows Own{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
+  MatrixRows Own = IdentityPlacement;
   /// Colour of the body, and of each face that has one of its own; sRGB in [0,1], negative: none.
   Color BodyColor{ -1.0, -1.0, -1.0 };
   std::vector<Color> FaceColors;
@@ -45,7 +47,7 @@ struct ExportNode
   std::string Layer;
   int Part = -1;
   /// Rigid placement; the translation is in the unit of the models.
-  MatrixRows Place{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
+  MatrixRows Place = IdentityPlacement;
   /// Colour of the instance, which overrides that of its part; negative: none.
   Color InstanceColor{ -1.0, -1.0, -1.0 };
   std::vector<ExportNode> Children;
@@ -64,8 +66,6 @@ struct ExportTree
   std::vector<std::string> Notes;
   std::vector<std::string> Warnings;
 };
-
-extern const MatrixRows IdentityPlacement;
 
 /**
  * Makes the tree of a dataset. Leaves of one model are instances of one part. The assembly of a partitioned

@@ -1,7 +1,6 @@
 #include "vtkBREPWriter.h"
 
-#include "smExportTree.h"
-#include "smOCCTExport.h"
+#include "smExport.h"
 
 #include "vtkObjectFactory.h"
 
@@ -16,8 +15,7 @@ std::string vtkBREPWriter::ChooseUnit(const sm::ExportTree&)
   return "mm";
 }
 
-sm::ExportResult vtkBREPWriter::WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-  std::ostream& stream, const sm::ProgressCallback& progress)
+sm::ExportFormat vtkBREPWriter::GetFormat() const
 {
-  return sm::WriteBREP(tree, options, stream, progress);
+  return sm::ExportFormat::BREP;
 }

@@ -1,12 +1,10 @@
 #include "vtkNURBSModelWriter.h"
 
 #include "smAbortFlag.h"
-#include "smExportTree.h"
+#include "smCatchFailure.h"
+#include "smExport.h"
 #include "smFileState.h"
 #include "smLengthUnits.h"
-#include "smOCCTExport.h"
-#include "smOCCTFailure.h"
-#include "smOCCTFile.h"
 #include "smSafeFile.h"
 
 #include "vtkErrorCode.h"
@@ -127,13 +125,6 @@ void vtkNURBSModelWriter::WriteFile()
     this->Fail(vtkErrorCode::NoFileNameError, "no file name was given; call SetFileName first");
     return;
   }
-  if (sm::KernelSession::IsHeldHere())
-  {
-    this->Fail(vtkErrorCode::UserError,
-      "a file is being read or written on this thread, and OpenCASCADE does one at a time; do not write "
-      "inside an observer of another one's progress");
-    return;
-  }
   const sm::FileState state = sm::GetFileState(this->GetInput());
   if (!state.Problem.empty())
   {
@@ -157,7 +148,7 @@ void vtkNURBSModelWriter::WriteFile()
     this->UpdateProgress(x);
     return !this->GetAbortExecute();
   };
-  const sm::ExportResult result = this->WriteTree(tree, options, file.GetStream(), report);
+  const sm::ExportResult result = sm::WriteExport(this->GetFormat(), tree, options, file.GetStream(), report);
   if (!result.Problem.empty() || result.Aborted)
   {
     this->Fail(vtkErrorCode::UnknownError, result.Aborted ? "the application asked to stop" : result.Problem);

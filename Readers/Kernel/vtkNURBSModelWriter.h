@@ -27,35 +27,32 @@
  * vtkErrorCode::NoError, and an existing file is unchanged: | GetErrorCode() | when |
  * |---|---|
  * | NoFileNameError | FileName is empty |
- * | UserError | no input, one without exact geometry, an unknown unit, a nested update |
+ * | UserError | no input, one without exact geometry, or an unknown unit |
  * | CannotOpenFileError | no file can be made there, or writing failed although the disk is not full |
  * | OutOfDiskSpaceError | the disk is full |
- * | UnknownError | OpenCASCADE failed, out of memory, or the application asked to stop |
+ * | UnknownError | OpenCASCADE failed or is not installed, out of memory, or the application asked to stop |
  *
  * No exception leaves Write().
  *
- * One file is written or read at a time in a process, and others wait, because OpenCASCADE's settings are
- * global. Under MPI call Write() in every process with SetNumberOfPieces() and SetPiece(), as ParaView does:
- * each updates its own piece of the input, and the first one, where vtkSTEPReader and our filters have all
- * solids, writes the file. No OpenGL context is needed.
+ * OpenCASCADE writes in a process of its own (solidmoments-kernel). Under MPI call Write() in every process
+ * with SetNumberOfPieces() and SetPiece(), as ParaView does: each updates its own piece of the input, and the
+ * first one, where vtkSTEPReader and our filters have all solids, writes the file. No OpenGL context is
+ * needed.
  */
 #ifndef vtkNURBSModelWriter_h
 #define vtkNURBSModelWriter_h
 
-#include "smProgressCallback.h"
 #include "smReadersKernelModule.h"
 #include "vtkWriter.h"
 
-#include <functional> // for the progress
-#include <iosfwd>     // for std::ostream
-#include <memory>     // for the messages
-#include <string>     // for std::string
-#include <vector>     // for the warnings
+#include <memory> // for the messages
+#include <string> // for std::string
+#include <vector> // for the warnings
 
 namespace sm
 {
+enum class ExportFormat;
 struct ExportOptions;
-struct ExportResult;
 struct ExportTree;
 }
 
@@ -109,8 +106,7 @@ protected:
 
   /// Unit of the file's lengths.
   virtual std::string ChooseUnit(const sm::ExportTree& tree) = 0;
-  virtual sm::ExportResult WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-    std::ostream& stream, const sm::ProgressCallback& progress) = 0;
+  virtual sm::ExportFormat GetFormat() const = 0;
 
 private:
   vtkNURBSModelWriter(const vtkNURBSModelWriter&) = delete;

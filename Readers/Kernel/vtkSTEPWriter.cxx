@@ -1,7 +1,6 @@
 #include "vtkSTEPWriter.h"
 
-#include "smExportTree.h"
-#include "smOCCTExport.h"
+#include "smExport.h"
 
 #include "vtkObjectFactory.h"
 
@@ -19,10 +18,9 @@ std::string vtkSTEPWriter::ChooseUnit(const sm::ExportTree& tree)
                                                                 : this->OutputUnit;
 }
 
-sm::ExportResult vtkSTEPWriter::WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-  std::ostream& stream, const sm::ProgressCallback& progress)
+sm::ExportFormat vtkSTEPWriter::GetFormat() const
 {
-  return sm::WriteSTEP(tree, options, stream, progress);
+  return sm::ExportFormat::STEP;
 }
 
 void vtkSTEPWriter::PrintSelf(ostream& os, vtkIndent indent)

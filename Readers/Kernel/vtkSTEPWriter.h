@@ -42,8 +42,7 @@ protected:
   ~vtkSTEPWriter() override;
 
   std::string ChooseUnit(const sm::ExportTree& tree) override;
-  sm::ExportResult WriteTree(const sm::ExportTree& tree, const sm::ExportOptions& options,
-    std::ostream& stream, const sm::ProgressCallback& progress) override;
+  sm::ExportFormat GetFormat() const override;
 
 private:
   vtkSTEPWriter(const vtkSTEPWriter&) = delete;

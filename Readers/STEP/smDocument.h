@@ -94,10 +94,6 @@ struct Document
   double TrimSeconds = 0.0;
 };
 
-/// Largest number of instances of bodies and sub-assemblies that are read. Each becomes a node of the tree,
-/// and each instance of a body a leaf with points of its own.
-constexpr std::uint64_t MaxInstances = 100000;
-
 /// Largest number of levels of assemblies, and of geometric entities that refer to one another, that are
 /// read: each needs a part of the stack.
 constexpr std::size_t MaxLevels = 1000;

@@ -3,7 +3,6 @@
 #include "smFormat.h"
 #include "smKernel.h"
 #include "smLengthUnits.h"
-#include "smRepairNotice.h"
 #include "smSTEPAppearance.h"
 #include "smSTEPAttributes.h"
 #include "smSTEPProductTree.h"
@@ -131,17 +130,20 @@ private:
     {
       const double precision = this->Shapes.GetPrecision(this->Census.Bodies[index]);
       const RepairLimits limits{ precision, std::max(precision, LargestTolerance) };
+      const auto report = [&]
+      { return progress(0.5 + 0.5 * static_cast<double>(done) / static_cast<double>(this->Bodies.size())); };
       ShapeGroup result;
       for (const SolidUse& solid : shapes.Solids)
       {
-        this->RepairBody(repair, MakeBody(solid), solid.Solid->Data, limits, result);
+        this->RepairBody(repair, MakeBody(solid), solid.Solid->Data, limits, report, result);
       }
       for (const ShellUse& shell : shapes.Shells)
       {
-        this->RepairBody(repair, MakeBody(shell), ShapeData(), limits, result);
+        this->RepairBody(repair, MakeBody(shell), ShapeData(), limits, report, result);
       }
       shapes = std::move(result);
-      if (!progress(0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(this->Bodies.size())))
+      ++done;
+      if (!report())
       {
         return false;
       }
@@ -150,8 +152,8 @@ private:
   }
 
   /// Adds the body, or what a repair makes of it, to `result`.
-  void RepairBody(
-    RepairMode repair, BodyShape body, const ShapeData& data, const RepairLimits& limits, ShapeGroup& result)
+  void RepairBody(RepairMode repair, BodyShape body, const ShapeData& data, const RepairLimits& limits,
+    const RepairWatch& watch, ShapeGroup& result)
   {
     const BodyShape original = body;
     // Faces of the body before may be gone, and others have their addresses.
@@ -173,14 +175,12 @@ private:
           {
             return whole;
           }
-          const RepairNotice notice;
-          const Kernel* kernel = GetKernel();
-          return kernel ? kernel->RepairFaces(whole, faces, limits, repaired) : whole;
+          return RepairFaces(whole, faces, limits, watch, repaired);
         });
     }
     if (!isSound)
     {
-      const std::string failure = this->CallRepair(repair, original, data, limits, result);
+      const std::string failure = CallRepair(repair, original, data, limits, watch, result);
       if (failure.empty())
       {
         return;
@@ -207,21 +207,14 @@ private:
 
   /// Adds what a repair makes of the body to `result`; or returns why there is no repair.
   static std::string CallRepair(RepairMode repair, const BodyShape& body, const ShapeData& data,
-    const RepairLimits& limits, ShapeGroup& result)
+    const RepairLimits& limits, const RepairWatch& watch, ShapeGroup& result)
   {
     if (repair == RepairMode::Never)
     {
       return "repairs are switched off";
     }
-    const RepairNotice notice;
-    const Kernel* kernel = GetKernel();
-    if (!kernel)
-    {
-      return "OpenCASCADE, which repairs, is not installed, or its library (smReadersKernel) cannot be "
-             "loaded";
-    }
     ShapeGroup repaired;
-    const std::string reason = kernel->RepairBody(body, data, limits, repaired);
+    const std::string reason = sm::RepairBody(body, data, limits, watch, repaired);
     if (!reason.empty())
     {
       return "OpenCASCADE failed (" + reason + ")";

@@ -293,10 +293,7 @@ void vtkCADReader::Read(vtkPartitionedDataSetCollection* output)
     this->Fail(UNREADABLE, mistake);
     return;
   }
-  if (!this->Isolated || !this->ReadIsolated(output))
-  {
-    this->ReadHere(output);
-  }
+  this->ReadFile(output);
 }
 
 bool vtkCADReader::Load(sm::Document& document, std::string& content)
@@ -338,7 +335,7 @@ void vtkCADReader::ClearContent()
   }
 }
 
-void vtkCADReader::ReadHere(vtkPartitionedDataSetCollection* output)
+void vtkCADReader::ReadFile(vtkPartitionedDataSetCollection* output)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   this->Start = start;
@@ -473,7 +470,6 @@ void vtkCADReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "AngularDeflection: " << this->AngularDeflection << "\n"
      << indent << "OutputUnit: " << this->OutputUnit << "\n"
      << indent << "Content: " << this->Content.size() << " bytes\n"
-     << indent << "Isolated: " << (this->Isolated ? "on\n" : "off\n") << indent
-     << "MaximumSeconds: " << this->MaximumSeconds << "\n"
+     << indent << "MaximumSeconds: " << this->MaximumSeconds << "\n"
      << indent << "Status: " << this->GetStatusAsString() << "\n";
 }

@@ -38,12 +38,12 @@
  * first are empty collections. A file that cannot be read is an error on the rank that reads it, and the
  * output is empty on all. If one rank has not enough memory for the tree, that is an error on all ranks.
  *
- * Readers on several threads read at the same time. OpenCASCADE, whose settings are global, works for one of
- * them at a time; its library is loaded when a body needs a repair, and for a BREP file. Conversion uses
- * vtkSMPTools. No OpenGL context is needed.
+ * Readers on several threads read at the same time, and conversion uses vtkSMPTools. No OpenGL context is
+ * needed.
  *
- * OpenCASCADE crashes on some damaged shapes, and the process with it. With IsolatedOn() a crash ends a
- * process that only reads the file: a STEP file is read again without repairs, a BREP file is an error.
+ * OpenCASCADE works in a process of its own (solidmoments-kernel), which is started when a body needs a
+ * repair, and for a BREP file. If it crashes, does not answer in time or is not installed, the body is read
+ * as far as its faces are sound, and the result is suspect; a BREP file is an error.
  *
  * The display mesh is made of the exact model: every edge is sampled once and its points are shared by its
  * faces with the same bits, so that a closed solid has a closed mesh; the field array MeshDeviation holds a
@@ -81,11 +81,9 @@ class vtkMultiProcessController;
 
 namespace sm
 {
-class ByteReader;
 class LeafMaker;
 struct Document;
 struct LeafOptions;
-struct ReadProgramOutcome;
 }
 
 class SMREADERSSTEP_EXPORT vtkCADReader : public vtkPartitionedDataSetCollectionAlgorithm
@@ -182,23 +180,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Reads the file in a separate process, the program solidmoments-read, which sends the output. If
-   * OpenCASCADE crashes or does not terminate, only this file is lost, not the session. The output has the
-   * same bits. Starting the program takes some tenths of a second, and during the reading the models and
-   * meshes need about three times their memory; content is passed by a file in memory. If the program is not
-   * in the folder bin next to the library or above it, or does not start, the file is read in this process,
-   * and a message reports it. Default: off; on in ParaView.
-   */
-  vtkSetMacro(Isolated, bool);
-  vtkGetMacro(Isolated, bool);
-  vtkBooleanMacro(Isolated, bool);
-  ///@}
-
-  ///@{
-  /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. OpenCASCADE can be
-   * stopped only when it reports progress, which for damaged geometry may never happen; an isolated reader
-   * ends its process then. At least 0, clamped. Default 0: no limit. */
+  /** Limit of the duration of an Update() in seconds, after which the status is ABORTED. At least 0, clamped.
+   * Default 0: no limit. */
   vtkSetClampMacro(MaximumSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSeconds, double);
   ///@}
@@ -249,19 +232,6 @@ public:
   double GetConversionSeconds() const;
   ///@}
 
-#ifndef __VTK_WRAP__
-  /**
-   * The settings of an isolated reader as words, without those of the display mesh, and the reverse: they are
-   * the arguments of solidmoments-read.
-   */
-  std::vector<std::string> PackSettings() const;
-  static constexpr int NumberOfSettings = 3;
-  void UnpackSettings(const std::vector<std::string>& words);
-  /** Returns the output, status and messages of the last Update() as bytes, which solidmoments-read sends to
-   * an isolated reader. */
-  std::vector<char> PackOutput();
-#endif
-
   ///@{
   /**
    * Requests the display mesh, if it is made on demand, and updates the reader. If the mesh is made only now,
@@ -297,15 +267,7 @@ protected:
   /// one.
   virtual std::string FindMistakeOfHead(const std::string& head) const = 0;
   /// Returns a mistake in the settings that only this format has; empty if there is none.
-  virtual std::string FindMistakeOfFormat() const
-  {
-    return {};
-  }
-  /// Returns the setting that only this format has, as a word for the process of an isolated reader.
-  virtual std::string GetSettingOfFormat() const = 0;
-  virtual void SetSettingOfFormat(const std::string& word) = 0;
-  /// Reads without repairs, or with them again; returns false for a format or setting without repairs.
-  virtual bool SkipRepair(bool isSkipped);
+  virtual std::string FindMistakeOfFormat() const { return {}; }
 
   /// Called when a file has been read and the output is complete, while the file's shapes are still there:
   /// for tests that compare both. Does nothing.
@@ -331,15 +293,10 @@ private:
   /// Reads without throwing: an exception becomes an error, and the output is empty.
   void ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept;
   void Read(vtkPartitionedDataSetCollection* output);
-  /// Runs the program that reads for this one.
-  sm::ReadProgramOutcome RunProgram();
-  /// Reads in a separate process. Returns false, with a message, if the program cannot be started.
-  bool ReadIsolated(vtkPartitionedDataSetCollection* output);
+  void ReadFile(vtkPartitionedDataSetCollection* output);
   /// Gets the bytes of the file or of the content. Returns false, with the reason in `document` or after
   /// Stop(), if that fails.
   bool Load(sm::Document& document, std::string& content);
-  /// Reads in this process.
-  void ReadHere(vtkPartitionedDataSetCollection* output);
   /// Returns a mistake in the settings; empty if there is none.
   std::string FindMistake() const;
   sm::LeafOptions ChooseOptions(const sm::Document& document);
@@ -350,9 +307,6 @@ private:
   void WriteState(vtkPartitionedDataSetCollection* output) const;
   void Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const;
   void Unpack(const std::vector<unsigned char>& bytes, vtkPartitionedDataSetCollection* output);
-  /// Reads the leaves of PackOutput() into `tree`, and keeps their sources. Returns false if the message is
-  /// invalid.
-  bool UnpackReading(sm::ByteReader& from, vtkPartitionedDataSetCollection* tree);
   /// Sends status, messages and the tree of the output from `root` to all other ranks, and completes the
   /// output. Every rank makes all collective calls, even without memory. Returns the reason for a failure,
   /// the same on all ranks that are still connected.
@@ -369,7 +323,6 @@ private:
   bool RelativeDeflection = true;
   double AngularDeflection = 0.35;
   std::string OutputUnit = "mm";
-  bool Isolated = false;
   double MaximumSeconds = 0.0;
   /// Start time of the last Update(), and true if it exceeded MaximumSeconds.
   double Start = 0.0;

@@ -35,7 +35,7 @@ struct vtkCADReader::Results
 /// The data from which outputs with and without display mesh are made.
 struct vtkCADReader::Reading
 {
-  /// Progress at which all bodies are converted, or have come from another process.
+  /// Progress at which all bodies are converted.
   static constexpr double MeshStart = 0.9;
 
   /// An entry for each partitioned dataset.

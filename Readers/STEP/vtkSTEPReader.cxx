@@ -15,12 +15,12 @@ vtkStandardNewMacro(vtkSTEPReader);
 
 namespace
 {
-/// Words of the setting of the format, by vtkSTEPReader::RepairType.
+/// Words for vtkSTEPReader::RepairType.
 constexpr const char* RepairWords[] = { "always", "needed", "never" };
 constexpr sm::RepairMode RepairModes[] = { sm::RepairMode::Always, sm::RepairMode::OnNeed,
   sm::RepairMode::Never };
 
-/// Between folders, and before the first one in the setting of the format.
+/// Between folders.
 constexpr char FolderSeparator = ':';
 
 std::vector<std::string> ListFolders(const char* folders)
@@ -72,8 +72,8 @@ sm::Document vtkSTEPReader::ReadDocument(std::string content, const sm::Progress
   std::string joined = isFile
     ? sm::JoinSTEPFiles(content, this->GetFileName(), ListFolders(this->SearchFolders), messages)
     : std::string();
-  sm::Document document = sm::ReadSTEP(joined.empty() ? std::move(content) : std::move(joined),
-    RepairModes[this->IsRepairSkipped ? NEVER : this->Repair], progress);
+  sm::Document document = sm::ReadSTEP(
+    joined.empty() ? std::move(content) : std::move(joined), RepairModes[this->Repair], progress);
   document.Messages.insert(document.Messages.begin(), messages.begin(), messages.end());
   return document;
 }
@@ -81,31 +81,6 @@ sm::Document vtkSTEPReader::ReadDocument(std::string content, const sm::Progress
 std::string vtkSTEPReader::FindMistakeOfHead(const std::string& head) const
 {
   return sm::CheckText(head).Problem;
-}
-
-std::string vtkSTEPReader::GetSettingOfFormat() const
-{
-  return std::string(RepairWords[this->IsRepairSkipped ? NEVER : this->Repair]) + FolderSeparator +
-    (this->SearchFolders ? this->SearchFolders : "");
-}
-
-void vtkSTEPReader::SetSettingOfFormat(const std::string& word)
-{
-  const std::size_t end = word.find(FolderSeparator);
-  for (int repair = ALWAYS; repair <= NEVER; ++repair)
-  {
-    if (word.compare(0, end, RepairWords[repair]) == 0)
-    {
-      this->SetRepair(repair);
-    }
-  }
-  this->SetSearchFolders(end == std::string::npos ? "" : word.substr(end + 1).c_str());
-}
-
-bool vtkSTEPReader::SkipRepair(bool isSkipped)
-{
-  this->IsRepairSkipped = isSkipped;
-  return this->Repair != NEVER;
 }
 
 void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)

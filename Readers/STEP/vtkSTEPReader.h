@@ -2,7 +2,7 @@
  * @class   vtkSTEPReader
  * @brief   reads STEP files (AP203, AP214, AP242) into exact trimmed NURBS models with a display mesh
  *
- * vtkCADReader documents the output, errors, and how it is read in a process of its own or from memory.
+ * vtkCADReader documents the output, errors, and how it is read from memory.
  *
  * Every solid that the entities of the file declare is accounted for, with its faces and instances
  * (smSTEPReconciliation.h). Losses, and contradictions within the file, are reported by messages and make the
@@ -10,8 +10,8 @@
  * of the output pass them on (smFileState.h). A file of more than 100,000 instances of bodies and
  * sub-assemblies cannot be read.
  *
- * OpenCASCADE repairs bodies that are not sound, and may crash or hang on damaged geometry. Faces whose
- * entities are damaged are left out before. With IsolatedOn() a crash does not end this process.
+ * OpenCASCADE repairs bodies that are not sound, in a process of its own, since it may crash or hang on
+ * damaged geometry. Faces whose entities are damaged are left out before.
  */
 #ifndef vtkSTEPReader_h
 #define vtkSTEPReader_h
@@ -51,7 +51,7 @@ public:
    * message; all others are converted without a repair, with missing trim curves in closed form, which is
    * faster and more accurate. ALWAYS: it repairs all shapes of the file and computes missing trim curves.
    * NEVER: none is repaired; of a solid or shell with defects those faces are read that are sound, and the
-   * result is suspect. An isolated reader reads so, too, if a repair ends its process.
+   * result is suspect. A body of which the repair fails is read so, too.
    */
   enum RepairType
   {
@@ -81,16 +81,12 @@ protected:
   const char* GetFormatName() const override { return "STEP"; }
   std::string FindMistakeOfHead(const std::string& head) const override;
   sm::Document ReadDocument(std::string content, const sm::ProgressCallback& progress) override;
-  std::string GetSettingOfFormat() const override;
-  void SetSettingOfFormat(const std::string& word) override;
-  bool SkipRepair(bool isSkipped) override;
 
 private:
   vtkSTEPReader(const vtkSTEPReader&) = delete;
   void operator=(const vtkSTEPReader&) = delete;
 
   int Repair = ON_NEED;
-  bool IsRepairSkipped = false;
   char* SearchFolders = nullptr;
 };
 

@@ -123,9 +123,8 @@ for group, proxy_name, label, module, class_name in PROXIES:
             check_equal(f"{name}: the proxy's defaults are the class's", actual, values)
             continue
         value = smproperty.GetElement(0)
-        # A session is worth more than some tenths of a second; ParaView asks for arrays and sizes before it
-        # draws.
-        expected = {"Isolated": 1, "DisplayMesh": 1, "CoarseAbove": 5000000}.get(name, type(value)(actual))
+        # ParaView asks for arrays and sizes before it draws.
+        expected = {"DisplayMesh": 1, "CoarseAbove": 5000000}.get(name, type(value)(actual))
         check_equal(f"{name}: the proxy's default is the class's", expected, value)
         limits = element.find("DoubleRangeDomain[@min]")
         whole = element.find("IntRangeDomain")

@@ -107,6 +107,8 @@ def check_brep_and_memory():
             check_true("an empty file is not a BREP file", False)
         except solidmoments.SolidMomentsError as error:
             check_true("an empty file is not a STEP file", "it is empty" in str(error), str(error))
+        with open("/proc/self/maps", encoding="utf-8") as maps:
+            check_equal("OpenCASCADE is not loaded here", [], [line for line in maps if "libTK" in line])
         step = os.path.join(output, "step.brep")
         shutil.copy(sample, step)
         check_row("a STEP file of another name", run(sample)[0]["total"], quietly(step)[0])

@@ -1,7 +1,7 @@
-"""TestRepairShop.py --program SOLIDMOMENTS --solids FOLDER --libraries FOLDER --broken LIBRARY --output FOLDER
+"""TestRepairShop.py --program SOLIDMOMENTS --solids FOLDER --libraries FOLDER --output FOLDER
 
-The library that repairs bodies is loaded when a body needs it. Without it, if it ends its process, and with --repair never, such a
-body is read as far as its faces are sound, the result is suspect with the reason, and all other bodies keep their numbers.
+The program that repairs bodies is started when a body needs it. Without it, if it crashes, hangs or is another one, and with --repair
+never, such a body is read as far as its faces are sound, the result is suspect with the reason, and all other bodies keep their numbers.
 """
 import argparse
 import json
@@ -15,10 +15,10 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 
 parser = argparse.ArgumentParser()
-for option in ("--program", "--solids", "--libraries", "--broken", "--output"):
+for option in ("--program", "--solids", "--libraries", "--output"):
     parser.add_argument(option, required=True)
 options = parser.parse_args()
-KERNEL = "libsmReadersKernel.so"
+FINDER = "libsmFiltersCommon.so"  # looks for the program in the folder bin next to it and above
 
 
 def sweep_plane(text):
@@ -62,14 +62,22 @@ def make_file(name, change=str):
     return path
 
 
-def make_libraries(name):
-    """A folder with all libraries but the one that repairs."""
-    folder = os.path.join(options.output, name)
-    shutil.rmtree(folder, ignore_errors=True)
+def make_libraries(name, script=None):
+    """A folder with all libraries, which finds the script in the place of the program that repairs, or none."""
+    base = os.path.join(options.output, name)
+    shutil.rmtree(base, ignore_errors=True)
+    folder = os.path.join(base, "a", "b", "c", "d", "lib")
     os.makedirs(folder)
     for library in os.listdir(options.libraries):
-        if library.startswith("libsm") and not library.startswith(KERNEL):
-            os.symlink(os.path.join(options.libraries, library), os.path.join(folder, library))
+        if library.startswith("libsm"):
+            make = shutil.copy if library.startswith(FINDER) else os.symlink
+            make(os.path.join(options.libraries, library), os.path.join(folder, library))
+    if script is not None:
+        program = os.path.join(base, "a", "b", "c", "d", "bin", "solidmoments-kernel")
+        os.makedirs(os.path.dirname(program))
+        with open(program, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\n" + script + "\n")
+        os.chmod(program, 0o755)
     return folder
 
 
@@ -109,11 +117,14 @@ check_unrepaired("failed", failed, "OpenCASCADE failed (", whole["solids"][1])
 check_true("failed: no repair is claimed", not find(failed, "repaired by OpenCASCADE"), str(failed["messages"]))
 check("failed: the volume", whole["solids"][0]["volume"], failed["solids"][0]["volume"], failed["solids"][0]["bounds"]["volume"])
 missing = make_libraries("repair_shop_missing")
-check_unrepaired("missing", run(damaged, missing), "is not installed", whole["solids"][1])
+check_unrepaired("missing", run(damaged, missing), "solidmoments-kernel was not found", whole["solids"][1])
 alone = run(os.path.join(options.solids, "two_solids.step"), missing)
-check_equal("a sound file needs no such library", ["ok", whole["total"]["volume"]], [alone["status"], alone["total"]["volume"]])
-broken = make_libraries("repair_shop_broken")
-shutil.copy(options.broken, os.path.join(broken, KERNEL))
-check_unrepaired("broken", run(damaged, broken), "ended its process", whole["solids"][1])
-check_true("broken: the signal", find(run(damaged, broken), "signal 6") != [])
+check_equal("a sound file needs no such program", ["ok", whole["total"]["volume"]], [alone["status"], alone["total"]["volume"]])
+for what, script, reason in (("a crash", "kill -ABRT $$", "its process ended by signal 6"),
+                             ("an exit", "exit 3", "its process ended with exit status 3"),
+                             ("another version", "printf 'v\\003\\000\\000\\000\\000\\000\\000\\0000.0'; exec sleep 600", "is not of version"),
+                             ("no reader", "exec 0<&-; exec sleep 600", "did not answer within 60 s"),
+                             ("a hang", "exec sleep 600", "did not answer within 60 s")):
+    libraries = make_libraries("repair_shop_" + what.replace(" ", "_"), script)
+    check_unrepaired(what, run(damaged, libraries), reason, whole["solids"][1])
 finish()

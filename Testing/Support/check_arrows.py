@@ -35,9 +35,9 @@ ROOMS = {
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),
     "ReadersFaces": ("Readers/Faces", ["FiltersNURBS"]),
     "ReadersPart21": ("Readers/Part21", ["FiltersCommon"]),
-    "ReadersSTEP": ("Readers/STEP", ["ReadersFaces", "ReadersPart21", "FiltersTessellation", "FiltersNURBS"]),
-    "ReadersBREP": ("Readers/BREP", ["ReadersSTEP"]),
-    "ReadersKernel": ("Readers/Kernel", ["ReadersBREP", "ReadersSTEP", "ReadersFaces", "FiltersNURBS"]),
+    "ReadersKernel": ("Readers/Kernel", ["ReadersFaces", "FiltersNURBS"]),
+    "ReadersSTEP": ("Readers/STEP", ["ReadersFaces", "ReadersKernel", "ReadersPart21", "FiltersTessellation", "FiltersNURBS"]),
+    "ReadersBREP": ("Readers/BREP", ["ReadersKernel", "ReadersSTEP"]),
 }
 
 

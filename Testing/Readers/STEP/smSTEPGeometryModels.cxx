@@ -459,7 +459,7 @@ private:
 
 void CompareGeometryWithKernel(const std::vector<std::string>& paths)
 {
-  const sm::KernelSession session;
+  sm::SetUpKernel();
   std::vector<std::string> files;
   for (const std::string& path : paths)
   {

@@ -42,18 +42,18 @@ constexpr double TransferShare = 0.8;
 
 /// Sets OpenCASCADE's parameters for writing. The scale of lengths is not set here, but in the document and
 /// the model.
-void SetForWriting(KernelSettings& settings, const std::string& unit)
+void SetForWriting(const std::string& unit)
 {
   std::string name;
   for (const char c : unit)
   {
     name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
-  settings.Set("write.step.unit", name.c_str());
-  settings.Set("write.step.schema", "AP214IS");
-  settings.Set("write.surfacecurve.mode", "On");
-  settings.Set("write.step.assembly", "Auto");
-  settings.Set("write.step.product.name", "Part");
+  SetKernelParameter("write.step.unit", name.c_str());
+  SetKernelParameter("write.step.schema", "AP214IS");
+  SetKernelParameter("write.surfacecurve.mode", "On");
+  SetKernelParameter("write.step.assembly", "Auto");
+  SetKernelParameter("write.step.product.name", "Part");
 }
 
 TCollection_ExtendedString ToExtended(const std::string& text)
@@ -247,9 +247,7 @@ private:
 void Write(const ExportTree& tree, const ExportOptions& options, std::ostream& stream,
   const ProgressCallback& progress, ExportResult& result)
 {
-  const KernelSession kernel;
-  KernelSettings settings;
-  SetForWriting(settings, options.UnitName);
+  SetForWriting(options.UnitName);
   const auto ask = [&](double x)
   {
     result.Aborted = result.Aborted || !progress(x);
@@ -350,7 +348,6 @@ ExportResult WriteBREP(const ExportTree& tree, const ExportOptions& options, std
   return Guard(
     [&](ExportResult& result)
     {
-      const KernelSession kernel;
       const std::vector<BuiltPart> parts = BuildParts(tree, options.Unit, result.Warnings,
         [&](double x)
         {

@@ -6,7 +6,6 @@
 #define smOCCTMakeShape_h
 
 #include "Shapes/smShape.h"
-#include "smReadersKernelModule.h"
 
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
@@ -35,7 +34,7 @@ struct MadeShapes
 
 /// Makes the shape of a solid, or of the shell that a body has. `faces` gets those of its faces. Throws what
 /// OpenCASCADE throws, and std::runtime_error.
-SMREADERSKERNEL_EXPORT TopoDS_Shape MakeKernelShape(
+TopoDS_Shape MakeKernelShape(
   const BodyShape& body, MadeShapes& made, std::unordered_map<const FaceShape*, TopoDS_Shape>& faces);
 }
 

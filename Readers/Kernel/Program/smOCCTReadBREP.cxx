@@ -5,7 +5,6 @@
 #include "smOCCTFailure.h"
 #include "smOCCTFile.h"
 #include "smOCCTImport.h"
-#include "smShapeAdder.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -85,30 +84,28 @@ private:
   std::unordered_map<const void*, Count> Counts;
 };
 
-/// Adds the products of a shape to a document.
-class ProductMaker
+/// Makes the tree of a shape.
+class TreeMaker
 {
 public:
-  ProductMaker(Document& document, ShapeCounter& counter)
-    : Result(document)
-    , Adder(document)
-    , Counter(counter)
+  explicit TreeMaker(ShapeCounter& counter)
+    : Counter(counter)
   {
   }
 
-  void Add(const TopoDS_Shape& shape)
+  void Make(const TopoDS_Shape& shape, BREPContent& content)
   {
-    this->Adder.Announce(this->Import.MakeGroup(shape));
-    ProductNode product =
+    content.Shapes = this->Import.MakeGroup(shape);
+    ShapeNode product =
       this->Visit(shape.Located(TopLoc_Location()), ToPlacement(shape.Location().Transformation()));
     if (!shape.Location().IsIdentity())
     {
       // The file places one product.
-      ProductNode root;
+      ShapeNode root;
       root.Children.push_back(std::move(product));
       product = std::move(root);
     }
-    this->Result.Root.Children.push_back(std::move(product));
+    content.Root.Children.push_back(std::move(product));
   }
 
 private:
@@ -132,13 +129,13 @@ private:
   }
 
   /// `shape` has no location.
-  ProductNode Visit(const TopoDS_Shape& shape, const Placement& placement)
+  ShapeNode Visit(const TopoDS_Shape& shape, const Placement& placement)
   {
-    ProductNode node;
+    ShapeNode node;
     if (!this->IsAssembly(shape))
     {
-      this->Adder.Add(
-        this->Import.MakeGroup(shape), PartBody(), placement, Vector3{ -1.0, -1.0, -1.0 }, node);
+      node.Shapes = this->Import.MakeGroup(shape);
+      node.Place = placement;
       return node;
     }
     // The members' orientations include that of the assembly.
@@ -151,15 +148,13 @@ private:
     return node;
   }
 
-  Document& Result;
-  ShapeAdder Adder;
   ShapeImport Import;
   ShapeCounter& Counter;
 };
 
 /// Reports closed shells outside of the solids of a file, which are left out although they may be meant as
 /// solids.
-void FindLostShells(const TopoDS_Shape& shape, Document& document)
+void FindLostShells(const TopoDS_Shape& shape, BREPContent& content)
 {
   int shells = 0;
   for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
@@ -168,13 +163,13 @@ void FindLostShells(const TopoDS_Shape& shape, Document& document)
   }
   if (shells > 0)
   {
-    document.Defects.push_back(
+    content.Defects.push_back(
       "Closed shells outside the solids of the file belong to none of them and are left out: " +
       std::to_string(shells) + ".");
   }
 }
 
-void Read(std::string_view bytes, const ProgressCallback& progress, Document& document)
+void Read(std::string_view bytes, const ProgressCallback& progress, BREPContent& content)
 {
   TopoDS_Shape shape;
   MemoryBuffer buffer(bytes);
@@ -191,71 +186,59 @@ void Read(std::string_view bytes, const ProgressCallback& progress, Document& do
   indicator->Rethrow();
   if (!progress(1.0))
   {
-    document.Status = ReadStatus::Aborted;
+    content.IsStopped = true;
     return;
   }
   // Three bytes of FreeCAD's file are left, and the shape may be any of its parts.
   if (!IsTextBREP(bytes) && stream.good() && stream.peek() != std::istream::traits_type::eof() &&
     IsBREPOfFreeCAD(bytes))
   {
-    document.Problem = FreeCADProblem;
+    content.Problem = FreeCADProblem;
     return;
   }
   if (shape.IsNull() || stream.fail())
   {
-    document.Problem = "OpenCASCADE cannot parse it: it is damaged, or of a newer version; save it again";
+    content.Problem = "OpenCASCADE cannot parse it: it is damaged, or of a newer version; save it again";
     return;
   }
   ShapeCounter counter;
-  document.Problem = counter.FindExcess(shape);
-  if (!document.Problem.empty())
+  content.Problem = counter.FindExcess(shape);
+  if (!content.Problem.empty())
   {
-    document.Problem += "; save its parts one by one";
+    content.Problem += "; save its parts one by one";
     return;
   }
-  ProductMaker(document, counter).Add(shape);
+  TreeMaker(counter).Make(shape, content);
   if (counter.Get(shape).HasSolid)
   {
-    FindLostShells(shape, document);
-  }
-  document.Status = document.Bodies.empty() ? ReadStatus::Empty : ReadStatus::Ok;
-  if (document.Bodies.empty())
-  {
-    document.Problem = "it has no solid, shell or face";
+    FindLostShells(shape, content);
   }
 }
 }
 
-Document ReadKernelBREP(std::string_view bytes, const ProgressCallback& progress)
+BREPContent ReadKernelBREP(std::string_view bytes, const ProgressCallback& progress)
 {
-  Document document;
+  BREPContent content;
   if (!LooksLikeBREP(bytes))
   {
-    document.Problem = NotBREP;
-    return document;
+    content.Problem = NotBREP;
+    return content;
   }
   if (IsTextBREP(bytes) && !IsWholeBREP(bytes))
   {
-    document.Problem = "it ends in the middle, or without a line end: copy or save it again";
-    return document;
+    content.Problem = "it ends in the middle, or without a line end: copy or save it again";
+    return content;
   }
-  const std::string failure = CatchKernelFailure(
-    [&]()
-    {
-      const KernelSession session;
-      Read(bytes, progress, document);
-    });
-  const bool isFailed = !failure.empty() || document.Status == ReadStatus::Unreadable;
+  const std::string failure = CatchKernelFailure([&]() { Read(bytes, progress, content); });
+  const bool isFailed = !failure.empty() || !content.Problem.empty();
   if (isFailed && !IsTextBREP(bytes) && IsBREPOfFreeCAD(bytes))
   {
-    document.Status = ReadStatus::Unreadable;
-    document.Problem = FreeCADProblem;
+    content.Problem = FreeCADProblem;
   }
   else if (!failure.empty())
   {
-    document.Status = ReadStatus::Unreadable;
-    document.Problem = "it could not be read (" + failure + "); save it again";
+    content.Problem = "it could not be read (" + failure + "); save it again";
   }
-  return document;
+  return content;
 }
 }

@@ -7,7 +7,6 @@
 
 #include "Shapes/smShape.h"
 #include "smOCCTMakeShape.h"
-#include "smReadersKernelModule.h"
 
 #include <Geom2d_Curve.hxx>
 #include <NCollection_DataMap.hxx>
@@ -31,7 +30,7 @@ Placement ToPlacement(const gp_Trsf& trsf);
  * Makes shapes of a file of those of OpenCASCADE; shapes that OpenCASCADE shares are one object. On a surface
  * that is not a plane an edge without a curve in its parameters gets OpenCASCADE's approximation.
  */
-class SMREADERSKERNEL_EXPORT ShapeImport
+class ShapeImport
 {
 public:
   /// `origin` has shapes that OpenCASCADE's were made of: surfaces and curves that are still the same keep

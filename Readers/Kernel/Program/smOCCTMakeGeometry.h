@@ -6,7 +6,6 @@
 #define smOCCTMakeGeometry_h
 
 #include "Geometry/smGeometricSurface.h"
-#include "smReadersKernelModule.h"
 
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
@@ -17,9 +16,9 @@ namespace sm
 /// Makes an OpenCASCADE object of a value: the inverse of MakeGeometry() (smOCCTGeometry.h), except for the
 /// last bits of unit vectors, which OpenCASCADE divides by their length again. Throws std::runtime_error with
 /// a short reason for a value of which OpenCASCADE has no kind, and what OpenCASCADE throws.
-SMREADERSKERNEL_EXPORT Handle(Geom_Surface) MakeKernelSurface(const GeometricSurface& surface);
-SMREADERSKERNEL_EXPORT Handle(Geom_Curve) MakeKernelCurve(const GeometricCurve<3>& curve);
-SMREADERSKERNEL_EXPORT Handle(Geom2d_Curve) MakeKernelCurve(const GeometricCurve<2>& curve);
+Handle(Geom_Surface) MakeKernelSurface(const GeometricSurface& surface);
+Handle(Geom_Curve) MakeKernelCurve(const GeometricCurve<3>& curve);
+Handle(Geom2d_Curve) MakeKernelCurve(const GeometricCurve<2>& curve);
 }
 
 #endif

@@ -10,62 +10,20 @@
 
 namespace sm
 {
-namespace
-{
-std::mutex& GetKernelMutex()
-{
-  static std::mutex mutex;
-  return mutex;
-}
-
-thread_local int SessionDepth = 0;
-}
-
-void KernelSettings::Set(const char* name, const char* value)
+void SetKernelParameter(const char* name, const char* value)
 {
   if (Interface_Static::IsPresent(name))
   {
-    this->Before.emplace(name, Interface_Static::CVal(name));
     Interface_Static::SetCVal(name, value);
   }
 }
 
-KernelSettings::~KernelSettings()
+void SetUpKernel()
 {
-  for (const auto& [name, value] : this->Before)
-  {
-    Interface_Static::SetCVal(name.c_str(), value.c_str());
-  }
-}
-
-KernelSession::KernelSession()
-{
-  if (SessionDepth > 0)
-  {
-    ++SessionDepth;
-    return;
-  }
-  this->Lock = std::unique_lock<std::mutex>(GetKernelMutex());
   // Registers the parameters of the STEP translator, so that the unit can be set.
   STEPControl_Controller::Init();
-  this->Printers = Message::DefaultMessenger()->Printers();
   Message::DefaultMessenger()->ChangePrinters().Clear();
-  this->Settings.Set("xstep.cascade.unit", "MM");
-  SessionDepth = 1;
-}
-
-KernelSession::~KernelSession()
-{
-  if (--SessionDepth > 0)
-  {
-    return;
-  }
-  Message::DefaultMessenger()->ChangePrinters() = this->Printers;
-}
-
-bool KernelSession::IsHeldHere()
-{
-  return SessionDepth > 0;
+  SetKernelParameter("xstep.cascade.unit", "MM");
 }
 
 void SetMillimetres(const Handle(TDocStd_Document) & document)

@@ -6,7 +6,6 @@
 #define smOCCTGeometry_h
 
 #include "Geometry/smGeometricSurface.h"
-#include "smReadersKernelModule.h"
 
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
@@ -16,9 +15,9 @@ namespace sm
 {
 /// Makes a value of a curve or surface without its trims. Null for a kind that OpenCASCADE does not make of
 /// STEP files. Throws std::runtime_error with a short reason if OpenCASCADE's data are not consistent.
-SMREADERSKERNEL_EXPORT SurfacePointer MakeGeometry(const Handle(Geom_Surface) & surface);
-SMREADERSKERNEL_EXPORT CurvePointer<3> MakeGeometry(const Handle(Geom_Curve) & curve);
-SMREADERSKERNEL_EXPORT CurvePointer<2> MakeGeometry(const Handle(Geom2d_Curve) & curve);
+SurfacePointer MakeGeometry(const Handle(Geom_Surface) & surface);
+CurvePointer<3> MakeGeometry(const Handle(Geom_Curve) & curve);
+CurvePointer<2> MakeGeometry(const Handle(Geom2d_Curve) & curve);
 }
 
 #endif

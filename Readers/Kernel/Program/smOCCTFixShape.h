@@ -16,7 +16,7 @@ namespace sm
 using ShapeVisitor = std::function<void(const TopoDS_Shape& from, const TopoDS_Shape& to)>;
 
 /// Repairs a shape; a shape of which the repair fails is returned as it is. `precision` and the largest
-/// tolerance that edges and vertices may get are in millimetres. Hold a KernelSession.
+/// tolerance that edges and vertices may get are in millimetres.
 TopoDS_Shape FixShape(
   const TopoDS_Shape& shape, double precision, double maximum, const ShapeVisitor& visitChanges);
 

@@ -6,57 +6,21 @@
 #define smOCCTFile_h
 
 #include "smProgressCallback.h"
-#include "smReadersKernelModule.h"
 
 #include <Message_ProgressIndicator.hxx>
-#include <Message_SequenceOfPrinters.hxx>
 #include <TDocStd_Document.hxx>
 
 #include <atomic>
 #include <exception>
-#include <map>
-#include <mutex>
-#include <string>
 
 namespace sm
 {
-/// Sets parameters of OpenCASCADE, which are global in the process, and restores them in the destructor.
-/// Parameters that this version does not know are ignored.
-class SMREADERSKERNEL_EXPORT KernelSettings
-{
-public:
-  KernelSettings() = default;
-  ~KernelSettings();
-  KernelSettings(const KernelSettings&) = delete;
-  void operator=(const KernelSettings&) = delete;
+/// Sets a parameter of OpenCASCADE, which is global in the process. One that this version does not know is
+/// ignored.
+void SetKernelParameter(const char* name, const char* value);
 
-  void Set(const char* name, const char* value);
-
-private:
-  std::map<std::string, std::string> Before;
-};
-
-/**
- * A lock on OpenCASCADE, whose parameters and messenger are global. During a session OpenCASCADE prints
- * nothing, and lengths are converted to mm. The session of another thread waits;
- * a nested session of the same thread has no effect.
- */
-class SMREADERSKERNEL_EXPORT KernelSession
-{
-public:
-  KernelSession();
-  ~KernelSession();
-  KernelSession(const KernelSession&) = delete;
-  void operator=(const KernelSession&) = delete;
-
-  /// Returns true if this thread has a session.
-  static bool IsHeldHere();
-
-private:
-  std::unique_lock<std::mutex> Lock;
-  Message_SequenceOfPrinters Printers;
-  KernelSettings Settings;
-};
+/// Sets OpenCASCADE up for the process: it prints nothing, and lengths are converted to mm.
+void SetUpKernel();
 
 /// States that the lengths of a document are in mm. OpenCASCADE uses the settings of the process only for a
 /// document without a unit.
