@@ -99,6 +99,67 @@ std::set<int> FindFarFaces(vtkTrimmedNURBSModel* model, const Grip& grip, const 
   }
   return far;
 }
+
+/// For each face, control points and their displacements in world coordinates.
+using PointMoves = std::map<int, std::vector<std::pair<ControlPointIndex, std::array<double, 3>>>>;
+
+/// Returns the derivatives of the volume by the points that only `far` faces share, a group once, and the
+/// length of the largest one.
+PointMoves FindPointMoves(const MomentGradientResult& gradient, const std::set<int>& far,
+  const TiedGroups& groups, const std::map<int, std::set<int>>& facesOf, double& largest)
+{
+  PointMoves moves;
+  std::set<int> seen;
+  for (const FaceMomentGradient& face : gradient.Faces)
+  {
+    const double* values = face.Values.data();
+    for (int v = 0; v < face.Count[1]; ++v)
+    {
+      for (int u = 0; u < face.Count[0]; ++u)
+      {
+        const int group = groups[face.Face][static_cast<std::size_t>(u) + face.Count[0] * v];
+        const std::set<int>& sharing = facesOf.at(group);
+        if (std::includes(far.begin(), far.end(), sharing.begin(), sharing.end()) &&
+          seen.insert(group).second)
+        {
+          const std::array<double, 3> along{ values[face.GetIndex(u, v, 0, 0)],
+            values[face.GetIndex(u, v, 1, 0)], values[face.GetIndex(u, v, 2, 0)] };
+          largest = std::max(largest, vtkMath::Norm(along.data()));
+          moves[face.Face].push_back({ { u, v }, along });
+        }
+      }
+    }
+  }
+  return moves;
+}
+
+/// Moves points by `factor` times their displacements, with those that are tied to them.
+ModelEdit MovePoints(vtkNURBSDataSet* body, const PointMoves& moves, double factor)
+{
+  ModelEdit edit;
+  edit.Model = body->GetModel();
+  for (const auto& [face, points] : moves)
+  {
+    std::vector<std::pair<ControlPointIndex, std::array<double, 4>>> moved;
+    for (const auto& [index, along] : points)
+    {
+      std::array<double, 4> point{};
+      GetControlPoint(edit.Model, face, index, point);
+      const std::array<double, 3> by = ToModelVector(body, along);
+      for (int c = 0; c < 3; ++c)
+      {
+        point[c] += point[3] * by[c] * factor;
+      }
+      moved.push_back({ index, point });
+    }
+    edit = SetControlPoints(edit.Model, face, moved, EditRule::MoveSharedBoundary);
+    if (edit.Status != EditStatus::Ok)
+    {
+      break;
+    }
+  }
+  return edit;
+}
 }
 
 void VolumeHold::SetOn(bool on)
@@ -119,42 +180,23 @@ void VolumeHold::Forget()
 vtkSmartPointer<vtkTrimmedNURBSModel> VolumeHold::MoveAlongGradient(
   vtkNURBSDataSet* body, const Grip& grip, double amount)
 {
-  vtkSmartPointer<vtkTrimmedNURBSModel> model = body->GetModel();
+  vtkTrimmedNURBSModel* model = body->GetModel();
   const TiedGroups groups = FindTiedPoints(model);
   const std::map<int, std::set<int>> facesOf = FindFacesOfGroups(groups);
   const std::set<int> far = FindFarFaces(model, grip, groups, facesOf);
-  MomentGradientOptions options;
-  options.Faces.assign(far.begin(), far.end());
-  const MomentGradientResult gradient =
-    far.empty() ? MomentGradientResult{} : ComputeMomentGradient(body, options);
-  if (!far.empty() && gradient.Status != "ok")
-  {
-    this->Message = "the volume cannot be held: the part is " + gradient.Status + "; " + gradient.Reason;
-    return nullptr;
-  }
-  using Move = std::pair<ControlPointIndex, std::array<double, 3>>;
-  std::map<int, std::vector<Move>> moves;
-  std::set<int> seen;
+  PointMoves moves;
   double largest = 0.0;
-  for (const FaceMomentGradient& face : gradient.Faces)
+  if (!far.empty())
   {
-    for (int v = 0; v < face.Count[1]; ++v)
+    MomentGradientOptions options;
+    options.Faces.assign(far.begin(), far.end());
+    const MomentGradientResult gradient = ComputeMomentGradient(body, options);
+    if (gradient.Status != "ok")
     {
-      for (int u = 0; u < face.Count[0]; ++u)
-      {
-        const int group = groups[face.Face][static_cast<std::size_t>(u) + face.Count[0] * v];
-        const std::set<int>& sharing = facesOf.at(group);
-        if (std::includes(far.begin(), far.end(), sharing.begin(), sharing.end()) &&
-          seen.insert(group).second)
-        {
-          const double* values = face.Values.data();
-          const std::array<double, 3> along{ values[face.GetIndex(u, v, 0, 0)],
-            values[face.GetIndex(u, v, 1, 0)], values[face.GetIndex(u, v, 2, 0)] };
-          largest = std::max(largest, vtkMath::Norm(along.data()));
-          moves[face.Face].push_back({ { u, v }, along });
-        }
-      }
+      this->Message = "the volume cannot be held: the part is " + gradient.Status + "; " + gradient.Reason;
+      return nullptr;
     }
+    moves = FindPointMoves(gradient, far, groups, facesOf, largest);
   }
   if (!(largest > 0.0))
   {
@@ -162,29 +204,9 @@ vtkSmartPointer<vtkTrimmedNURBSModel> VolumeHold::MoveAlongGradient(
                     "without opening an edge; press v to drag without";
     return nullptr;
   }
-  for (const auto& [face, points] : moves)
-  {
-    std::vector<std::pair<ControlPointIndex, std::array<double, 4>>> moved;
-    for (const auto& [index, along] : points)
-    {
-      std::array<double, 4> point{};
-      GetControlPoint(model, face, index, point);
-      const std::array<double, 3> by = ToModelVector(body, along);
-      for (int c = 0; c < 3; ++c)
-      {
-        point[c] += point[3] * by[c] * amount / largest;
-      }
-      moved.push_back({ index, point });
-    }
-    const ModelEdit edit = SetControlPoints(model, face, moved, EditRule::MoveSharedBoundary);
-    if (edit.Status != EditStatus::Ok)
-    {
-      this->Message = edit.Message;
-      return nullptr;
-    }
-    model = edit.Model;
-  }
-  return model;
+  const ModelEdit edit = MovePoints(body, moves, amount / largest);
+  this->Message = edit.Message;
+  return edit.Model;
 }
 
 bool VolumeHold::MakePolynomial(vtkNURBSDataSet* body, const Grip& grip, EditRule rule)

@@ -121,6 +121,26 @@ FacePointer MoveFace(const Face& source, const Displacements& moves, double fact
   return moved;
 }
 
+/// Returns the first face of which a point moves unlike one that it is tied to, by more than `tolerance`; -1
+/// if there is none.
+int FindTornFace(const std::vector<Displacements>& moves, const TiedVariables& tied, double tolerance)
+{
+  std::map<int, std::array<double, 3>> first;
+  for (std::size_t f = 0; f < moves.size(); ++f)
+  {
+    for (std::size_t i = 0; i < tied.Points[f].size(); ++i)
+    {
+      const std::array<double, 3> by = moves[f].empty() ? std::array<double, 3>{} : moves[f][i];
+      const std::array<double, 3>& other = first.insert({ tied.Points[f][i], by }).first->second;
+      if (!(std::hypot(by[0] - other[0], by[1] - other[1], by[2] - other[2]) <= tolerance))
+      {
+        return static_cast<int>(f);
+      }
+    }
+  }
+  return -1;
+}
+
 bool HessianRun::FindMoves(
   std::size_t body, const TiedVariables& tied, std::vector<Displacements>& moves, std::string& error) const
 {
@@ -169,23 +189,14 @@ bool HessianRun::FindMoves(
       }
     }
   }
-  std::map<int, std::array<double, 3>> first;
-  for (std::size_t f = 0; this->Options.Tied && f < faces.size(); ++f)
+  const int torn = this->Options.Tied ? FindTornFace(moves, tied, EqualMoves * largest) : -1;
+  if (torn >= 0)
   {
-    for (std::size_t i = 0; i < tied.Points[f].size(); ++i)
-    {
-      const std::array<double, 3> by = moves[f].empty() ? std::array<double, 3>{} : moves[f][i];
-      const std::array<double, 3>& other = first.insert({ tied.Points[f][i], by }).first->second;
-      if (!(std::hypot(by[0] - other[0], by[1] - other[1], by[2] - other[2]) <= EqualMoves * largest))
-      {
-        error = "tied points move apart at face " + std::to_string(f) + " of solid " +
-          std::to_string(this->Mass.Indices[body]) +
-          "; give coinciding points of all faces the same displacement, or switch Tied off";
-        return false;
-      }
-    }
+    error = "tied points move apart at face " + std::to_string(torn) + " of solid " +
+      std::to_string(this->Mass.Indices[body]) +
+      "; give coinciding points of all faces the same displacement, or switch Tied off";
   }
-  return true;
+  return torn < 0;
 }
 
 bool HessianRun::Integrate(std::size_t body, const std::vector<Displacements>& moves,
