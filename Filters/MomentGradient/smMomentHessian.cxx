@@ -367,7 +367,8 @@ bool HessianRun::AddBody(std::size_t body, std::string& error)
   std::vector<NetGradient> products;
   const BodyIntegrals& source = this->Mass.Bodies[body];
   const MassProperties& properties = this->Mass.Analysis.Rows[body].Properties;
-  const bool hasVolume = source.HasVolume() && properties.VolumeBound < std::abs(properties.Volume);
+  const bool hasVolume = source.HasVolume() && std::isfinite(properties.Center[0]) &&
+    properties.VolumeBound < std::abs(properties.Volume);
   if (!this->FindMoves(body, tied, moves, error) || !this->Integrate(body, moves, products, error))
   {
     return false;

@@ -175,99 +175,118 @@ void CheckBoxTwice()
     { { "Volume", 0.0 }, { "FirstMoment_Z", -12.0 }, { "SecondMoment_ZZ", -2.0 * 12.0 * 21.0 } }, 60.0);
 }
 
-/// The second variation by Gauss sums over a face without trim curves inside its border.
-void CheckVariation(vtkNURBSDataSet* leaf, int index, int points, double tolerance)
+using VariationSums = std::array<std::array<Real, 10>, 3>;
+
+/// Adds `weight` times R [ (grad g . e) n + g (e_u x Sv + Su x e_v) ] at a point: R is x of `basis`, e of
+/// `moves`.
+void AddVariation(const sm::NURBSSurface& surface, const double* origin, const sm::NURBSSurface& moves,
+  const sm::NURBSSurface& basis, double u, double v, Real weight, VariationSums& sums)
 {
-  const sm::Face& face = *leaf->GetModel()->GetFaces()[index];
-  const sm::NURBSSurface& surface = face.Surface;
-  const double* origin = leaf->GetModel()->GetOrigin();
-  const int* count = surface.NumberOfControlPoints;
-  const sm::MomentGradientResult gradient = GetGradient(leaf, false);
-  const auto move = [](const sm::FaceMomentGradient& net, const std::array<double, 4>& p)
+  double x[3], xu[3], xv[3], e[3], eu[3], ev[3], r[3];
+  surface.Evaluate(u, v, x, xu, xv);
+  moves.Evaluate(u, v, e, eu, ev);
+  basis.Evaluate(u, v, r);
+  for (int c = 0; c < 3; ++c)
   {
-    return Vector{ 0.3 * p[1] - 0.1 * p[2] * p[0] + net.Face, 0.2 * std::cos(p[0]) + p[2],
-      0.5 - 0.4 * p[1] * p[2] };
-  };
-  const Direction v = MakeDirection(gradient, move);
-  const sm::MomentHessianResult product = Apply(leaf, v, false);
-  // e, and a single R, are surfaces with the same knots and weights.
-  const auto withPoints = [&](const auto& get)
+    x[c] += origin[c];
+  }
+  const double g[10] = { 1.0, x[0], x[1], x[2], x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1],
+    x[1] * x[2], x[0] * x[2] };
+  const double along[10] = { 0.0, e[0], e[1], e[2], 2 * x[0] * e[0], 2 * x[1] * e[1], 2 * x[2] * e[2],
+    x[0] * e[1] + x[1] * e[0], x[1] * e[2] + x[2] * e[1], x[0] * e[2] + x[2] * e[0] };
+  for (int c = 0; c < 3; ++c)
   {
-    sm::NURBSSurface other = surface;
-    for (int i = 0; i < count[0]; ++i)
+    const int d = (c + 1) % 3;
+    const int f = (c + 2) % 3;
+    const double n = xu[d] * xv[f] - xu[f] * xv[d];
+    const double change = eu[d] * xv[f] - eu[f] * xv[d] + xu[d] * ev[f] - xu[f] * ev[d];
+    for (int q = 0; q < 10; ++q)
     {
-      for (int j = 0; j < count[1]; ++j)
+      sums[c][q] += weight * r[0] * (along[q] * n + g[q] * change);
+    }
+  }
+}
+
+/// The second variation by Gauss sums over a whole face, for one R.
+VariationSums IntegrateVariation(const sm::Face& face, const double* origin, const sm::NURBSSurface& moves,
+  const sm::NURBSSurface& basis, const GaussRule& rule, int points)
+{
+  const std::vector<double> us = face.Surface.GetSpanBreaks(0);
+  const std::vector<double> vs = face.Surface.GetSpanBreaks(1);
+  VariationSums sums{};
+  for (std::size_t a = 0; a + 1 < us.size(); ++a)
+  {
+    for (std::size_t b = 0; b + 1 < vs.size(); ++b)
+    {
+      const Real du = us[a + 1] - us[a];
+      const Real dv = vs[b + 1] - vs[b];
+      for (int k = 0; k < points * points; ++k)
       {
-        std::array<double, 4>& point = other.ControlPoints[i + static_cast<std::size_t>(count[0]) * j];
-        const Vector to = get(i, j);
-        point = { point[3] * to[0], point[3] * to[1], point[3] * to[2], point[3] };
+        const Real weight =
+          (face.Reversed ? -1 : 1) * rule.Weights[k % points] * rule.Weights[k / points] * du * dv;
+        AddVariation(face.Surface, origin, moves, basis,
+          static_cast<double>(us[a] + rule.Nodes[k % points] * du),
+          static_cast<double>(vs[b] + rule.Nodes[k / points] * dv), weight, sums);
       }
     }
-    return other;
-  };
-  const sm::NURBSSurface moves = withPoints(
-    [&](int i, int j) { return v[index].Displacements[static_cast<std::size_t>(i) * count[1] + j]; });
-  const GaussRule rule = MakeGaussRule(points);
-  const std::vector<double> us = surface.GetSpanBreaks(0);
-  const std::vector<double> vs = surface.GetSpanBreaks(1);
-  double worst = 0.0;
-  double worstOfBound = 0.0;
-  double size = 0.0;
+  }
+  return sums;
+}
+
+/// A surface with the knots and weights of another one, and the control points that get(i, j) returns.
+template <class Get>
+sm::NURBSSurface MakeLike(const sm::NURBSSurface& surface, const Get& get)
+{
+  sm::NURBSSurface other = surface;
+  const int* count = surface.NumberOfControlPoints;
   for (int i = 0; i < count[0]; ++i)
   {
     for (int j = 0; j < count[1]; ++j)
     {
-      const sm::NURBSSurface basis = withPoints(
-        [&](int k, int l) {
-          return Vector{ k == i && l == j ? 1.0 : 0.0, 0.0, 0.0 };
-        });
-      Real sums[3][10] = {};
-      for (std::size_t cell = 0; cell < (us.size() - 1) * (vs.size() - 1); ++cell)
+      std::array<double, 4>& point = other.ControlPoints[i + static_cast<std::size_t>(count[0]) * j];
+      const Vector to = get(i, j);
+      point = { point[3] * to[0], point[3] * to[1], point[3] * to[2], point[3] };
+    }
+  }
+  return other;
+}
+
+/// Compares each entry of a whole face with the second variation by Gauss sums.
+void CheckVariation(vtkNURBSDataSet* leaf, int index, int points, double tolerance)
+{
+  const sm::Face& face = *leaf->GetModel()->GetFaces()[index];
+  const int* count = face.Surface.NumberOfControlPoints;
+  const Direction v = MakeDirection(GetGradient(leaf, false),
+    [](const sm::FaceMomentGradient& net, const std::array<double, 4>& p)
+    {
+      return Vector{ 0.3 * p[1] - 0.1 * p[2] * p[0] + net.Face, 0.2 * std::cos(p[0]) + p[2],
+        0.5 - 0.4 * p[1] * p[2] };
+    });
+  const sm::MomentHessianResult product = Apply(leaf, v, false);
+  const sm::NURBSSurface moves = MakeLike(face.Surface,
+    [&](int i, int j) { return v[index].Displacements[static_cast<std::size_t>(i) * count[1] + j]; });
+  const GaussRule rule = MakeGaussRule(points);
+  double worst = 0.0;
+  double worstOfBound = 0.0;
+  double size = 0.0;
+  const sm::FaceHessianProduct& result = product.Faces[index];
+  for (int k = 0; k < count[0] * count[1]; ++k)
+  {
+    const sm::NURBSSurface basis = MakeLike(face.Surface,
+      [&](int i, int j) {
+        return Vector{ i * count[1] + j == k ? 1.0 : 0.0, 0.0, 0.0 };
+      });
+    const VariationSums sums =
+      IntegrateVariation(face, leaf->GetModel()->GetOrigin(), moves, basis, rule, points);
+    for (int c = 0; c < 3; ++c)
+    {
+      for (int q = 0; q < 10; ++q)
       {
-        const std::size_t a = cell % (us.size() - 1);
-        const std::size_t b = cell / (us.size() - 1);
-        for (int k = 0; k < points * points; ++k)
-        {
-          const double s = static_cast<double>(us[a] + rule.Nodes[k % points] * (us[a + 1] - us[a]));
-          const double t = static_cast<double>(vs[b] + rule.Nodes[k / points] * (vs[b + 1] - vs[b]));
-          double x[3], xu[3], xv[3], e[3], eu[3], ev[3], r[3];
-          surface.Evaluate(s, t, x, xu, xv);
-          moves.Evaluate(s, t, e, eu, ev);
-          basis.Evaluate(s, t, r);
-          for (int c = 0; c < 3; ++c)
-          {
-            x[c] += origin[c];
-          }
-          const Real weight = (face.Reversed ? -1.0 : 1.0) * rule.Weights[k % points] *
-            rule.Weights[k / points] * (us[a + 1] - us[a]) * (vs[b + 1] - vs[b]) * r[0];
-          const double g[10] = { 1.0, x[0], x[1], x[2], x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1],
-            x[1] * x[2], x[0] * x[2] };
-          const double along[10] = { 0.0, e[0], e[1], e[2], 2 * x[0] * e[0], 2 * x[1] * e[1], 2 * x[2] * e[2],
-            x[0] * e[1] + x[1] * e[0], x[1] * e[2] + x[2] * e[1], x[0] * e[2] + x[2] * e[0] };
-          for (int c = 0; c < 3; ++c)
-          {
-            const int d = (c + 1) % 3;
-            const int f = (c + 2) % 3;
-            const double n = xu[d] * xv[f] - xu[f] * xv[d];
-            const double change = eu[d] * xv[f] - eu[f] * xv[d] + xu[d] * ev[f] - xu[f] * ev[d];
-            for (int q = 0; q < 10; ++q)
-            {
-              sums[c][q] += weight * (along[q] * n + g[q] * change);
-            }
-          }
-        }
-      }
-      const sm::FaceHessianProduct& result = product.Faces[index];
-      for (int c = 0; c < 3; ++c)
-      {
-        for (int q = 0; q < 10; ++q)
-        {
-          const std::size_t at = result.GetIndex(i, j, c, q);
-          const double difference = std::abs(static_cast<double>(sums[c][q]) - result.Values[at]);
-          size = std::max(size, std::abs(result.Values[at]));
-          worst = std::max(worst, difference - result.Bounds[at]);
-          worstOfBound = std::max(worstOfBound, result.Bounds[at]);
-        }
+        const std::size_t at = result.GetIndex(k / count[1], k % count[1], c, q);
+        size = std::max(size, std::abs(result.Values[at]));
+        worst =
+          std::max(worst, std::abs(static_cast<double>(sums[c][q]) - result.Values[at]) - result.Bounds[at]);
+        worstOfBound = std::max(worstOfBound, result.Bounds[at]);
       }
     }
   }
@@ -275,6 +294,35 @@ void CheckVariation(vtkNURBSDataSet* leaf, int index, int points, double toleran
     index, size, worstOfBound, worst);
   CheckRange("the second variation", -1.0, worst, tolerance * size, "the bound, and the Gauss sums");
   CheckRange("bounds", 0.0, worstOfBound, 1e-6 * size);
+}
+
+/// A shell, of a box without one of its faces, has no volume, and so no derivatives of it.
+void CheckOpen()
+{
+  BoxBody body;
+  body.Add({ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } });
+  const auto leaf = body.Make();
+  std::vector<sm::FacePointer> faces = leaf->GetModel()->GetFaces();
+  faces.pop_back();
+  leaf->GetModel()->SetFaces(faces);
+  leaf->GetModel()->SetBody(vtkTrimmedNURBSModel::SHELL);
+  sm::MomentHessianOptions options;
+  options.Tied = false;
+  const sm::MomentHessianResult result =
+    sm::ComputeMomentHessianProduct(leaf, { { 0, 0, std::vector<Vector>(4, { 1.0, 0.0, 0.0 }) } }, options);
+  CheckEqual("status of an open shell", "open", result.Status);
+  bool isUnknown = result.Faces.size() == 5;
+  for (const sm::FaceHessianProduct& face : result.Faces)
+  {
+    for (std::size_t k = 0; k < face.Values.size(); ++k)
+    {
+      isUnknown = isUnknown && std::isnan(face.Values[k]) && std::isnan(face.Bounds[k]);
+    }
+  }
+  CheckTrue("all is NaN", isUnknown);
+  CheckTrue("and said so",
+    std::any_of(result.Messages.begin(), result.Messages.end(),
+      [](const std::string& message) { return message.find("all values are NaN") != std::string::npos; }));
 }
 
 void CheckFailures()
@@ -335,6 +383,7 @@ int TestMomentHessian(int argc, char* argv[])
   {
     CheckVariation(leaf, face, 10, 1e-13);
   }
+  CheckOpen();
   CheckFailures();
   return Finish();
 }
