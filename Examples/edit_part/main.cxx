@@ -72,6 +72,7 @@ struct Arguments
   std::string BeforeAfter;
   std::vector<int> Size; ///< width and height; empty: that of the recording, or the default
   bool NoTimes = false;
+  bool HoldVolume = false;
 };
 
 const std::array<int, 2> DefaultSize = { 900, 700 };
@@ -104,6 +105,9 @@ bool Parse(int argc, char** argv, Arguments& arguments, int& exitStatus)
     ->expected(2)
     ->check(CLI::Range(300, 8192))
     ->type_name("NUMBER");
+  app.add_flag("--hold-volume", arguments.HoldVolume,
+    "Hold the volume during drags, to 1e-9 of it: other control points of the face\nfollow; the key v "
+    "switches it");
   app.add_flag("--no-times", arguments.NoTimes, "Show no times: they differ from run to run");
   try
   {
@@ -165,7 +169,15 @@ Json Describe(const Arguments& arguments, const Json& first, sm::EditScene& scen
         { { "edge", opened.Source->FileId }, { "face", opened.Face }, { "gap", opened.Gap } });
     }
   }
+  const sm::VolumeHold& hold = scene.GetHold();
+  result["hold"] = nullptr;
+  if (hold.IsOn() && hold.GetVolume())
+  {
+    result["hold"] = { { "volume", *hold.GetVolume() }, { "largest_deviation", hold.GetLargestDeviation() },
+      { "begin_seconds", hold.GetBeginSeconds() } };
+  }
   Json& seconds = result["seconds"];
+  seconds["hold"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.Hold; });
   seconds["edit"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.Edit; });
   seconds["display_points"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.Display; });
   seconds["moments"] = Summarize(times, [](const sm::UpdateTimes& t) { return t.Moments; });
@@ -260,6 +272,7 @@ int Run(const Arguments& arguments, vtkSTEPReader* reader, vtkRenderWindow* wind
   interactor->SetRenderWindow(window);
   sm::EditScene scene(window, part, name);
   scene.SetShowTimes(!arguments.NoTimes);
+  scene.GetHold().SetOn(arguments.HoldVolume);
   vtkNew<smEditStyle> style;
   style->SetScene(&scene);
   style->SetPictureStem(sm::GetStem(name));

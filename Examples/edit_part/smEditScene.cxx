@@ -54,6 +54,7 @@ const char* const HelpText = "click a face: show its control net\n"
                              "Ctrl+Z, Ctrl+Y: undo, redo\n"
                              "o: move one face alone, or all faces at an edge\n"
                              "r: reset the part to the file\n"
+                             "v: hold the volume, or do not\n"
                              "s: save a picture\n"
                              "f: show the whole part\n"
                              "drag elsewhere: rotate, middle button: pan\n"
@@ -204,6 +205,23 @@ std::string EditScene::DescribeOpened() const
     FormatDigits(widest, 3) + " " + unit + "\n";
 }
 
+std::string EditScene::DescribeHold() const
+{
+  if (!this->Hold.IsOn())
+  {
+    return {};
+  }
+  if (!this->Hold.GetVolume())
+  {
+    return "the volume is held from the next drag on\n";
+  }
+  const std::string unit = GetText(this->Mass->GetOutput()->GetFieldData(), 0, names::LengthUnit);
+  const bool isHeld = this->Hold.GetDeviation() <= VolumeHold::Tolerance;
+  return std::string(isHeld ? "volume held at " : "volume NOT held at ") +
+    FormatDigits(*this->Hold.GetVolume(), 12) + " " + unit + "^3, off by " +
+    FormatDigits(this->Hold.GetDeviation(), 2) + " of it\n";
+}
+
 void EditScene::ShowNumbers()
 {
   const std::string opened = this->DescribeOpened();
@@ -225,6 +243,7 @@ void EditScene::ShowNumbers()
 
   std::string state = opened;
   state += this->Rule == EditRule::OneFace ? "moving one face alone\n" : "";
+  state += RaiseDigits(this->DescribeHold());
   state += this->Notice;
   SetText(this->State, state.empty() ? " " : state);
   const double* stateColor = opened.empty() ? DarkColor : RedColor;
@@ -234,12 +253,14 @@ void EditScene::ShowNumbers()
 void EditScene::Update()
 {
   UpdateTimes times;
+  times.Hold = this->Hold.IsOn() ? this->Hold.GetSolveSeconds() : 0.0;
   times.Edit = this->Part.GetEditSeconds();
   times.Display = this->Part.GetDisplaySeconds();
   const double start = vtkTimerLog::GetUniversalTime();
   this->Mass->Update();
   const double computed = vtkTimerLog::GetUniversalTime();
   times.Moments = computed - start;
+  this->Hold.Record(this->Mass->GetVolume());
   this->ShowBodies();
   this->ShowOpened();
   this->Net.Follow(this->Part);

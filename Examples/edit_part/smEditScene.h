@@ -11,6 +11,7 @@
 
 #include "smControlNet.h"
 #include "smEditedPart.h"
+#include "smVolumeHold.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -31,13 +32,14 @@ namespace sm
 /// Seconds of one update.
 struct UpdateTimes
 {
+  double Hold = 0.0;    ///< the correction that keeps the volume
   double Edit = 0.0;    ///< new faces, opened edges
   double Display = 0.0; ///< display points of the new faces
   double Moments = 0.0; ///< all integrals and their bounds
   double Draw = 0.0;    ///< the picture
 
   /// Returns the time from the mouse event to the results, without the picture.
-  double GetComputing() const { return this->Edit + this->Display + this->Moments; }
+  double GetComputing() const { return this->Hold + this->Edit + this->Display + this->Moments; }
 };
 
 class EditScene
@@ -60,6 +62,7 @@ public:
   bool PickFace(int x, int y, int& body, int& face);
 
   EditedPart& GetPart() { return this->Part; }
+  VolumeHold& GetHold() { return this->Hold; }
   ControlNet& GetNet() { return this->Net; }
   vtkRenderer* GetRenderer() { return this->Body; }
   vtkRenderWindow* GetWindow() { return this->Window; }
@@ -95,6 +98,7 @@ private:
   void ShowOpened();
   void ShowNumbers();
   std::string DescribeOpened() const;
+  std::string DescribeHold() const;
 
   vtkRenderWindow* Window;
   EditedPart& Part;
@@ -102,6 +106,7 @@ private:
   vtkNew<vtkRenderer> Front;
   vtkNew<vtkMassPropertiesGPU> Mass;
   ControlNet Net;
+  VolumeHold Hold;
   std::vector<DrawnBody> Bodies;
   vtkNew<vtkPolyData> Opened;
   vtkSmartPointer<vtkTextActor> Title;

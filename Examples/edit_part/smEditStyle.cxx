@@ -4,6 +4,7 @@
 
 #include <smFormat.h>
 #include <vtkImageData.h>
+#include <vtkMassPropertiesGPU.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
@@ -55,6 +56,14 @@ void smEditStyle::BeginDrag(int point)
   {
     return;
   }
+  sm::VolumeHold& hold = this->Scene->GetHold();
+  if (hold.IsOn() &&
+    !hold.Begin(this->Scene->GetPart(), this->Dragged, this->Rule, this->Scene->GetMass()->GetVolume()))
+  {
+    this->Scene->SetNotice(hold.GetMessage());
+    this->Scene->Draw();
+    return;
+  }
   this->IsDragging = true;
   this->Normal = this->Scene->GetPart().GetNormal(this->Dragged);
   this->Scene->GetNet().SetSelection(point);
@@ -97,10 +106,19 @@ std::array<double, 3> smEditStyle::GetDisplacement()
 
 void smEditStyle::Drag()
 {
-  if (!this->Scene->GetPart().Move(this->Dragged, this->GetDisplacement(), this->Rule))
+  sm::VolumeHold& hold = this->Scene->GetHold();
+  const std::array<double, 3> displacement = this->GetDisplacement();
+  const vtkSmartPointer<vtkTrimmedNURBSModel> held = hold.IsOn() ? hold.Solve(displacement) : nullptr;
+  if (hold.IsOn() && !held)
   {
-    this->Scene->SetNotice(this->Scene->GetPart().GetMessage());
+    this->Scene->SetNotice(hold.GetMessage());
+    this->Scene->Draw();
+    return;
   }
+  sm::EditedPart& part = this->Scene->GetPart();
+  const bool moved =
+    held ? part.Replace(this->Dragged.Body, held) : part.Move(this->Dragged, displacement, this->Rule);
+  this->Scene->SetNotice(moved ? std::string() : part.GetMessage());
   this->Scene->Update();
 }
 
@@ -188,6 +206,12 @@ void smEditStyle::ScaleWeight(double factor)
   {
     return;
   }
+  if (this->Scene->GetHold().IsOn())
+  {
+    this->Scene->SetNotice("a weight would change the volume, which is held; press v first");
+    this->Scene->Draw();
+    return;
+  }
   if (point < 0 || !this->Scene->GetPart().GetWeight(this->Scene->GetNet().GetGrip(point), weight))
   {
     this->Scene->SetNotice("drag a control point first: its weight is changed");
@@ -228,6 +252,7 @@ void smEditStyle::FinishStep(bool done, const char* notice, const char* nothing)
   this->Scene->SetNotice(done ? notice : nothing);
   if (done)
   {
+    this->Scene->GetHold().Forget();
     this->Scene->Update();
   }
   else
@@ -257,6 +282,14 @@ void smEditStyle::ToggleRule()
   this->Scene->Draw();
 }
 
+void smEditStyle::ToggleHold()
+{
+  sm::VolumeHold& hold = this->Scene->GetHold();
+  hold.SetOn(!hold.IsOn());
+  this->Scene->SetNotice("");
+  this->Scene->Draw();
+}
+
 void smEditStyle::OnEditKey(const std::string& key)
 {
   sm::EditedPart& part = this->Scene->GetPart();
@@ -276,6 +309,10 @@ void smEditStyle::OnEditKey(const std::string& key)
   else if (!control && key == "o")
   {
     this->ToggleRule();
+  }
+  else if (!control && key == "v")
+  {
+    this->ToggleHold();
   }
 }
 

@@ -54,6 +54,7 @@ private:
   void SavePicture();
   void OnEditKey(const std::string& key);
   void ToggleRule();
+  void ToggleHold();
   void FinishStep(bool done, const char* notice, const char* nothing);
 
   sm::EditScene* Scene = nullptr;

@@ -163,16 +163,16 @@ void EditedPart::Show(State state)
 }
 
 template <typename EditFunction>
-bool EditedPart::Change(const Grip& grip, const EditFunction& edit)
+bool EditedPart::Change(int index, const EditFunction& edit)
 {
-  if (grip.Body < 0 || grip.Body >= this->GetNumberOfBodies())
+  if (index < 0 || index >= this->GetNumberOfBodies())
   {
-    this->Message = "there is no body " + std::to_string(grip.Body);
+    this->Message = "there is no body " + std::to_string(index);
     return false;
   }
   const double start = vtkTimerLog::GetUniversalTime();
-  vtkNURBSDataSet* before = this->Steps[this->Step][grip.Body].Leaf;
-  vtkTrimmedNURBSModel* original = this->Steps.front()[grip.Body].Leaf->GetModel();
+  vtkNURBSDataSet* before = this->Steps[this->Step][index].Leaf;
+  vtkTrimmedNURBSModel* original = this->Steps.front()[index].Leaf->GetModel();
   ModelEdit result = edit(before);
   this->Message = result.Message;
   if (result.Status != EditStatus::Ok)
@@ -192,14 +192,14 @@ bool EditedPart::Change(const Grip& grip, const EditFunction& edit)
   this->EditSeconds = edited - start;
   this->DisplaySeconds = vtkTimerLog::GetUniversalTime() - edited;
   State state = this->Steps[this->Step];
-  state[grip.Body] = std::move(body);
+  state[index] = std::move(body);
   this->Show(std::move(state));
   return true;
 }
 
 bool EditedPart::Move(const Grip& grip, const std::array<double, 3>& displacement, EditRule rule)
 {
-  return this->Change(grip,
+  return this->Change(grip.Body,
     [&](vtkNURBSDataSet* leaf)
     {
       return MoveControlPoints(
@@ -207,9 +207,21 @@ bool EditedPart::Move(const Grip& grip, const std::array<double, 3>& displacemen
     });
 }
 
+bool EditedPart::Replace(int body, vtkTrimmedNURBSModel* moved)
+{
+  return this->Change(body,
+    [&](vtkNURBSDataSet* leaf)
+    {
+      ModelEdit edit;
+      edit.Model = moved;
+      edit.Opened = FindOpenedEdges(leaf->GetModel(), moved);
+      return edit;
+    });
+}
+
 bool EditedPart::SetWeight(const Grip& grip, double weight, EditRule rule)
 {
-  return this->Change(grip,
+  return this->Change(grip.Body,
     [&](vtkNURBSDataSet* leaf)
     { return SetWeights(leaf->GetModel(), grip.Face, { grip.Index }, weight, rule); });
 }

@@ -60,10 +60,11 @@ public:
   std::array<double, 3> GetNormal(const Grip& grip) const;
 
   ///@{
-  /// Move a control point by a displacement from its position at the last Commit(), or set its weight;
-  /// several calls do not add up. Return false, with GetMessage() and unchanged bodies, if the edit is
-  /// refused.
+  /// Move a control point by a displacement from its position at the last Commit(), set its weight, or
+  /// replace the model of a body by one that was moved; several calls do not add up. Return false, with
+  /// GetMessage() and unchanged bodies, if the edit is refused.
   bool Move(const Grip& grip, const std::array<double, 3>& displacement, EditRule rule);
+  bool Replace(int body, vtkTrimmedNURBSModel* moved);
   bool SetWeight(const Grip& grip, double weight, EditRule rule);
   ///@}
   const std::string& GetMessage() const { return this->Message; }
@@ -96,7 +97,7 @@ private:
   using State = std::vector<Body>;
 
   template <typename EditFunction>
-  bool Change(const Grip& grip, const EditFunction& edit);
+  bool Change(int index, const EditFunction& edit);
   void Show(State state);
   bool GoTo(std::size_t step);
 

@@ -60,7 +60,8 @@ std::set<std::array<double, 3>> GetVertices(const Face& face)
 }
 
 bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>& faces,
-  const std::vector<double>& sides, double relativeTolerance, const ProgressCallback& progress)
+  const std::vector<double>& sides, double relativeTolerance, const ProgressCallback& progress,
+  Closing closing)
 {
   this->Faces.assign(faces.size(), {});
   this->Evaluations = 0;
@@ -70,7 +71,7 @@ bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>
   std::set<std::array<double, 3>> vertices;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    if (faces[f])
+    if (faces[f] && closing == Closing::Gaps)
     {
       vertices.merge(GetVertices(*model->GetFaces()[f]));
     }
@@ -107,7 +108,11 @@ bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>
   const double length = GetRadius(*model);
   std::vector<FaceStrips> strips(cut.size());
   if (!RunFaces(cut.size(), progress, CutShare, StripShare,
-        [&](std::size_t i) { strips[i] = FaceStrips::Make(*cut[i], tolerance); }))
+        [&](std::size_t i)
+        {
+          strips[i] = closing == Closing::Gaps ? FaceStrips::Make(*cut[i], tolerance)
+                                               : FaceStrips::MakeWithout(*cut[i]);
+        }))
   {
     this->Error = "aborted";
     return false;
@@ -144,7 +149,7 @@ bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>
   return done;
 }
 
-void ModelGradient::Join(vtkTrimmedNURBSModel* model, const TiedVariables& tied)
+void JoinTied(vtkTrimmedNURBSModel* model, const TiedVariables& tied, std::vector<NetGradient>& faces)
 {
   struct Sum
   {
@@ -158,9 +163,9 @@ void ModelGradient::Join(vtkTrimmedNURBSModel* model, const TiedVariables& tied)
     std::map<int, Sum> sums;
     const auto visit = [&](const auto& work)
     {
-      for (std::size_t f = 0; f < this->Faces.size(); ++f)
+      for (std::size_t f = 0; f < faces.size(); ++f)
       {
-        NetGradient& face = this->Faces[f];
+        NetGradient& face = faces[f];
         for (int i = 0; i < face.Count[0]; ++i)
         {
           for (int j = 0; j < face.Count[1]; ++j)

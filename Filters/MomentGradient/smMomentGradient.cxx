@@ -1,12 +1,10 @@
 #include "smMomentGradient.h"
 
+#include "Detail/smGradientBodies.h"
 #include "Detail/smModelGradient.h"
 #include "Detail/smMomentFrame.h"
 #include "smFailureReason.h"
-#include "smFileState.h"
 #include "smFormat.h"
-#include "smIntegralEngine.h"
-#include "smMassAnalysis.h"
 
 #include "vtkDataObject.h"
 #include "vtkTimerLog.h"
@@ -25,20 +23,6 @@ constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 // Fraction of the progress for the mass properties.
 constexpr double MassShare = 0.3;
 constexpr int AreaAt = NumberOfGradientQuantities - 1;
-
-/// A sentence on the first index outside 0 .. count - 1; empty if there is none.
-std::string FindWrongIndex(const std::vector<int>& indices, std::size_t count, const char* what)
-{
-  for (const int index : indices)
-  {
-    if (index < 0 || static_cast<std::size_t>(index) >= count)
-    {
-      return std::string("there is no ") + what + " " + std::to_string(index) + "; give indices from 0 to " +
-        std::to_string(static_cast<long long>(count) - 1);
-    }
-  }
-  return {};
-}
 
 /// One computation.
 class Computation
@@ -72,10 +56,7 @@ private:
 
   const MomentGradientOptions& Options;
   MomentGradientResult Result;
-  std::vector<BodyIntegrals> Bodies;
-  /// Indices of the bodies in the input.
-  std::vector<int> Indices;
-  MassAnalysis Analysis;
+  GradientBodies Mass;
   std::map<vtkTrimmedNURBSModel*, Part> Parts;
   std::int64_t FirstVariable = 0;
 };
@@ -90,57 +71,19 @@ bool Computation::Stop(const std::string& reason)
 
 bool Computation::ComputeMass(vtkDataObject* model)
 {
-  IntegralEngine engine;
-  engine.SetController(nullptr);
-  RunReport& report = engine.GetReport();
-  RejectedInput rejected;
-  std::vector<BodyIntegrals> bodies = CollectBodies(model, rejected);
-  if (bodies.empty())
-  {
-    report.RejectInput(rejected.Withheld > 0);
-    this->Stop(report.Messages.empty() ? "the input has no exact solid" : report.Messages.back());
-    this->Result.Status = GetText(Status::Empty);
-    return false;
-  }
-  const std::string wrong = FindWrongIndex(this->Options.Solids, bodies.size(), "solid");
-  if (!wrong.empty())
-  {
-    return this->Stop(wrong);
-  }
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    const std::vector<int>& chosen = this->Options.Solids;
-    if (chosen.empty() || std::find(chosen.begin(), chosen.end(), static_cast<int>(i)) != chosen.end())
-    {
-      this->Bodies.push_back(bodies[i]);
-      this->Indices.push_back(static_cast<int>(i));
-    }
-  }
-  report.AddBodies(this->Bodies, rejected);
-  report.AddFile(GetFileState(model), true, true);
-  const Tolerance tolerance{ std::max(this->Options.RelativeTolerance, 1e-15), 0.0 };
-  MassAnalysisOptions wanted;
-  wanted.Tolerance = { tolerance, tolerance, tolerance, tolerance };
-  IntegralLimits limits;
-  limits.Backend = BackendChoice::CPU;
-  limits.CacheFaceResults = false;
-  limits.Progress = [this](double fraction)
-  { return !this->Options.Progress || this->Options.Progress(MassShare * fraction); };
-  const IntegralRequest request = MakeMassRequest(wanted.Tolerance);
-  const bool computed = engine.Integrate(request, limits, this->Bodies);
-  engine.Sum(request, computed, wanted.GapLimit, this->Bodies);
-  this->Analysis = AnalyzeMass(this->Bodies, wanted);
-  report.AddStatuses(this->Bodies);
-  this->Result.Status = GetText(report.Status);
-  this->Result.Reason = report.Status == Status::Ok ? "" : report.FindReason(this->Bodies);
-  this->Result.LengthUnit = this->Analysis.Unit;
-  this->Result.Messages = report.Messages;
-  return computed || this->Stop(report.Reason.empty() ? "aborted" : report.Reason);
+  const bool computed = this->Mass.Compute(model, this->Options.Solids, this->Options.RelativeTolerance,
+    [this](double fraction)
+    { return !this->Options.Progress || this->Options.Progress(MassShare * fraction); });
+  this->Result.Status = this->Mass.Status;
+  this->Result.Reason = this->Mass.Reason;
+  this->Result.LengthUnit = this->Mass.Analysis.Unit;
+  this->Result.Messages = this->Mass.Messages;
+  return computed;
 }
 
 const Computation::Part* Computation::GetPart(std::size_t body)
 {
-  const BodyIntegrals& source = this->Bodies[body];
+  const BodyIntegrals& source = this->Mass.Bodies[body];
   const auto found = this->Parts.find(source.Model);
   if (found != this->Parts.end())
   {
@@ -161,17 +104,12 @@ const Computation::Part* Computation::GetPart(std::size_t body)
   }
   part.Tied =
     this->Options.Tied ? TiedVariables::Find(source.Model) : TiedVariables::MakeSeparate(source.Model);
-  std::vector<double> sides;
-  for (std::size_t f = 0; f < count; ++f)
-  {
-    sides.push_back((source.InsideOut ? -1.0 : 1.0) * source.GetSide(f));
-  }
-  const double share = (1.0 - MassShare) / static_cast<double>(this->Bodies.size());
+  const double share = (1.0 - MassShare) / static_cast<double>(this->Mass.Bodies.size());
   const double done = MassShare + share * static_cast<double>(body);
   const auto progress = [this, done, share](double fraction)
   { return !this->Options.Progress || this->Options.Progress(done + share * fraction); };
-  if (!part.Gradient.Compute(source.Model, this->Options.Tied ? part.Tied.AddFollowers(faces) : faces, sides,
-        this->Options.RelativeTolerance, progress))
+  if (!part.Gradient.Compute(source.Model, this->Options.Tied ? part.Tied.AddFollowers(faces) : faces,
+        this->Mass.GetSides(body), this->Options.RelativeTolerance, progress))
   {
     this->Stop(part.Gradient.GetError());
     return nullptr;
@@ -241,8 +179,8 @@ void Computation::ExplainBounds(const BodyIntegrals& body, std::size_t first, bo
 
 FaceMomentGradient Computation::MakeFace(std::size_t body, std::size_t face, const Part& part)
 {
-  const BodyIntegrals& source = this->Bodies[body];
-  const MassProperties& properties = this->Analysis.Rows[body].Properties;
+  const BodyIntegrals& source = this->Mass.Bodies[body];
+  const MassProperties& properties = this->Mass.Analysis.Rows[body].Properties;
   const double* origin = source.Model->GetOrigin();
   const std::array<double, 3> zero{};
   const bool hasVolume = source.HasVolume() && std::isfinite(properties.Center[0]) &&
@@ -254,7 +192,7 @@ FaceMomentGradient Computation::MakeFace(std::size_t body, std::size_t face, con
   const Face& surface = *source.Model->GetFaces()[face];
 
   FaceMomentGradient result;
-  result.Solid = this->Indices[body];
+  result.Solid = this->Mass.Indices[body];
   result.Face = static_cast<int>(face);
   result.FileId = surface.FileId;
   std::copy_n(net.Count, 2, result.Count);
@@ -325,8 +263,8 @@ FaceMomentGradient Computation::MakeFace(std::size_t body, std::size_t face, con
 
 void Computation::AddBody(std::size_t body, const Part& part)
 {
-  const BodyIntegrals& source = this->Bodies[body];
-  const MassProperties& properties = this->Analysis.Rows[body].Properties;
+  const BodyIntegrals& source = this->Mass.Bodies[body];
+  const MassProperties& properties = this->Mass.Analysis.Rows[body].Properties;
   const bool hasVolume = source.HasVolume() && std::isfinite(properties.Center[0]) &&
     properties.VolumeBound < std::abs(properties.Volume);
   const std::size_t first = this->Result.Faces.size();
@@ -354,7 +292,7 @@ MomentGradientResult Computation::Run(vtkDataObject* model)
   }
   const double middle = vtkTimerLog::GetUniversalTime();
   this->Result.MomentSeconds = middle - start;
-  for (std::size_t body = 0; body < this->Bodies.size(); ++body)
+  for (std::size_t body = 0; body < this->Mass.Bodies.size(); ++body)
   {
     const Part* part = this->GetPart(body);
     if (!part)

@@ -258,6 +258,23 @@ FaceStrips FaceStrips::Make(const CutFace& face, double tolerance)
   return strips;
 }
 
+FaceStrips FaceStrips::MakeWithout(const CutFace& face)
+{
+  FaceStrips strips;
+  strips.Ribbons.resize(face.Panels.Ribbons.size());
+  std::size_t coedges = 0;
+  for (const Loop& loop : face.Source->Loops)
+  {
+    coedges += loop.Coedges.size();
+  }
+  strips.Coedges.assign(coedges, 0.0);
+  for (const Patch& patch : face.Panels.Patches)
+  {
+    strips.Reach = std::max(strips.Reach, Norm(patch.Center) + patch.Radius);
+  }
+  return strips;
+}
+
 void BodyStrips::Add(const Face& face, const FaceStrips& strips)
 {
   const std::size_t index = this->Corners.size();

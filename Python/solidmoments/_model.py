@@ -1,8 +1,9 @@
 """Solids built by hand from NumPy arrays."""
+from ._arrays import to_numpy
 
 
 class Model:
-    """A solid of trimmed B-spline faces, from NumPy arrays or what numpy.asarray() makes arrays of: edges first, then faces, then the coedges
+    """A solid of trimmed B-spline faces, from NumPy arrays, what numpy.asarray() makes arrays of, or arrays with DLPack: edges first, then faces, then the coedges
     of each face. add_edge() and add_face() return the index of what they added, from 0. What is wrong raises ValueError with the reason, and
     the model stays as it is.
 
@@ -35,9 +36,7 @@ class Model:
     def add_face(self, degree_u, knots_u, degree_v, knots_v, control_points, reversed=False):
         """A B-spline surface. control_points: (count_v, count_u, 3), or with 4 components w x, w y, w z, w; also (count_v count_u, 3 or 4).
         reversed: its outward normal is -(Su x Sv)."""
-        import numpy
-
-        points = numpy.asarray(control_points, dtype=float)
+        points = to_numpy(control_points)
         if points.ndim not in (2, 3):
             raise ValueError(f"control_points has the shape {points.shape}; it has to be (count_v, count_u, 3 or 4), or with one count")
         counts = (len(knots_v) - degree_v - 1, len(knots_u) - degree_u - 1)
@@ -75,7 +74,7 @@ def _to_vtk(values, components=None):
     import numpy
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
-    array = numpy.ascontiguousarray(values, dtype=float)
+    array = numpy.ascontiguousarray(to_numpy(values))
     if components and array.ndim != 2:
         raise ValueError(f"an array has the shape {array.shape}; it has to be (count, {components})")
     return numpy_to_vtk(array, deep=True)

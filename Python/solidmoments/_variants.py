@@ -2,6 +2,8 @@
 import collections
 import operator
 
+from ._arrays import to_numpy
+
 VariantMoments = collections.namedtuple("VariantMoments", "values bounds gradients")
 
 
@@ -52,7 +54,7 @@ class Variants:
         from vtkmodules.vtkCommonCore import vtkDoubleArray
 
         count = self._moments.GetNumberOfDirections()
-        numbers = numpy.ascontiguousarray(numpy.atleast_2d(numpy.asarray(c, dtype=float)))
+        numbers = numpy.ascontiguousarray(numpy.atleast_2d(to_numpy(c)))
         if numbers.ndim != 2 or numbers.shape[1] != count:
             raise ValueError(f"c has the shape {numpy.shape(c)}; it has to be (n, {count}), one number for each direction")
         arrays = [vtkDoubleArray(), vtkDoubleArray() if bounds else None, vtkDoubleArray() if gradients else None]
@@ -81,7 +83,7 @@ class Variants:
             return
         index = self._moments.AddEmptyDirection(reach)
         for face, displacements in direction.items():
-            net = numpy.ascontiguousarray(numpy.asarray(displacements, dtype=float).reshape(-1, 3))
+            net = numpy.ascontiguousarray(to_numpy(displacements).reshape(-1, 3))
             self._check(self._moments.AddDisplacement(index, int(face), numpy_to_vtk(net, deep=True)))
 
     def _check(self, good):

@@ -1,6 +1,7 @@
 // TestEditPart MODE FILE.step EVENTS FOLDER [-T FOLDER -V BASELINE.png]: the interactive example, played
 // back.
 //   drag     the shipped recording: values against a full run and against a formula, picture, undo
+//   hold     the same with the volume held: the volume after each update, refusals, times
 //   placed   a rotated, mirrored, translated body: drags along the screen and the normal, a cancelled drag,
 //   weights open     one face moved alone: the opened edges and their gaps record   events of a window are
 //   recorded, with its size, and give the same bits when they are played numbers  the texts have decimal
@@ -183,10 +184,11 @@ void CheckRecord(vtkSTEPReader* reader, const std::string& folder)
 int main(int argc, char* argv[])
 {
   const std::string mode = argc > 4 ? argv[1] : "";
-  if (mode != "drag" && mode != "placed" && mode != "open" && mode != "record" && mode != "numbers")
+  if (mode != "drag" && mode != "placed" && mode != "open" && mode != "record" && mode != "numbers" &&
+    mode != "hold")
   {
     std::fprintf(stderr,
-      "usage: TestEditPart drag|placed|open|record|numbers FILE.step EVENTS FOLDER [-T FOLDER -V "
+      "usage: TestEditPart drag|hold|placed|open|record|numbers FILE.step EVENTS FOLDER [-T FOLDER -V "
       "BASELINE.png]\n");
     return 2;
   }
@@ -198,6 +200,12 @@ int main(int argc, char* argv[])
   if (mode == "drag")
   {
     CheckDrag(reader, argv[3], argv[4], argc, argv);
+  }
+  else if (mode == "hold")
+  {
+    CheckHold(reader, argv[3], argv[4]);
+    const std::string part = argv[2];
+    CheckHoldOfTrimmed(part.substr(0, part.rfind('/') + 1) + "sample_part.step");
   }
   else if (mode == "placed")
   {

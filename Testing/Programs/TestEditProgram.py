@@ -79,6 +79,15 @@ def play():
     print(f"median of an update: {1e3 * seconds['computing']['median']:.1f} ms, with its picture "
           f"{1e3 * (seconds['computing']['median'] + seconds['picture']['median']):.0f} ms")
 
+    result = run("--hold-volume", "--size", "720", "560", "--play", options.events, "--json", "-")
+    check_equal("held: exit status", 0, result.returncode)
+    held = json.loads(result.stdout)
+    check("held: the volume", held["first"]["volume"], held["last"]["volume"], 1e-9 * held["first"]["volume"])
+    check_true("held: at each update", 0 < held["hold"]["largest_deviation"] < 1e-9, held["hold"])
+    check_true("not held without the option", values["hold"] is None and last["volume"] > 1.01 * first["volume"])
+    print(f"median of an update with the volume held: {1e3 * held['seconds']['computing']['median']:.1f} ms, a drag begins in "
+          f"{1e3 * held['hold']['begin_seconds']:.0f} ms")
+
     result = run("--size", "400", "300", "--play", write_events("keys", key("s"), key("s"), key("h"), key("r"), key("f")),
                  "--json", "-")
     check_equal("exit status", 0, result.returncode)

@@ -48,6 +48,11 @@ void CheckDrag(
 
 /// A rotated, mirrored, translated body: drags along the screen and the normal, a cancelled drag, weights.
 void CheckPlaced(vtkSTEPReader* reader, const std::string& folder);
+
+/// The shipped recording with the volume held: the volume after each update, by the filter and by Gauss sums.
+void CheckHold(vtkSTEPReader* reader, const std::string& events, const std::string& folder);
+/// Holds the volume of a part of trimmed faces: each face is held, or refused with a reason.
+void CheckHoldOfTrimmed(const std::string& file);
 }
 
 #endif

@@ -30,16 +30,28 @@ struct TiedVariables
   std::vector<bool> AddFollowers(const std::vector<bool>& faces) const;
 };
 
+/// Replaces derivatives by those of the variables. All followers must have been computed.
+void JoinTied(vtkTrimmedNURBSModel* model, const TiedVariables& tied, std::vector<NetGradient>& faces);
+
 /// The gradients of all faces of a model that were asked for.
 class ModelGradient
 {
 public:
+  /// What bounds include besides the integrals over the faces.
+  enum class Closing
+  {
+    /// What gaps between faces leave open.
+    Gaps,
+    /// Nothing: the derivatives are those of the faces with their trim curves.
+    Nothing
+  };
+
   /// `side` is 1 or -1 for each face, a factor of its fluxes. Returns false if stopped, or if a face cannot
   /// be cut; GetError() has the reason.
   bool Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>& faces, const std::vector<double>& sides,
-    double relativeTolerance, const ProgressCallback& progress);
-  /// Replaces the derivatives by those of the variables. All followers must have been computed.
-  void Join(vtkTrimmedNURBSModel* model, const TiedVariables& tied);
+    double relativeTolerance, const ProgressCallback& progress, Closing closing = Closing::Gaps);
+  /// See JoinTied().
+  void Join(vtkTrimmedNURBSModel* model, const TiedVariables& tied) { JoinTied(model, tied, this->Faces); }
 
   const NetGradient& Get(std::size_t face) const { return this->Faces[face]; }
   std::int64_t GetEvaluations() const { return this->Evaluations; }

@@ -31,6 +31,8 @@ public:
   MomentVector Map(const MomentVector& moments) const;
   /// Rotates a vector of three such derivatives, by x, y and z.
   std::array<MomentVector, 3> Rotate(const std::array<MomentVector, 3>& derivatives) const;
+  /// Returns a bound of the relative error of a vector that the axes rotate.
+  double GetAxesOff() const { return this->AxesOff; }
   /// Rotates three numbers with bounds.
   void Rotate(std::array<double, 3>& values, std::array<double, 3>& bounds) const;
 

@@ -50,6 +50,8 @@ struct FaceStrips
 
   /// `tolerance`: an area that is negligible.
   static FaceStrips Make(const CutFace& face, double tolerance);
+  /// Strips without an area.
+  static FaceStrips MakeWithout(const CutFace& face);
 };
 
 /// Bounds of the areas of ribbons and caps by the edge and the vertex that moves them.

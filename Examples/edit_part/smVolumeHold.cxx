@@ -1,0 +1,305 @@
+#include "smVolumeHold.h"
+
+#include <smMomentGradient.h>
+#include <vtkMath.h>
+#include <vtkNURBSDataSet.h>
+#include <vtkTimerLog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace sm
+{
+namespace
+{
+const int Directions = 4;
+const int MaxSteps = 30;
+// Faces that follow: each costs an update some 0.4 ms.
+const std::size_t MaxFaces = 12;
+// Newton's method ends below this deviation, relative to the volume: rounding of the polynomial.
+const double SolveTolerance = 1e-13;
+// A gap that a direction opens, relative to its amount: rounding.
+const double NoGap = 1e-9;
+// The moves for which the polynomials are made, over half the diagonal; their bounds hold for any move.
+const double ShareOfReach = 0.1;
+
+using TiedGroups = std::vector<std::vector<int>>;
+
+std::array<double, 3> GetMean(const NURBSSurface& surface)
+{
+  std::array<double, 3> mean{};
+  for (const std::array<double, 4>& point : surface.ControlPoints)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      mean[c] += point[c] / point[3] / static_cast<double>(surface.ControlPoints.size());
+    }
+  }
+  return mean;
+}
+
+/// The numbers of faces that have a point of each group.
+std::map<int, std::set<int>> FindFacesOfGroups(const TiedGroups& groups)
+{
+  std::map<int, std::set<int>> faces;
+  for (std::size_t f = 0; f < groups.size(); ++f)
+  {
+    for (const int group : groups[f])
+    {
+      faces[group].insert(static_cast<int>(f));
+    }
+  }
+  return faces;
+}
+
+/// True when other faces share all points of the net's border, so that it is the border of the face.
+bool HasSharedBorder(
+  const NURBSSurface& surface, const std::vector<int>& groups, const std::map<int, std::set<int>>& facesOf)
+{
+  const int* count = surface.NumberOfControlPoints;
+  for (std::size_t i = 0; i < groups.size(); ++i)
+  {
+    const int u = static_cast<int>(i) % count[0];
+    const int v = static_cast<int>(i) / count[0];
+    const bool isBorder = u == 0 || v == 0 || u + 1 == count[0] || v + 1 == count[1];
+    if (isBorder && facesOf.at(groups[i]).size() < 2)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The faces that are farthest from a control point and have borders that other faces share.
+std::set<int> FindFarFaces(vtkTrimmedNURBSModel* model, const Grip& grip, const TiedGroups& groups,
+  const std::map<int, std::set<int>>& facesOf)
+{
+  std::array<double, 4> dragged{ 0.0, 0.0, 0.0, 1.0 };
+  GetControlPoint(model, grip.Face, grip.Index, dragged);
+  vtkMath::MultiplyScalar(dragged.data(), 1.0 / dragged[3]);
+  std::vector<std::pair<double, int>> faces;
+  for (int f = 0; f < model->GetNumberOfFaces(); ++f)
+  {
+    const NURBSSurface& surface = model->GetFaces()[f]->Surface;
+    if (f != grip.Face && HasSharedBorder(surface, groups[f], facesOf))
+    {
+      faces.push_back(
+        { -std::sqrt(vtkMath::Distance2BetweenPoints(GetMean(surface).data(), dragged.data())), f });
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  std::set<int> far;
+  for (std::size_t i = 0; i < std::min(faces.size(), MaxFaces); ++i)
+  {
+    far.insert(faces[i].second);
+  }
+  return far;
+}
+
+/// For each face, control points and their displacements in world coordinates.
+using PointMoves = std::map<int, std::vector<std::pair<ControlPointIndex, std::array<double, 3>>>>;
+
+/// Returns the derivatives of the volume by the points that only `far` faces share, a group once, and the
+/// length of the largest one.
+PointMoves FindPointMoves(const MomentGradientResult& gradient, const std::set<int>& far,
+  const TiedGroups& groups, const std::map<int, std::set<int>>& facesOf, double& largest)
+{
+  PointMoves moves;
+  std::set<int> seen;
+  for (const FaceMomentGradient& face : gradient.Faces)
+  {
+    const double* values = face.Values.data();
+    for (int v = 0; v < face.Count[1]; ++v)
+    {
+      for (int u = 0; u < face.Count[0]; ++u)
+      {
+        const int group = groups[face.Face][static_cast<std::size_t>(u) + face.Count[0] * v];
+        const std::set<int>& sharing = facesOf.at(group);
+        if (std::includes(far.begin(), far.end(), sharing.begin(), sharing.end()) &&
+          seen.insert(group).second)
+        {
+          const std::array<double, 3> along{ values[face.GetIndex(u, v, 0, 0)],
+            values[face.GetIndex(u, v, 1, 0)], values[face.GetIndex(u, v, 2, 0)] };
+          largest = std::max(largest, vtkMath::Norm(along.data()));
+          moves[face.Face].push_back({ { u, v }, along });
+        }
+      }
+    }
+  }
+  return moves;
+}
+
+/// Moves points by `factor` times their displacements, with those that are tied to them.
+ModelEdit MovePoints(vtkNURBSDataSet* body, const PointMoves& moves, double factor)
+{
+  ModelEdit edit;
+  edit.Model = body->GetModel();
+  for (const auto& [face, points] : moves)
+  {
+    std::vector<std::pair<ControlPointIndex, std::array<double, 4>>> moved;
+    for (const auto& [index, along] : points)
+    {
+      std::array<double, 4> point{};
+      GetControlPoint(edit.Model, face, index, point);
+      const std::array<double, 3> by = ToModelVector(body, along);
+      for (int c = 0; c < 3; ++c)
+      {
+        point[c] += point[3] * by[c] * factor;
+      }
+      moved.push_back({ index, point });
+    }
+    edit = SetControlPoints(edit.Model, face, moved, EditRule::MoveSharedBoundary);
+    if (edit.Status != EditStatus::Ok)
+    {
+      break;
+    }
+  }
+  return edit;
+}
+}
+
+void VolumeHold::SetOn(bool on)
+{
+  this->On = on;
+  this->LargestDeviation = 0.0;
+  this->Forget();
+}
+
+void VolumeHold::Forget()
+{
+  this->Volume.reset();
+  this->Deviation = 0.0;
+}
+
+/// Returns the model with the points that follow moved along the gradient, the farthest by `amount`; null
+/// with the reason in Message.
+vtkSmartPointer<vtkTrimmedNURBSModel> VolumeHold::MoveAlongGradient(
+  vtkNURBSDataSet* body, const Grip& grip, double amount)
+{
+  vtkTrimmedNURBSModel* model = body->GetModel();
+  const TiedGroups groups = FindTiedPoints(model);
+  const std::map<int, std::set<int>> facesOf = FindFacesOfGroups(groups);
+  const std::set<int> far = FindFarFaces(model, grip, groups, facesOf);
+  PointMoves moves;
+  double largest = 0.0;
+  if (!far.empty())
+  {
+    MomentGradientOptions options;
+    options.Faces.assign(far.begin(), far.end());
+    const MomentGradientResult gradient = ComputeMomentGradient(body, options);
+    if (gradient.Status != "ok")
+    {
+      this->Message = "the volume cannot be held: the part is " + gradient.Status + "; " + gradient.Reason;
+      return nullptr;
+    }
+    moves = FindPointMoves(gradient, far, groups, facesOf, largest);
+  }
+  if (!(largest > 0.0))
+  {
+    this->Message = "the volume cannot be held: there are no other faces whose control points may move "
+                    "without opening an edge; press v to drag without";
+    return nullptr;
+  }
+  const ModelEdit edit = MovePoints(body, moves, amount / largest);
+  this->Message = edit.Message;
+  return edit.Model;
+}
+
+bool VolumeHold::MakePolynomial(vtkNURBSDataSet* body, const Grip& grip, EditRule rule)
+{
+  this->Reach = 0.5 * body->GetLength();
+  const double amount = ShareOfReach * this->Reach;
+  std::vector<MovedModel> moved;
+  for (int k = 0; k < 3; ++k)
+  {
+    std::array<double, 3> displacement{};
+    displacement[k] = amount;
+    const ModelEdit edit =
+      MoveControlPoints(body->GetModel(), grip.Face, { grip.Index }, ToModelVector(body, displacement), rule);
+    this->Message = edit.Message;
+    if (edit.Status != EditStatus::Ok)
+    {
+      return false;
+    }
+    moved.push_back({ edit.Model, amount });
+  }
+  moved.push_back({ this->MoveAlongGradient(body, grip, amount), amount });
+  if (!moved.back().Model)
+  {
+    return false;
+  }
+  VariantOptions options;
+  options.Ranges.assign(Directions, amount);
+  std::string error;
+  this->Shape = VariantShape::Make(body->GetModel(), moved, error);
+  this->Polynomial = this->Shape ? VariantPolynomial::Make(this->Shape, options, error) : nullptr;
+  if (!this->Polynomial)
+  {
+    this->Message = "the volume cannot be held: " + error;
+    return false;
+  }
+  if (this->Polynomial->GetGaps()[3].Distance > NoGap)
+  {
+    this->Message = "the volume cannot be held: the other faces would open an edge; press v to drag without";
+    return false;
+  }
+  return true;
+}
+
+bool VolumeHold::Begin(const EditedPart& part, const Grip& grip, EditRule rule, double volume)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  this->Message.clear();
+  const bool made = this->MakePolynomial(part.GetBody(grip.Body), grip, rule);
+  if (made)
+  {
+    this->Volume = this->Volume.value_or(volume);
+    const double zero[Directions] = {};
+    double values[VariantPolynomial::NumberOfValues];
+    this->Polynomial->Evaluate(zero, 1, values);
+    // A body that is inside out has a negative volume there.
+    this->Wanted = values[0] + (*this->Volume - volume) * (values[0] < 0.0 ? -1.0 : 1.0);
+  }
+  this->BeginSeconds = vtkTimerLog::GetUniversalTime() - start;
+  return made;
+}
+
+vtkSmartPointer<vtkTrimmedNURBSModel> VolumeHold::Solve(const std::array<double, 3>& displacement)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  double c[Directions] = { displacement[0], displacement[1], displacement[2], 0.0 };
+  double values[VariantPolynomial::NumberOfValues];
+  double bounds[VariantPolynomial::NumberOfValues];
+  double gradients[VariantPolynomial::NumberOfValues * Directions];
+  bool found = false;
+  // From t = 0 each time, so that the path of the mouse makes no difference.
+  for (int step = 0; step < MaxSteps && std::abs(c[3]) <= this->Reach; ++step)
+  {
+    this->Polynomial->Evaluate(c, 1, values, bounds, gradients);
+    const double deviation = values[0] - this->Wanted;
+    if (std::abs(deviation) <= SolveTolerance * std::abs(this->Wanted))
+    {
+      found = bounds[0] <= 0.1 * Tolerance * std::abs(this->Wanted);
+      break;
+    }
+    c[3] -= deviation / gradients[3];
+  }
+  const vtkSmartPointer<vtkTrimmedNURBSModel> model = found ? this->Shape->MakeModel(c) : nullptr;
+  this->Message = found ? "" : "the volume cannot be held so far away; the last position stays";
+  this->SolveSeconds = vtkTimerLog::GetUniversalTime() - start;
+  return model;
+}
+
+void VolumeHold::Record(double volume)
+{
+  if (this->On && this->Volume)
+  {
+    this->Deviation = std::abs(volume - *this->Volume) / std::abs(*this->Volume);
+    this->LargestDeviation = std::max(this->LargestDeviation, this->Deviation);
+  }
+}
+}

@@ -1,0 +1,82 @@
+/**
+ * @file smVolumeHold.h
+ * @brief Keeps the volume of a part while a control point is dragged
+ *
+ * Control points of other faces follow along the gradient of the volume by them, all by the same factor t.
+ * They are those of the faces that are farthest from the dragged point, as far as no further face shares
+ * them. With weights and trim curves fixed the volume is a polynomial of degree 3 in the displacement of the
+ * drag and in t (sm::VariantPolynomial), so that Newton's method finds t from exact integrals in
+ * microseconds; gradient and polynomial are made when a drag begins.
+ */
+#ifndef smVolumeHold_h
+#define smVolumeHold_h
+
+#include "smEditedPart.h"
+
+#include <smVariantPolynomial.h>
+#include <vtkSmartPointer.h>
+#include <vtkTrimmedNURBSModel.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace sm
+{
+class VolumeHold
+{
+public:
+  /// The largest deviation of a held volume, relative to it.
+  static constexpr double Tolerance = 1e-9;
+
+  /// Switches it on or off. The volume to hold is that of the part when the next drag begins. Default: off.
+  void SetOn(bool on);
+  bool IsOn() const { return this->On; }
+  /// Lets the next drag begin with the volume of the part then; for an undo, a redo or a reset.
+  void Forget();
+
+  /**
+   * Prepares a drag of `grip` by `rule`; `volume` is that of the whole part now, in its unit. Returns false,
+   * with GetMessage(), if the volume cannot be held: a part that is open, or one without other faces whose
+   * control points may move without opening an edge.
+   */
+  bool Begin(const EditedPart& part, const Grip& grip, EditRule rule, double volume);
+  /// Returns the model of the dragged body for a displacement of the dragged point from its start, in world
+  /// coordinates; null, with GetMessage(), where the volume cannot be held.
+  vtkSmartPointer<vtkTrimmedNURBSModel> Solve(const std::array<double, 3>& displacement);
+  const std::string& GetMessage() const { return this->Message; }
+
+  /// Remembers the volume after an update.
+  void Record(double volume);
+  /// Returns the volume that is held; no value before the first drag.
+  const std::optional<double>& GetVolume() const { return this->Volume; }
+  /// Returns the deviation of the last recorded volume, relative to the held one, and the largest so far.
+  double GetDeviation() const { return this->Deviation; }
+  double GetLargestDeviation() const { return this->LargestDeviation; }
+  /// Seconds of the last Begin() and of the last Solve().
+  double GetBeginSeconds() const { return this->BeginSeconds; }
+  double GetSolveSeconds() const { return this->SolveSeconds; }
+
+private:
+  vtkSmartPointer<vtkTrimmedNURBSModel> MoveAlongGradient(
+    vtkNURBSDataSet* body, const Grip& grip, double amount);
+  bool MakePolynomial(vtkNURBSDataSet* body, const Grip& grip, EditRule rule);
+
+  bool On = false;
+  std::optional<double> Volume;
+  double Deviation = 0.0;
+  double LargestDeviation = 0.0;
+  double BeginSeconds = 0.0;
+  double SolveSeconds = 0.0;
+  std::string Message;
+  /// The dragged body with the displacement (directions 0 to 2) and t (3), and its volume as a polynomial.
+  std::shared_ptr<const VariantShape> Shape;
+  std::shared_ptr<const VariantPolynomial> Polynomial;
+  /// The wanted value of the polynomial, and half the diagonal of the body.
+  double Wanted = 0.0;
+  double Reach = 0.0;
+};
+}
+
+#endif
