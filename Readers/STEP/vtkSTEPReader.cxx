@@ -20,6 +20,12 @@ constexpr const char* RepairWords[] = { "always", "needed", "never" };
 constexpr sm::RepairMode RepairModes[] = { sm::RepairMode::Always, sm::RepairMode::OnNeed,
   sm::RepairMode::Never };
 
+/// Words of the bodies that are read, by vtkSTEPReader::HiddenType, which follow that of the repair.
+constexpr const char* HiddenWords[] = { "count", "skip", "only" };
+constexpr sm::HiddenMode HiddenModes[] = { sm::HiddenMode::Count, sm::HiddenMode::Skip,
+  sm::HiddenMode::Only };
+constexpr char WordSeparator = ',';
+
 /// Between folders, and before the first one in the setting of the format.
 constexpr char FolderSeparator = ':';
 
@@ -73,7 +79,7 @@ sm::Document vtkSTEPReader::ReadDocument(std::string content, const sm::Progress
     ? sm::JoinSTEPFiles(content, this->GetFileName(), ListFolders(this->SearchFolders), messages)
     : std::string();
   sm::Document document = sm::ReadSTEP(joined.empty() ? std::move(content) : std::move(joined),
-    RepairModes[this->IsRepairSkipped ? NEVER : this->Repair], progress);
+    RepairModes[this->IsRepairSkipped ? NEVER : this->Repair], HiddenModes[this->Hidden], progress);
   document.Messages.insert(document.Messages.begin(), messages.begin(), messages.end());
   return document;
 }
@@ -85,18 +91,23 @@ std::string vtkSTEPReader::FindMistakeOfHead(const std::string& head) const
 
 std::string vtkSTEPReader::GetSettingOfFormat() const
 {
-  return std::string(RepairWords[this->IsRepairSkipped ? NEVER : this->Repair]) + FolderSeparator +
-    (this->SearchFolders ? this->SearchFolders : "");
+  return std::string(RepairWords[this->IsRepairSkipped ? NEVER : this->Repair]) + WordSeparator +
+    HiddenWords[this->Hidden] + FolderSeparator + (this->SearchFolders ? this->SearchFolders : "");
 }
 
 void vtkSTEPReader::SetSettingOfFormat(const std::string& word)
 {
   const std::size_t end = word.find(FolderSeparator);
+  const std::string first = word.substr(0, end);
   for (int repair = ALWAYS; repair <= NEVER; ++repair)
   {
-    if (word.compare(0, end, RepairWords[repair]) == 0)
+    for (int hidden = COUNT_HIDDEN; hidden <= ONLY_HIDDEN; ++hidden)
     {
-      this->SetRepair(repair);
+      if (first == std::string(RepairWords[repair]) + WordSeparator + HiddenWords[hidden])
+      {
+        this->SetRepair(repair);
+        this->SetHidden(hidden);
+      }
     }
   }
   this->SetSearchFolders(end == std::string::npos ? "" : word.substr(end + 1).c_str());
@@ -113,4 +124,5 @@ void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SearchFolders: " << (this->SearchFolders ? this->SearchFolders : "(none)") << "\n";
   os << indent << "Repair: " << RepairWords[this->Repair] << "\n";
+  os << indent << "Hidden: " << HiddenWords[this->Hidden] << "\n";
 }
