@@ -81,6 +81,16 @@ def stated():
     parts = {part["name"]: part for part in file["parts"][0]["children"]}
     check("parts list", 1.5, parts["rail"]["each"]["mass"], 1e-15)
 
+    # A stated mass does not change with an offset of a face; that of the plates, 2700 kg/m^3, does.
+    file = run_json("--materials", table, "--sensitivity", path)
+    slopes = {name: sorted({round(face["mass"] * 1e9, 6) for s in file["solids"] if s["name"] == name for face in s["sensitivity"]})
+              for name in ("rail", "plate")}
+    check_equal("kg/mm of the rail", [0.0], slopes["rail"])
+    sides = sorted({float(2700 * a * b) for a, b in ((size[0], size[1]), (size[0], size[2]), (size[1], size[2]))})
+    check_equal("kg/mm of the plates, times 1e9", len(sides), len(slopes["plate"]))
+    for expected, actual in zip(sides, slopes["plate"]):
+        check("a face of a plate", expected, actual, 1e-5)
+
     # A mass without a tolerance counts as exact, and is said to.
     table = write_table("exact.csv", "name,mass\n*,2\n")
     file = run_json("--materials", table, "--density-tolerance", "5%", path)
