@@ -27,7 +27,8 @@ COLUMNS = (
        ("gap_squared", "GapSquared", 0), ("max_gap", "MaxGap", 0), ("gap_area", "GapArea", 0), ("open_edges", "OpenEdges", 0),
        ("closure_residual", "ClosureResidual", 0), ("flipped_shells", "FlippedShells", 0), ("density", "Density", 0),
        ("mass_uncertainty", "MassUncertainty", 0), ("mass_uncertainty_density", "MassUncertainty", 1),
-       ("mass_uncertainty_gaps", "MassUncertainty", 2)]
+       ("mass_uncertainty_gaps", "MassUncertainty", 2), ("mass_uncertainty_overridden", "MassUncertainty", 4),
+       ("overridden_mass", "OverriddenMass", 0)]
     + [("mass_center_" + axis, "MassCenter", i) for i, axis in enumerate("xyz")] + [("mass_center_bound", "MassCenterBound", 0)]
     + [("mass_inertia_" + axes, "MassInertia", i) for axes, i in zip(SIX, SIX_COMPONENTS)] + [("mass_inertia_bound", "MassInertiaBound", 0)]
     + [("known_mass", "KnownMass", 0), ("known_mass_bound", "KnownMassBound", 0), ("solids_with_mass", "SolidsWithMass", 0),

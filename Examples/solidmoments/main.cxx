@@ -184,9 +184,9 @@ sm::FileResult TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& 
   {
     ReportFailure("no mesh " + job.MeshName + ": " + outcome.MeshError, *outcome.File, exitStatus);
   }
-  if (!outcome.AnalysisError.empty())
+  for (const std::string& error : outcome.AnalysisErrors)
   {
-    ReportFailure("no file of " + outcome.AnalysisError, *outcome.File, exitStatus);
+    ReportFailure("no file of " + error, *outcome.File, exitStatus);
   }
   if (!outcome.RobotError.empty())
   {

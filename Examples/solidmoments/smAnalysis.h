@@ -10,6 +10,7 @@
 
 #include "smFields.h"
 
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -57,6 +58,16 @@ public:
   }
 };
 
+/// What the picture shows as colours of faces; no Bodies: the colours of the file.
+struct FaceColors
+{
+  /// Meshes with the cell array of that name.
+  vtkSmartPointer<vtkPartitionedDataSetCollection> Bodies;
+  std::string Array;
+  /// The quantity and its unit, above the colour bar.
+  std::string Title;
+};
+
 /// What an analysis runs on and writes to.
 struct AnalysisRun
 {
@@ -68,6 +79,8 @@ struct AnalysisRun
   MessageList& Messages;
   /// What the picture shows in addition; null: nothing.
   vtkSmartPointer<vtkPolyData>& Drawing;
+  /// The colours of faces in the picture, which the last analysis that has some sets.
+  FaceColors& Colors;
   /// Index of the analysis in the list, and of its results.
   std::size_t Index;
   /// Reports why its output was not written; empty: it was.

@@ -28,6 +28,11 @@ std::string CheckRepair(const std::string& word)
   return known ? "" : "--repair " + word + " is not known; use always, needed or never";
 }
 
+std::string CheckHidden(const std::string& word)
+{
+  return word == "count" || word == "skip" || word == "only" ? "" : "choose count, skip or only";
+}
+
 std::string CheckUnit(const std::string& name)
 {
   const std::set<std::string> known = { "mm", "cm", "m", "um", "inch", "in", "ft", "file" };

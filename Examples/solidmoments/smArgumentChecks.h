@@ -14,6 +14,7 @@ namespace sm
 std::string CheckBackend(const std::string& name);
 std::string CheckCollision(const std::string& word);
 std::string CheckRepair(const std::string& word);
+std::string CheckHidden(const std::string& word);
 std::string CheckUnit(const std::string& name);
 std::string CheckInputUnit(const std::string& name);
 std::string CheckTolerance(const std::string& text);

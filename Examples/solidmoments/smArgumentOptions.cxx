@@ -37,7 +37,8 @@ void DeclareFiles(CLI::App& app, sm::Arguments& arguments)
   sm::AddFileOption(app, "--png", arguments.Picture,
     "Draw the part, translucent, with its centre of mass marked. With several\n"
     "files, each picture has the file's name added: out-bracket.png; with\n"
-    "--compare one picture: added solids green, changed amber, moved blue, removed red");
+    "--compare one picture: added solids green, changed amber, moved blue,\n"
+    "mirrored purple, removed red");
   AddListOption(app, "--print", arguments.Print, "COLUMN,...",
     "Print only these columns of the CSV, one line per file with the values of\n"
     "all its solids together, for scripts: --print volume; nan where there is none");
@@ -121,6 +122,12 @@ void DeclareComputation(CLI::App& app, sm::JobOptions& job)
     ->type_name("WHEN")
     ->check(sm::CheckRepair);
   app
+    .add_option("--hidden", job.Hidden,
+      "Bodies that a STEP file hides (INVISIBILITY): count (default), with a message;\n"
+      "skip leaves them out, only all others; messages have their number and names")
+    ->type_name("WHAT")
+    ->check(sm::CheckHidden);
+  app
     .add_option("--backend", job.Backend,
       "opengl: compute shaders, on the X display or through EGL where there is\n"
       "none; x or egl: only that one; cpu: no OpenGL; auto (default): opengl\n"
@@ -148,9 +155,11 @@ void DeclareMass(CLI::App& app, sm::Arguments& arguments)
     ->check(sm::CheckShare);
   sm::AddFileOption(app, "--materials", arguments.Materials,
     "Materials by the names of solids, before --density and the file: CSV with\n"
-    "lines NAME,MATERIAL,DENSITY[,TOLERANCE], or JSON; in NAME, * and ? stand for any letters;\n"
-    "the line of the very name counts, else the first that fits. Without a density: that "
-    "of\n--list-materials");
+    "lines NAME,MATERIAL,DENSITY[,TOLERANCE[,MASS]], or JSON; in NAME, * and ? stand for\n"
+    "any letters; the line of the very name counts, else the first that fits. Without\n"
+    "a density: that of --list-materials. MASS, 0.25 or 250 g, overrides volume times\n"
+    "density; the MATERIAL \"left out\" leaves these solids out. A header may give\n"
+    "other columns: name,material,mass");
   app.add_flag(
     "--list-materials", arguments.ListMaterials, "Print the common materials with their densities, and end");
 }
@@ -213,8 +222,8 @@ void DeclareComparison(CLI::App& app, sm::Arguments& arguments)
   app.option_defaults()->group("Comparison");
   app.add_flag("--compare", arguments.Compare,
     "Compare two files, the old and the new one: which solids are unchanged,\n"
-    "moved, changed, added or removed, by exact integrals of their faces and not\n"
-    "by their names, and the differences of the results with bounds; in JSON the key\n"
+    "moved, mirrored, changed, added or removed, by exact integrals of their faces and\n"
+    "not by their names, and the differences of the results with bounds; in JSON the key\n"
     "comparison. The exit status is 4 if the products differ");
   sm::AddNumberOption(app, "--compare-limit", arguments.CompareLimit,
     "Largest difference that is beyond the bounds and counts as equal, relative to the\n"

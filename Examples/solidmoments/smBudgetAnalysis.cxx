@@ -27,7 +27,6 @@
 #include "vtkTable.h"
 #include "vtkTextProperty.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -71,21 +70,15 @@ std::string WriteBudget(const BudgetResult& budget, const JobOptions& options, c
 BudgetResult MakeBudget(const Quantities& body, const AnalysisResults& analyses)
 {
   BudgetResult budget;
-  const auto& [sum, density, gaps, numerical] = body.MassUncertainty;
+  const auto& [sum, density, gaps, numerical, overridden, tolerance] = body.MassUncertainty;
   budget.Lines = { { "numerical", numerical }, { "closing", gaps }, { "density", density } };
-  const auto* tolerance = analyses.Find<ToleranceResult>();
-  if (tolerance)
+  if (body.OverriddenMass > 0.0)
   {
-    // The interval has the numerical bound, which is a line of its own; the share is that at the largest
-    // density.
-    const double mass = body.Mass.Get();
-    const double reach = std::max(tolerance->Mass.Maximum - mass, mass - tolerance->Mass.Minimum);
-    budget.Lines.push_back(
-      { "tolerance", BudgetExcess * std::max(reach - body.Mass.Bound, 0.0) * (1.0 + density / mass) });
-    if (std::isnan(tolerance->Mass.Maximum))
-    {
-      budget.Lines.back().Mass = Unknown;
-    }
+    budget.Lines.push_back({ "overridden masses", overridden });
+  }
+  if (analyses.Find<ToleranceResult>())
+  {
+    budget.Lines.push_back({ "tolerance", tolerance });
   }
   budget.Sum();
   return budget;
@@ -100,28 +93,14 @@ void BudgetResult::Sum()
   }
 }
 
-void AddTolerances(const std::vector<BudgetResult>& solids, BudgetResult& total)
-{
-  BudgetLine& sum = total.Lines.back();
-  if (sum.Name != "tolerance" || std::isnan(sum.Mass))
-  {
-    return;
-  }
-  sum.Mass = 0.0;
-  for (const BudgetResult& solid : solids)
-  {
-    // Bodies without a volume have no mass that could be off.
-    const double mass = solid.Lines.back().Mass;
-    sum.Mass += std::isnan(mass) && std::isnan(solid.Lines.front().Mass) ? 0.0 : BudgetExcess * mass;
-  }
-  total.Sum();
-}
-
 void BudgetResult::Visit(Fields& fields, const char* key)
 {
   fields.Note("", "with `--budget`: the mass in doubt as the sum of its lines").Begin(key);
   fields.Note("kg", "sum of the lines").Number("mass", this->Mass);
-  fields.Note("", "`numerical`, `closing`, `density`, and with tolerances of faces `tolerance`")
+  fields
+    .Note("",
+      "`numerical`, `closing`, `density`, where materials state masses `overridden masses`, and with "
+      "tolerances of faces `tolerance`")
     .List("lines", this->Lines,
       [&fields](BudgetLine& line)
       {
@@ -186,7 +165,8 @@ void BudgetAnalysis::Declare(CLI::App& app)
   app
     .add_option("--budget", this->PictureName,
       "The mass in doubt as the sum of named lines (numerical, closing, density,\n"
-      "and with --face-tolerance or --tolerances those of the faces), in the\n"
+      "overridden masses, and with --face-tolerance or --tolerances those of the\n"
+      "faces), in the "
       "table, in JSON, and as bars in a picture, of one file with densities")
     ->type_name("FILE.png")
     ->expected(1);
@@ -208,14 +188,11 @@ std::string BudgetAnalysis::FindProblem(const CLI::App& app) const
 
 void BudgetAnalysis::Run(const AnalysisRun& run) const
 {
-  std::vector<BudgetResult> solids;
   for (SolidResult& solid : run.File.Solids)
   {
-    solids.push_back(MakeBudget(solid, solid.Analyses));
-    solid.Analyses.Set(run.Index, std::make_unique<BudgetResult>(solids.back()));
+    solid.Analyses.Set(run.Index, std::make_unique<BudgetResult>(MakeBudget(solid, solid.Analyses)));
   }
   auto result = std::make_unique<BudgetResult>(MakeBudget(run.File.Total, run.File.Total.Analyses));
-  AddTolerances(solids, *result);
   const BudgetResult total = *result;
   run.File.Total.Analyses.Set(run.Index, std::move(result));
   const std::string problem = run.File.Total.Mass.IsKnown()

@@ -39,12 +39,9 @@ public:
   std::string FormatRows(const std::string& unit) const override;
 };
 
-/// Returns the budget of a body: numerical, closing, density, and tolerance if that of its faces is known.
-/// The mass and its uncertainty are those of `body`, the tolerance that of its analyses.
+/// Returns the budget of a body: numerical, closing, density; overridden masses, if materials state some; and
+/// tolerance, if its faces have tolerances.
 BudgetResult MakeBudget(const Quantities& body, const AnalysisResults& analyses);
-
-/// Makes the tolerance of the total that of its solids together, each at its own largest density.
-void AddTolerances(const std::vector<BudgetResult>& solids, BudgetResult& total);
 
 /// Returns bars for the lines, in kg, one plot of bars with the lines in their order.
 vtkSmartPointer<vtkChartXY> MakeBudgetChart(const BudgetResult& budget);

@@ -46,7 +46,7 @@ struct Style
 
 const Style Styles[] = { { states::Unchanged, { 0.62, 0.64, 0.67 }, 0.3, false },
   { states::Moved, { 0.20, 0.45, 0.85 }, 0.9, false }, { states::Changed, { 0.95, 0.62, 0.05 }, 0.9, false },
-  { states::Added, { 0.13, 0.62, 0.25 }, 0.9, false },
+  { states::Mirrored, { 0.55, 0.25, 0.70 }, 0.9, false }, { states::Added, { 0.13, 0.62, 0.25 }, 0.9, false },
   { states::Removed, { 0.85, 0.12, 0.10 }, 0.35, true } };
 
 /// Returns the states of solids by their ids in the old or the new file.

@@ -10,9 +10,9 @@
 namespace sm
 {
 /// Reads both files of `options.Comparison` and draws the solids in the colours of their states: unchanged
-/// ones grey and translucent, moved ones blue, changed ones amber and added ones green where they are now,
-/// removed ones red and translucent. Sends an entry of the file with a status and no results, and why there
-/// is no picture, as RunFileJob() does.
+/// ones grey and translucent, moved ones blue, mirrored ones purple, changed ones amber and added ones green
+/// where they are now, removed ones red and translucent. Sends an entry of the file with a status and no
+/// results, and why there is no picture, as RunFileJob() does.
 void DrawComparison(const JobOptions& options, const JobListener& send);
 }
 

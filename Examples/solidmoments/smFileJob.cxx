@@ -236,7 +236,14 @@ std::string DescribeException(const std::exception& error)
     : std::string("stopped by an error: ") + error.what();
 }
 
-std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase* filter, vtkPolyData* drawing,
+/// What the picture shows in addition.
+struct Drawn
+{
+  vtkSmartPointer<vtkPolyData> Lines;
+  sm::FaceColors Colors;
+};
+
+std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase* filter, const Drawn& drawn,
   const sm::JobOptions& options, const FileResult& file)
 {
   if (!bodies || bodies->GetNumberOfPoints() == 0)
@@ -246,20 +253,21 @@ std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase*
   std::string problem;
   sm::Picture picture;
   picture.Window = sm::StartWindow(filter, problem);
-  picture.Body = bodies;
+  picture.Body = drawn.Colors.Bodies ? drawn.Colors.Bodies.Get() : bodies;
+  picture.FaceArray = drawn.Colors.Array;
+  picture.FaceTitle = drawn.Colors.Title;
   picture.Mark = filter->GetOutput();
-  picture.Stability = drawing;
+  picture.Stability = drawn.Lines;
   picture.Flagged = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(6));
   picture.Result = &file;
   return picture.Window ? sm::WritePicture(picture, options.PictureName) : problem;
 }
 
-/// Runs the requested analyses, those of bodies first. Sends the results before each. Returns what the
-/// picture shows in addition.
-vtkSmartPointer<vtkPolyData> RunAnalyses(vtkCADReader* reader, const sm::JobOptions& options,
-  const sm::JobListener& send, FileResult& file, sm::MessageList& messages)
+/// Runs the requested analyses, those of bodies first. Sends the results before each.
+Drawn RunAnalyses(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send,
+  FileResult& file, sm::MessageList& messages)
 {
-  vtkSmartPointer<vtkPolyData> drawing;
+  Drawn drawn;
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < options.Analyses.size(); ++i)
   {
@@ -281,11 +289,11 @@ vtkSmartPointer<vtkPolyData> RunAnalyses(vtkCADReader* reader, const sm::JobOpti
       ProgressScope progress(algorithm, analysis.GetStage(), send);
       algorithm->Update();
     };
-    const auto report = [&send](const std::string& problem)
-    { send(JobMessage::OfOutput(JobMessage::Analysis, problem)); };
-    analysis.Run({ reader, options, update, file, messages, drawing, i, report });
+    const auto report = [&send, &analysis](const std::string& problem)
+    { send(JobMessage::OfAnalysis(analysis.GetKey(), problem)); };
+    analysis.Run({ reader, options, update, file, messages, drawn.Lines, drawn.Colors, i, report });
   }
-  return drawing;
+  return drawn;
 }
 
 /// Removes the entries that are more than `depth` levels down.
@@ -336,12 +344,13 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   }
 }
 
-/// Returns the bodies that are written as triangles and drawn: those that --only chooses.
+/// Returns the bodies that are written as triangles and drawn: those that --only and --materials leave.
 vtkPartitionedDataSetCollection* GetShownBodies(
   vtkCADReader* reader, vtkMassPropertiesBase* filter, const sm::JobOptions& options)
 {
-  return vtkPartitionedDataSetCollection::SafeDownCast(
-    options.Only.empty() ? reader->GetOutputDataObject(0) : filter->GetOutputDataObject(5));
+  return vtkPartitionedDataSetCollection::SafeDownCast(options.Only.empty() && !options.LeavesOut()
+      ? reader->GetOutputDataObject(0)
+      : filter->GetOutputDataObject(5));
 }
 
 /// Returns the origin of the mesh that is written, and adds a message if it is not 0.
@@ -386,7 +395,7 @@ struct Plans
 };
 
 /// Writes trim textures, triangles, robot and picture.
-void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyData* drawing, Plans plans,
+void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, const Drawn& drawn, Plans plans,
   const sm::JobOptions& options, const sm::JobListener& send, const FileResult& file)
 {
   if (!options.TexturePrefix.empty())
@@ -412,7 +421,7 @@ void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, vtkPolyDa
   if (!options.PictureName.empty())
   {
     send(JobMessage::OfProgress(sm::stages::Draw));
-    send(JobMessage::OfOutput(JobMessage::Picture, Draw(bodies, filter, drawing, options, file)));
+    send(JobMessage::OfOutput(JobMessage::Picture, Draw(bodies, filter, drawn, options, file)));
   }
 }
 
@@ -439,7 +448,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
     options.Selectors.insert(options.Selectors.end(), selectors.begin(), selectors.end());
   }
   const auto filter = MakeFilter(reader, options);
-  vtkSmartPointer<vtkPolyData> drawing;
+  Drawn drawn;
   if (isRead)
   {
     file.Scheme = options.Scheme.GetName();
@@ -448,7 +457,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
     SendResult(send, file, messages, false);
     Integrate(filter, options, send, file, messages);
     AddProducts(reader, filter, options, send, file, messages);
-    drawing = RunAnalyses(reader, options, send, file, messages);
+    drawn = RunAnalyses(reader, options, send, file, messages);
   }
   for (const std::string& message : collector->GetMessages())
   {
@@ -462,7 +471,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   SendResult(send, file, messages, true);
   if (isRead)
   {
-    WriteOutputs(reader, filter, drawing, std::move(plans), options, send, file);
+    WriteOutputs(reader, filter, drawn, std::move(plans), options, send, file);
   }
   vtkOutputWindow::SetInstance(nullptr);
 }
@@ -524,6 +533,12 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
     }
     send(JobMessage::OfResult(*sent, true));
   }
+}
+
+bool JobOptions::LeavesOut() const
+{
+  return std::any_of(
+    this->Materials.begin(), this->Materials.end(), [](const MaterialRule& rule) { return rule.IsLeftOut; });
 }
 
 double JobOptions::GetSecondsLeft() const

@@ -32,6 +32,7 @@ struct JobOptions
   std::string Unit = "mm";                ///< length unit of all results, or "file"
   std::string InputUnit = "mm";           ///< of files that state none, see vtkBREPReader::SetInputUnit
   std::vector<std::string> SearchFolders; ///< see vtkSTEPReader::SetSearchFolders
+  std::string Hidden = "count";           ///< or "skip", "only": see vtkSTEPReader::SetHidden
   std::string Repair =
     "needed"; ///< or "always", "never": which shapes OpenCASCADE repairs, see vtkCADReader::SetRepair
   std::string Backend = "auto";
@@ -52,6 +53,8 @@ struct JobOptions
   double DensityTolerance = 0.0; ///< relative, of densities without one of their own
   /// Materials by the names of solids, before Density; see vtkMassPropertiesBase::AddMaterial.
   std::vector<MaterialRule> Materials;
+  /// Returns whether materials may leave solids out.
+  bool LeavesOut() const;
   /// Name patterns of products (MatchesPattern): only these are computed; none: all.
   std::vector<std::string> Only;
   std::vector<std::string> Selectors; ///< of these products, once the file is read
@@ -105,7 +108,8 @@ struct JobMessage
     Analysis
   };
   Kinds Kind = Progress;
-  std::string Text; ///< the stage; of an output why it was not written, empty if it was
+  std::string Text; ///< the stage; of an output why it was not written, empty if it was, with the key before
+                    ///< it of an analysis
   double Fraction = 0.0;
   const FileResult* File = nullptr; ///< of Result
   bool IsComplete = false;          ///< of Result: nothing is missing
@@ -121,6 +125,11 @@ struct JobMessage
   static JobMessage OfOutput(Kinds kind, std::string problem)
   {
     return { kind, std::move(problem), 0.0, nullptr, false };
+  }
+  /// The output of the analysis with that key.
+  static JobMessage OfAnalysis(const std::string& key, const std::string& problem)
+  {
+    return OfOutput(Analysis, key + "\n" + problem);
   }
 };
 

@@ -29,6 +29,9 @@ void SetUpReader(vtkCADReader* reader, const std::string& path, const JobOptions
       folders += (folders.empty() ? "" : ":") + folder;
     }
     step->SetSearchFolders(folders.c_str());
+    step->SetHidden(options.Hidden == "skip" ? vtkSTEPReader::SKIP_HIDDEN
+        : options.Hidden == "only"           ? vtkSTEPReader::ONLY_HIDDEN
+                                             : vtkSTEPReader::COUNT_HIDDEN);
     step->SetRepair(options.Repair == "needed" ? vtkSTEPReader::ON_NEED
         : options.Repair == "never"            ? vtkSTEPReader::NEVER
                                                : vtkSTEPReader::ALWAYS);

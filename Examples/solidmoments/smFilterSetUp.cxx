@@ -19,6 +19,15 @@ void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
   {
     filter->AddSelector(selector);
   }
+  const auto leavesOut = [rules = options.Materials](const std::string& name)
+  {
+    const MaterialRule* rule = FindRule(rules, name);
+    return rule && rule->IsLeftOut;
+  };
+  if (options.LeavesOut())
+  {
+    filter->SetLeftOut(leavesOut);
+  }
   filter->SetGapLimit(options.GapLimit);
   filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralBase::AUTOMATIC
       : options.Backend == "cpu"               ? vtkSurfaceIntegralBase::CPU
@@ -34,8 +43,19 @@ void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options)
   filter->SetDensityTolerance(options.DensityTolerance);
   for (const MaterialRule& rule : options.Materials)
   {
-    filter->AddMaterial(
-      rule.Pattern.c_str(), rule.Material.Name.c_str(), rule.Material.Density, rule.Material.Tolerance);
+    const Material& material = rule.Material;
+    if (rule.IsLeftOut)
+    {
+      filter->AddLeftOut(rule.Pattern.c_str());
+    }
+    else if (material.Mass > 0.0)
+    {
+      filter->AddMass(rule.Pattern.c_str(), material.Name.c_str(), material.Mass, material.Tolerance);
+    }
+    else
+    {
+      filter->AddMaterial(rule.Pattern.c_str(), material.Name.c_str(), material.Density, material.Tolerance);
+    }
   }
 }
 

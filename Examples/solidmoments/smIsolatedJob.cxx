@@ -128,11 +128,13 @@ void FindOutputErrors(
   for (const std::shared_ptr<sm::Analysis>& analysis : options.Analyses)
   {
     const std::string name = analysis->IsWanted() ? analysis->GetOutputFile() : std::string();
+    const auto reported = said.Analyses.find(analysis->GetKey());
+    const auto reason = reported == said.Analyses.end() ? std::nullopt : std::optional(reported->second);
     const std::string problem =
-      name.empty() || !isRead ? std::string() : explain(said.Analysis, "the process that made it");
+      name.empty() || !isRead ? std::string() : explain(reason, "the process that made it");
     if (!problem.empty())
     {
-      outcome.AnalysisError = std::string(analysis->GetOption()) + " " + name + ": " + problem;
+      outcome.AnalysisErrors.push_back(std::string(analysis->GetOption()) + " " + name + ": " + problem);
     }
   }
   if (!options.RobotName.empty() && isRead)
@@ -177,13 +179,17 @@ void JobMessages::Take(
     this->Stage = text;
     progress(text, fraction);
   }
+  else if (kind == JobMessage::Analysis)
+  {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    this->Analyses[text.substr(0, end)] = text.substr(std::min(end + 1, text.size()));
+  }
   else
   {
-    (kind == JobMessage::Textures      ? this->Textures
-        : kind == JobMessage::Mesh     ? this->Mesh
-        : kind == JobMessage::Robot    ? this->Robot
-        : kind == JobMessage::Analysis ? this->Analysis
-                                       : this->Picture) = text;
+    (kind == JobMessage::Textures   ? this->Textures
+        : kind == JobMessage::Mesh  ? this->Mesh
+        : kind == JobMessage::Robot ? this->Robot
+                                    : this->Picture) = text;
   }
 }
 

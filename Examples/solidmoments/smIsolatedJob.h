@@ -14,6 +14,7 @@
 #include "smResults.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +27,8 @@ struct JobOutcome
   std::string TextureError;       ///< why a requested trim texture is missing; empty: none is
   std::string
     MeshError; ///< why the requested triangles are missing; empty: they are not, or none were requested
-  /// Why the output of an analysis is missing, with its name; empty: it is not, or none was requested.
-  std::string AnalysisError;
+  /// Why outputs of analyses are missing, each with its option and name.
+  std::vector<std::string> AnalysisErrors;
   std::string RobotError;   ///< what is missing of the requested robot; empty: nothing, or none was requested
   std::string PictureError; ///< why the requested picture is missing; empty: it is not, or none was requested
 };
@@ -40,7 +41,9 @@ struct JobMessages
   std::optional<FileResult> Result;
   bool IsComplete = false; ///< of the result
   /// Why an output was not written, empty if it was; none: not reported.
-  std::optional<std::string> Textures, Mesh, Robot, Picture, Analysis;
+  std::optional<std::string> Textures, Mesh, Robot, Picture;
+  /// The same of analyses, by their keys.
+  std::map<std::string, std::string> Analyses;
   std::string Stage;
 
   /// Takes a message as WriteMessage() wrote it, without its head; one that is damaged is ignored.

@@ -3,6 +3,7 @@
 #include "smJson.h"
 #include "smText.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -52,55 +53,90 @@ std::vector<std::string> SplitLine(const std::string& line)
   return values;
 }
 
-/// Adds a rule. Returns an error message; empty if the rule is valid.
-std::string AddRule(const std::string& pattern, const std::string& material, const std::string& density,
-  const std::string& tolerance, std::vector<MaterialRule>& rules)
+/// The columns of a table, in the order of a table without a header.
+constexpr std::string MaterialTexts::*MaterialColumns[] = { &MaterialTexts::Pattern, &MaterialTexts::Material,
+  &MaterialTexts::Density, &MaterialTexts::Tolerance, &MaterialTexts::Mass };
+constexpr const char* MaterialColumnNames[] = { "name", "material", "density", "tolerance", "mass" };
+
+/// The members of a row that the values of a line belong to.
+using MaterialHeader = std::vector<std::string MaterialTexts::*>;
+
+/// Returns true for a line that names the columns density or mass.
+bool IsHeader(const std::vector<std::string>& values)
 {
-  MaterialRule rule{ pattern, { material, 0.0 } };
-  rule.Material.Tolerance = tolerance.empty() ? -1.0 : ParseShare(tolerance);
-  const Material* common = FindCommonMaterial(material);
-  rule.Material.Density = !density.empty() ? ParseNumber(density) : common ? common->Density : 0.0;
-  if (pattern.empty())
+  return std::any_of(values.begin() + 1, values.end(),
+    [](const std::string& value) { return LowerCase(value) == "density" || LowerCase(value) == "mass"; });
+}
+
+/// Reads the columns of a header, the first of which is that of the names. Returns an error message; empty if
+/// all are known.
+std::string ReadHeader(const std::vector<std::string>& values, MaterialHeader& header)
+{
+  header = { &MaterialTexts::Pattern };
+  for (std::size_t i = 1; i < values.size(); ++i)
   {
-    return "the name is empty";
+    const auto* const name =
+      std::find(std::begin(MaterialColumnNames), std::end(MaterialColumnNames), LowerCase(values[i]));
+    const auto column = name == std::end(MaterialColumnNames)
+      ? nullptr
+      : MaterialColumns[name - std::begin(MaterialColumnNames)];
+    if (!column || std::find(header.begin(), header.end(), column) != header.end())
+    {
+      return "there is no column " + values[i] + (column ? " twice" : "") +
+        "; write name, material, density, tolerance and mass, each at most once";
+    }
+    header.push_back(column);
   }
-  if (!IsDensity(rule.Material.Density))
-  {
-    return density.empty() ? material + " is none of the materials of --list-materials: it needs a density"
-                           : density + " is not a density; give kg/m^3, for example 7850";
-  }
-  if (!tolerance.empty() && !(rule.Material.Tolerance >= 0.0))
-  {
-    return tolerance + " is not a relative tolerance; give 0.01 or 1%, for example";
-  }
-  rules.push_back(rule);
   return {};
+}
+
+std::string AddRule(const MaterialTexts& texts, std::vector<MaterialRule>& rules)
+{
+  MaterialRule rule;
+  std::string problem = MakeRule(texts, rule);
+  if (problem.empty())
+  {
+    rules.push_back(rule);
+  }
+  return problem;
+}
+
+/// Adds the rule of a line. Returns an error message; empty if it is one.
+std::string ReadLine(
+  const std::vector<std::string>& values, const MaterialHeader& header, std::vector<MaterialRule>& rules)
+{
+  if (values.size() < 2 || values.size() > header.size())
+  {
+    return "write NAME,MATERIAL,DENSITY, and perhaps TOLERANCE and MASS, or the columns of the header";
+  }
+  MaterialTexts texts;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    texts.*header[i] = values[i];
+  }
+  return AddRule(texts, rules);
 }
 
 std::string ReadCsv(const std::string& text, std::vector<MaterialRule>& rules)
 {
   size_t number = 0;
+  MaterialHeader header{ std::begin(MaterialColumns), std::end(MaterialColumns) };
   for (size_t begin = 0; begin < text.size();)
   {
     const size_t end = std::min(text.find('\n', begin), text.size());
     const std::string line = Trim(text.substr(begin, end - begin));
     begin = end + 1;
     ++number;
-    std::vector<std::string> values = SplitLine(line);
-    if (line.empty() || line[0] == '#' || (values.size() >= 3 && LowerCase(values[2]) == "density"))
+    if (line.empty() || line[0] == '#')
     {
       continue;
     }
-    const std::string place = "line " + std::to_string(number) + ": ";
-    if (values.size() < 2 || values.size() > 4)
-    {
-      return place + "write NAME,MATERIAL,DENSITY or NAME,MATERIAL,DENSITY,TOLERANCE";
-    }
-    values.resize(4);
-    const std::string problem = AddRule(values[0], values[1], values[2], values[3], rules);
+    const std::vector<std::string> values = SplitLine(line);
+    const std::string problem =
+      IsHeader(values) ? ReadHeader(values, header) : ReadLine(values, header, rules);
     if (!problem.empty())
     {
-      return place + problem;
+      return "line " + std::to_string(number) + ": " + problem;
     }
   }
   return {};
@@ -122,15 +158,16 @@ std::string ReadJson(const std::string& text, std::vector<MaterialRule>& rules)
   for (size_t i = 0; i < list.size(); ++i)
   {
     const Json& entry = list[i];
-    const auto get = [&entry](const char* key)
+    MaterialTexts texts;
+    for (std::size_t k = 0; k < std::size(MaterialColumns) && entry.is_object(); ++k)
     {
-      const bool known = entry.is_object() && entry.contains(key) && !entry[key].is_null();
-      return !known              ? std::string()
-        : entry[key].is_string() ? entry[key].get<std::string>()
-                                 : Dump(entry[key]);
-    };
-    const std::string problem =
-      AddRule(get("name"), get("material"), get("density"), get("tolerance"), rules);
+      const auto value = entry.find(MaterialColumnNames[k]);
+      if (value != entry.end() && !value->is_null())
+      {
+        texts.*MaterialColumns[k] = value->is_string() ? value->get<std::string>() : Dump(*value);
+      }
+    }
+    const std::string problem = AddRule(texts, rules);
     if (!problem.empty())
     {
       return "entry " + std::to_string(i + 1) + ": " + problem;
@@ -152,13 +189,6 @@ std::string ReadMaterialFile(const std::string& name, std::vector<MaterialRule>&
   const bool isJson = first != std::string::npos && (text[first] == '[' || text[first] == '{');
   const std::string problem = isJson ? ReadJson(text, rules) : ReadCsv(text, rules);
   return problem.empty() ? problem : name + ", " + problem;
-}
-
-double ParseShare(const std::string& text)
-{
-  const bool isPercent = !text.empty() && text.back() == '%';
-  const double value = isPercent ? ParseNumber(text.substr(0, text.size() - 1)) / 100.0 : ParseNumber(text);
-  return value >= 0.0 && value <= 1.0 ? value : -1.0;
 }
 
 Material ParseDensity(const std::string& text)

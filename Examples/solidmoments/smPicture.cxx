@@ -15,18 +15,23 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -123,10 +128,88 @@ void AddFlagged(vtkRenderer* body, vtkRenderer* front, vtkPolyData* flagged)
     ->SetColor(SignalColor[0], SignalColor[1], SignalColor[2]);
 }
 
+/// Colours of values, from the smallest to the largest: pale yellow, green, blue, almost black.
+constexpr double RampColors[][3] = { { 0.98, 0.96, 0.72 }, { 0.55, 0.82, 0.50 }, { 0.13, 0.55, 0.55 },
+  { 0.17, 0.25, 0.50 }, { 0.15, 0.02, 0.20 } };
+
+/// Returns a table of RampColors from 0 to `largest`; NaN is grey.
+vtkSmartPointer<vtkLookupTable> MakeRamp(double largest)
+{
+  constexpr int count = 256;
+  constexpr int parts = static_cast<int>(std::size(RampColors)) - 1;
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(count);
+  for (int i = 0; i < count; ++i)
+  {
+    const double at = static_cast<double>(i) * parts / (count - 1);
+    const int part = std::min(static_cast<int>(at), parts - 1);
+    double color[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      color[k] = RampColors[part][k] + (at - part) * (RampColors[part + 1][k] - RampColors[part][k]);
+    }
+    table->SetTableValue(i, color[0], color[1], color[2], 1.0);
+  }
+  table->SetNanColor(0.6, 0.6, 0.6, 1.0);
+  table->SetTableRange(0.0, largest);
+  return table;
+}
+
+/// Adds the body with its faces in the colours of their values, and the colour bar. Returns false, and adds
+/// nothing, if no face has a value.
+bool AddColoredBody(const sm::Picture& picture, vtkPolyData* mesh, vtkRenderer* body, vtkRenderer* front)
+{
+  vtkDataArray* values =
+    picture.FaceArray.empty() ? nullptr : mesh->GetCellData()->GetArray(picture.FaceArray.c_str());
+  double range[2] = { 0.0, 0.0 };
+  if (values)
+  {
+    values->GetFiniteRange(range);
+  }
+  if (!(range[1] > 0.0))
+  {
+    return false;
+  }
+  const vtkSmartPointer<vtkLookupTable> ramp = MakeRamp(range[1]);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectColorArray(picture.FaceArray.c_str());
+  mapper->SetLookupTable(ramp);
+  mapper->UseLookupTableScalarRangeOn();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.65);
+  body->AddActor(actor);
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(ramp);
+  bar->SetNumberOfLabels(5);
+  bar->SetUnconstrainedFontSize(true);
+  bar->SetTitle(" ");
+  bar->SetLabelFormat("%.4g");
+  bar->GetLabelTextProperty()->SetColor(0.1, 0.1, 0.1);
+  bar->GetLabelTextProperty()->SetFontSize(16);
+  bar->GetLabelTextProperty()->SetItalic(false);
+  bar->GetLabelTextProperty()->SetBold(false);
+  bar->GetLabelTextProperty()->SetShadow(false);
+  bar->SetPosition(0.87, 0.25);
+  bar->SetWidth(0.1);
+  bar->SetHeight(0.5);
+  front->AddActor2D(bar);
+  vtkSmartPointer<vtkTextActor> title = sm::AddText(
+    front, sm::RaiseDigits(picture.FaceTitle), 16, false, Width - Margin, Height * 3 / 4 + Margin, true);
+  title->GetTextProperty()->SetJustificationToRight();
+  return true;
+}
+
 void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* front)
 {
   const vtkSmartPointer<vtkPolyData> mesh = sm::JoinParts(picture.Body);
-  sm::AddBody(body, mesh);
+  if (!AddColoredBody(picture, mesh, body, front))
+  {
+    sm::AddBody(body, mesh);
+  }
   sm::AddOutlines(body, sm::MakeOutlines(mesh));
   sm::AddMark(body, front, picture.Mark);
   vtkBoundingBox box(mesh->GetBounds());

@@ -25,6 +25,9 @@ struct Picture
   vtkPolyData* Stability = nullptr;   ///< port 0 of vtkSolidStability, in its own colours; null: none
   vtkPolyData* Flagged = nullptr;     ///< port 6: faces and edges to mark; may be empty
   const FileResult* Result = nullptr; ///< for the caption
+  /// A cell array of Body by which its faces are coloured, from 0 to its maximum, with a colour bar, and the
+  /// title of that; empty: the faces have their own colours.
+  std::string FaceArray, FaceTitle;
 };
 
 /// Writes a PNG file. Returns an error message, empty when it is written.

@@ -3,6 +3,7 @@
 #include "smFormat.h"
 #include "smScheme.h"
 #include "smStabilityAnalysis.h"
+#include "smToleranceAnalysis.h"
 #include "smValidationFile.h"
 
 #include <algorithm>
@@ -57,13 +58,24 @@ std::string MassRows(const FileResult& file)
                                      : std::string();
   }
   std::string text = MeasuredRow("mass", total.Mass, "kg");
-  const auto& [sum, density, gaps, numerical] = total.MassUncertainty;
+  const auto& [sum, density, gaps, numerical, overridden, tolerance] = total.MassUncertainty;
+  const bool isOverridden = total.OverriddenMass > 0.0;
+  if (isOverridden)
+  {
+    text += Row("  of it overridden",
+      FormatValue(total.OverriddenMass, Unknown) + " kg as the materials state" +
+        (overridden > 0.0 ? "" : ", without a tolerance"),
+      "");
+  }
+  const bool hasTolerances = total.Analyses.Find<ToleranceResult>();
   // The share of gaps is not known for open solids.
-  if (density > 0.0 || !(gaps <= 1e-3 * numerical))
+  if (density > 0.0 || !(gaps <= 1e-3 * numerical) || overridden > 0.0 || hasTolerances)
   {
     text += Row("mass in doubt",
       (std::isnan(sum) ? "not known" : ShortBound(sum) + " kg") + ": density " + ShortBound(density) +
-        ", gaps " + ShortBound(gaps) + ", numerical " + ShortBound(numerical),
+        ", gaps " + ShortBound(gaps) + ", numerical " + ShortBound(numerical) +
+        (isOverridden ? ", overridden masses " + ShortBound(overridden) : "") +
+        (hasTolerances ? ", tolerances " + ShortBound(tolerance) : ""),
       "");
   }
   if (HasMixedDensities(total))
@@ -193,7 +205,8 @@ std::string SolidRows(const FileResult& file)
   }
   const std::string unit = file.FormatUnit(1);
   const bool hasMass = std::any_of(solids.begin(), solids.end(),
-    [](const SolidResult& solid) { return !std::isnan(solid.Density) || !solid.Material.empty(); });
+    [](const SolidResult& solid)
+    { return solid.Mass.IsKnown() || !std::isnan(solid.Density) || !solid.Material.empty(); });
   const auto massCells = [hasMass](
                            const std::string& density, const std::string& mass, const std::string& material)
   {
@@ -212,7 +225,9 @@ std::string SolidRows(const FileResult& file)
       Pad(FormatBrief(solid.Volume.Get(), solid.Volume.Bound), 18, true) +
       Pad(FormatBrief(solid.Area.Get(), solid.Area.Bound), 18, true) +
       massCells(FormatValue(solid.Density, Unknown, 9), FormatBrief(solid.Mass.Get(), solid.Mass.Bound),
-        solid.Material.empty() ? "-" : solid.Material) +
+        solid.OverriddenMass > 0.0 ? "mass stated"
+          : solid.Material.empty() ? "-"
+                                   : solid.Material) +
       "  " + Pad(FormatBrief(solid.Center), 40) +
       (verdict.empty() ? solid.Status : Pad(solid.Status, 19) + verdict) + "\n";
   }

@@ -23,6 +23,10 @@ void AddMassColumns(const BodyResult& body, const TotalResult* total, Columns& c
   columns.Add("mass_uncertainty", body.MassUncertainty[0]);
   columns.Add("mass_uncertainty_density", body.MassUncertainty[1]);
   columns.Add("mass_uncertainty_gaps", body.MassUncertainty[2]);
+  columns.Add("mass_uncertainty_overridden", body.MassUncertainty[4]);
+  columns.Add("mass_uncertainty_tolerance", body.MassUncertainty[5]);
+  columns.Note("kg, the part of the mass that materials state");
+  columns.Add("overridden_mass", body.OverriddenMass);
   columns.Note("L, with the densities as weight");
   columns.AddPoint("mass_center", body.MassCenter.Value);
   columns.Add("mass_center_bound", body.MassCenter.Bound);

@@ -131,6 +131,9 @@ void SensitivityAnalysis::Run(const AnalysisRun& run) const
   std::stable_sort(all.begin(), all.end(),
     [](const SensitivityEntry& a, const SensitivityEntry& b) { return a.Volume.Get() > b.Volume.Get(); });
   all.resize(std::min(all.size(), SensitivityResult::MaxFacesOfFile));
+  run.Colors = { vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(5)),
+    names::VolumePerOffset,
+    "volume per offset, " + run.File.FormatUnit(3) + " per " + run.File.FormatUnit(1) };
   AddEffort(filter, run.File, run.Messages);
 }
 }

@@ -1,16 +1,15 @@
 #include "smToleranceAnalysis.h"
 
+#include "smDrawingTolerances.h"
 #include "smFileJob.h"
 #include "smFilterSetUp.h"
 #include "smFormat.h"
-#include "smLengthUnits.h"
 #include "smMassPropertyNames.h"
 #include "smMessageList.h"
 #include "smOptions.h"
 #include "smQuantities.h"
 #include "smReportRows.h"
 #include "smResults.h"
-#include "smSTEPTolerances.h"
 #include "smText.h"
 #include "smTrimText.h"
 
@@ -23,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <map>
 
@@ -61,6 +59,43 @@ ToleranceEntry ReadFace(vtkFieldData* data, vtkIdType row)
   return { GetText(data, row, names::Id), GetCount(data, row, names::FaceId),
     GetNumber(data, row, names::ToleranceLower), GetNumber(data, row, names::ToleranceUpper),
     GetNumber(data, row, names::VolumeByTolerance), GetNumber(data, row, names::MassByTolerance) };
+}
+
+/// Relative excess of a sum over its rounding.
+constexpr double ShareExcess = 1.0 + 1e-12;
+
+/// Returns how far tolerances may move the mass of a solid, at its largest density; NaN if it is not known.
+double GetMassShare(const Quantities& body, const ToleranceResult& tolerance)
+{
+  // The interval has the numerical bound, which is a share of its own.
+  const double mass = body.Mass.Get();
+  const double reach = std::max(tolerance.Mass.Maximum - mass, mass - tolerance.Mass.Minimum);
+  return std::isnan(tolerance.Mass.Maximum)
+    ? Unknown
+    : ShareExcess * std::max(reach - body.Mass.Bound, 0.0) * (1.0 + body.MassUncertainty[1] / mass);
+}
+
+/// Adds the share of the tolerances to the mass in doubt.
+void AddMassShare(Quantities& body, double share)
+{
+  body.MassUncertainty[5] = share;
+  body.MassUncertainty[0] = ShareExcess * (body.MassUncertainty[0] + share);
+}
+
+/// Adds the shares of the tolerances to the solids, and their sum to the total.
+void AddMassShares(const std::vector<std::unique_ptr<ToleranceResult>>& tolerances,
+  const ToleranceResult& total, FileResult& file)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < tolerances.size(); ++i)
+  {
+    SolidResult& solid = file.Solids[i];
+    const double share = GetMassShare(solid, *tolerances[i]);
+    // Bodies without a volume have no mass that could be off.
+    sum += std::isnan(share) && !solid.Mass.IsKnown() ? 0.0 : ShareExcess * share;
+    AddMassShare(solid, share);
+  }
+  AddMassShare(file.Total, std::isnan(total.Mass.Maximum) ? Unknown : sum);
 }
 
 /// Keeps the faces that add most to the worst case.
@@ -114,59 +149,24 @@ std::string ReadLine(
   return {};
 }
 
-/// Returns the faces' ranges by the tolerances of the drawing, the narrowest where a face has several, and
-/// lists all of them. `scale` is a mm in the length unit of the results.
-std::vector<ToleranceFileRule> ReadDrawing(
-  const std::string& file, double scale, std::vector<DrawingTolerance>& drawing)
+/// Lists the tolerances of the drawing that the reader found.
+std::vector<ListedTolerance> ListDrawing(vtkDataObject* data)
 {
-  Part21File text;
-  std::vector<ToleranceFileRule> rules;
-  ToleranceFileRule whole{ "part", "*", 0.0, 0.0 };
-  bool hasWhole = false;
-  std::map<std::uint64_t, ToleranceFileRule> ofFaces;
-  const auto isWider = [](const ToleranceFileRule& a, double lower, double upper)
-  { return std::max(-a.Lower, a.Upper) > std::max(-lower, upper); };
-  for (const STEPTolerance& tolerance :
-    text.Read(file) ? ReadSTEPTolerances(text) : std::vector<STEPTolerance>())
+  std::vector<ListedTolerance> list;
+  for (const DrawingTolerance& tolerance : GetDrawingTolerances(data))
   {
-    const double lower = scale * tolerance.Lower;
-    const double upper = scale * tolerance.Upper;
-    const bool isKnown = tolerance.Problem.empty();
-    drawing.push_back({ static_cast<long long>(tolerance.Id), static_cast<long long>(tolerance.Faces.size()),
-      tolerance.Kind, tolerance.Problem, isKnown ? lower : Unknown, isKnown ? upper : Unknown });
-    for (const std::uint64_t face : isKnown ? tolerance.Faces : std::vector<std::uint64_t>())
-    {
-      const ToleranceFileRule rule{ "face", "#" + std::to_string(face), lower, upper };
-      const auto [entry, isNew] = ofFaces.emplace(face, rule);
-      if (!isNew && isWider(entry->second, lower, upper))
-      {
-        entry->second = rule;
-      }
-    }
-    if (isKnown && tolerance.IsForAll && (!hasWhole || isWider(whole, lower, upper)))
-    {
-      whole.Lower = lower;
-      whole.Upper = upper;
-      hasWhole = true;
-    }
+    list.push_back({ tolerance.Id, static_cast<long long>(tolerance.Faces.size()), tolerance.Kind,
+      tolerance.Problem, tolerance.Lower, tolerance.Upper });
   }
-  for (const auto& [face, rule] : ofFaces)
-  {
-    rules.push_back(rule);
-  }
-  if (hasWhole)
-  {
-    rules.push_back(whole);
-  }
-  return rules;
+  return list;
 }
 
 /// Reports how many tolerances of the drawing are used, and the reasons why others are not.
-void ReportDrawing(const std::vector<DrawingTolerance>& drawing, MessageList& messages)
+void ReportDrawing(const std::vector<ListedTolerance>& drawing, MessageList& messages)
 {
   std::map<std::string, std::vector<long long>> reasons;
   std::size_t used = 0;
-  for (const DrawingTolerance& tolerance : drawing)
+  for (const ListedTolerance& tolerance : drawing)
   {
     if (tolerance.Problem.empty())
     {
@@ -275,7 +275,7 @@ void ToleranceResult::Visit(Fields& fields, const char* key)
       });
   fields.Note("", "with `--tolerances`, in `total`: all tolerances of the drawing in the file")
     .List("drawing", this->Drawing,
-      [&fields](DrawingTolerance& tolerance)
+      [&fields](ListedTolerance& tolerance)
       {
         fields.Note("", "entity number").Count("id", tolerance.Id);
         fields.Note("", "`surface profile`, `diameter`, `thickness`, ...").Text("kind", tolerance.Kind);
@@ -358,16 +358,10 @@ std::string ToleranceAnalysis::GetInputFile() const
 
 void ToleranceAnalysis::Run(const AnalysisRun& run) const
 {
-  std::vector<ToleranceFileRule> rules = this->Rules;
-  std::vector<DrawingTolerance> drawing;
+  std::vector<ListedTolerance> drawing;
   if (this->FromFile)
   {
-    // The content of a compressed file, or of the standard input, is in a file of its own.
-    const std::string& source =
-      run.Options.SourceName.empty() ? run.Options.FileName : run.Options.SourceName;
-    const double scale = 1e-3 / GetMetres(run.File.LengthUnit.value_or("mm"));
-    const std::vector<ToleranceFileRule> more = ReadDrawing(source, scale, drawing);
-    rules.insert(rules.end(), more.begin(), more.end());
+    drawing = ListDrawing(run.Reader->GetOutputDataObject(0));
     ReportDrawing(drawing, run.Messages);
   }
   vtkNew<vtkMassTolerances> filter;
@@ -377,7 +371,8 @@ void ToleranceAnalysis::Run(const AnalysisRun& run) const
   filter->SetDistribution(
     this->Distribution == "normal" ? vtkMassTolerances::NORMAL : vtkMassTolerances::UNIFORM);
   filter->SetFaceTolerance(this->Lower, this->Upper);
-  for (const ToleranceFileRule& rule : rules)
+  filter->SetUseDrawing(this->FromFile);
+  for (const ToleranceFileRule& rule : this->Rules)
   {
     filter->AddTolerance(rule.Kind.c_str(), rule.Pattern.c_str(), rule.Lower, rule.Upper);
   }
@@ -400,6 +395,7 @@ void ToleranceAnalysis::Run(const AnalysisRun& run) const
       solids.at(solid)->Faces.push_back(entry);
     }
   }
+  AddMassShares(solids, *total, run.File);
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
     KeepLargest(solids[i]->Faces);
@@ -409,6 +405,8 @@ void ToleranceAnalysis::Run(const AnalysisRun& run) const
   KeepLargest(total->Faces);
   total->Drawing = drawing;
   run.File.Total.Analyses.Set(run.Index, std::move(total));
+  run.Colors = { vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(5)),
+    names::VolumeByTolerance, "within the tolerance, " + run.File.FormatUnit(3) };
   AddEffort(filter, run.File, run.Messages);
 }
 }

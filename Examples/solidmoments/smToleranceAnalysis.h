@@ -27,7 +27,7 @@ struct ToleranceRange
 };
 
 /// A tolerance of the drawing in the file; limits are in the length unit of the results.
-struct DrawingTolerance
+struct ListedTolerance
 {
   long long Id = -1, Faces = -1;
   std::string Kind, Problem;
@@ -46,7 +46,7 @@ public:
   /// At most five, those that add most to the worst case.
   std::vector<ToleranceEntry> Faces;
   /// All of the file, only in the total.
-  std::vector<DrawingTolerance> Drawing;
+  std::vector<ListedTolerance> Drawing;
 
   void Visit(Fields& fields, const char* key) override;
   std::string FormatRows(const std::string& unit) const override;

@@ -23,8 +23,9 @@ std::vector<StatedProduct> StatedFile::List() const
   std::vector<StatedProduct> list;
   for (const STEPProduct& product : this->Products)
   {
-    list.push_back({ product.Name, static_cast<long long>(product.Definition), product.Problem,
-      product.Stated.Volume, product.Stated.Area, product.Stated.Centroid });
+    list.push_back(
+      { product.Name, static_cast<long long>(product.Definition), product.VolumeProblem, product.AreaProblem,
+        product.CentroidProblem, product.Stated.Volume, product.Stated.Area, product.Stated.Centroid });
   }
   return list;
 }
@@ -44,18 +45,22 @@ std::string WriteValidation(const std::string& fileName, const ProductTreeNode& 
   {
     const ComputedProduct computed = sums.Find(product.Name);
     const STEPValidation& stated = product.Stated;
-    if (!computed.Reason.empty() || !product.Problem.empty() || product.Context == 0)
+    if (!computed.Reason.empty() || product.Context == 0)
     {
       continue;
     }
     STEPStatement statement;
     statement.Product = product;
-    // A property that the file states already is not written a second time, and none of which this program
-    // says that it may be wrong.
+    // A property that the file states already, usable or not, is not written a second time, and none of which
+    // this program says that it may be wrong.
     const bool isSound = isFileSound && computed.IsSound;
-    statement.Values.Volume = std::isfinite(stated.Volume) || !isSound ? std::nan("") : computed.Volume;
-    statement.Values.Area = std::isfinite(stated.Area) || !isSound ? std::nan("") : computed.Area;
-    if (computed.NoCenter.empty() && isSound && !std::isfinite(stated.Centroid[0]))
+    const auto isWanted = [isSound](double value, const std::string& problem)
+    { return isSound && problem.empty() && !std::isfinite(value); };
+    const bool wantsVolume = isWanted(stated.Volume, product.VolumeProblem);
+    const bool wantsArea = isWanted(stated.Area, product.AreaProblem);
+    statement.Values.Volume = wantsVolume ? computed.Volume : std::nan("");
+    statement.Values.Area = wantsArea ? computed.Area : std::nan("");
+    if (computed.NoCenter.empty() && isWanted(stated.Centroid[0], product.CentroidProblem))
     {
       statement.Values.Centroid = computed.Center;
     }

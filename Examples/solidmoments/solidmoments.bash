@@ -12,6 +12,8 @@ _solidmoments()
     --about) words="origin" ;;
     --robot) words="urdf sdf mjcf" ;;
     --collision) words="none hull" ;;
+    --hidden) words="count skip only" ;;
+    --repair) words="needed always never" ;;
     --require) words="stable mass validation" ;;
     --fail-on) words="open tolerance-not-met suspect not-computed empty none" ;;
     *)

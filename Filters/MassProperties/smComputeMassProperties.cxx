@@ -48,14 +48,10 @@ std::string FindWrongOption(const MassPropertiesOptions& options)
   }
   for (const MaterialRule& rule : options.Materials)
   {
-    if (!(rule.Material.Density > 0.0) || !std::isfinite(rule.Material.Density))
+    const std::string problem = FindRuleProblem(rule);
+    if (!problem.empty())
     {
-      return say(
-        ("the density of " + rule.Pattern).c_str(), rule.Material.Density, "kg/m^3, finite and above 0");
-    }
-    if (!(rule.Material.Tolerance <= 1.0))
-    {
-      return say(("the tolerance of " + rule.Pattern).c_str(), rule.Material.Tolerance, "at most 1");
+      return "Materials, " + rule.Pattern + ": " + problem;
     }
   }
   return {};
@@ -77,6 +73,7 @@ BodyMassProperties MakeBody(const MassRow& row)
   body.Density = row.Density;
   body.Material = row.Material;
   body.Mass = { row.Mass, row.MassBound };
+  body.OverriddenMass = row.OverriddenMass;
   body.MassCenter = { row.Weighted.Center, row.Weighted.CenterBound };
   body.MassInertia = { row.MassInertia, row.MassInertiaBound };
   body.Volume.Spread = row.Spread.Volume;
@@ -137,6 +134,17 @@ MassPropertiesResult Compute(vtkDataObject* model, const MassPropertiesOptions& 
     result.Reason = report.Messages.back();
     result.Total.Messages = report.Messages;
     return result;
+  }
+  const std::string leftOut = LeaveOut(
+    [&options](const std::string& name)
+    {
+      const MaterialRule* rule = FindRule(options.Materials, name);
+      return rule && rule->IsLeftOut;
+    },
+    bodies);
+  if (!leftOut.empty())
+  {
+    report.Messages.push_back(leftOut);
   }
   report.AddBodies(bodies, rejected);
   report.AddFile(GetFileState(model), !bodies.empty(), !bodies.empty());

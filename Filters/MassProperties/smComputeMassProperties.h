@@ -45,8 +45,8 @@ struct MassPropertiesOptions
   double Density = 0.0;
   /// In [0, 1].
   double DensityTolerance = 0.0;
-  /// Materials by the names of solids; they take precedence over Density. Their densities are above 0 and
-  /// finite, their tolerances at most 1.
+  /// Materials by the names of solids, and masses that override volume times density; they take precedence
+  /// over Density. See FindRuleProblem() for their ranges.
   std::vector<MaterialRule> Materials;
   /// Gaps between faces and edges above this fraction of the diagonal of a body make its result suspect. In
   /// [0, 1].
@@ -84,7 +84,9 @@ struct BodyMassProperties
   /// Density in kg/m^3, and name of the material. NaN and empty where there is none, or where bodies differ.
   double Density = std::numeric_limits<double>::quiet_NaN();
   std::string Material;
-  Bounded<double> Mass;                       ///< kg
+  Bounded<double> Mass; ///< kg
+  /// The part of the mass that materials state, in kg; NaN without a mass.
+  double OverriddenMass = std::numeric_limits<double>::quiet_NaN();
   Bounded<std::array<double, 3>> MassCenter;  ///< L, with the densities as weight
   Bounded<std::array<double, 9>> MassInertia; ///< kg L^2, about MassCenter
 

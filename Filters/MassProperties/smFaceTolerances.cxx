@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 
 namespace sm
 {
@@ -70,7 +71,8 @@ public:
     double areaError = 0.0;
     double thickness = 0.0;
     Vector3 reach{};
-    const double density = row.Mass / row.Properties.Volume;
+    // A stated mass does not change with the volume.
+    const double density = row.OverriddenMass > 0.0 ? 0.0 : row.Mass / row.Properties.Volume;
     // A solid of the set may grow at one place and shrink at another.
     const double movable = lower.Second + upper.Second;
     const double step = std::max(lower.Reach, upper.Reach);
@@ -325,6 +327,51 @@ ToleranceRow::ToleranceRow()
   this->CenterDeviation.fill(nan);
   this->InertiaDeviation.fill(nan);
   this->PrincipalDeviation.fill(nan);
+}
+
+std::vector<FaceToleranceRule> MakeDrawingRules(const std::vector<DrawingTolerance>& tolerances)
+{
+  std::map<std::int64_t, FaceToleranceRule> ofFaces;
+  std::vector<FaceToleranceRule> ofAll;
+  const auto narrow = [](const DrawingTolerance& by, FaceToleranceRule& rule)
+  {
+    if (std::max(-by.Lower, by.Upper) < std::max(-rule.Lower, rule.Upper))
+    {
+      rule.Lower = by.Lower;
+      rule.Upper = by.Upper;
+    }
+  };
+  for (const DrawingTolerance& tolerance : tolerances)
+  {
+    if (!tolerance.Problem.empty())
+    {
+      continue;
+    }
+    for (const std::int64_t face : tolerance.Faces)
+    {
+      narrow(tolerance,
+        ofFaces
+          .try_emplace(face,
+            FaceToleranceRule{
+              FaceToleranceRule::Kind::Face, "#" + std::to_string(face), tolerance.Lower, tolerance.Upper })
+          .first->second);
+    }
+    if (tolerance.IsForAll && ofAll.empty())
+    {
+      ofAll.push_back({ FaceToleranceRule::Kind::Part, "*", tolerance.Lower, tolerance.Upper });
+    }
+    else if (tolerance.IsForAll)
+    {
+      narrow(tolerance, ofAll.front());
+    }
+  }
+  std::vector<FaceToleranceRule> rules;
+  for (const auto& [face, rule] : ofFaces)
+  {
+    rules.push_back(rule);
+  }
+  rules.insert(rules.end(), ofAll.begin(), ofAll.end());
+  return rules;
 }
 
 FaceToleranceResults ComputeFaceTolerances(const std::vector<BodyIntegrals>& bodies,

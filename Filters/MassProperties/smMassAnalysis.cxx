@@ -1,6 +1,7 @@
 #include "smMassAnalysis.h"
 
 #include "Detail/smMassSpread.h"
+#include "Detail/smMirroredTwins.h"
 #include "Detail/smPlausibility.h"
 #include "Detail/smSelfCrossing.h"
 #include "Detail/smTotalMass.h"
@@ -498,7 +499,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   analysis.Unit = bodies.front().Model->GetLengthUnit();
   analysis.HasOneUnit = HaveOneUnit(bodies);
   analysis.HasMass = std::any_of(bodies.begin(), bodies.end(),
-    [&options](const BodyIntegrals& body) { return ChooseMaterial(body, options).Density > 0.0; });
+    [&options](const BodyIntegrals& body) { return ChooseMaterial(body, options).HasMass(); });
   MassRow& total = analysis.Total;
   if (analysis.HasOneUnit)
   {
@@ -537,6 +538,7 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   AnalyzeTotal(bodies, parts, options, analysis);
   RemoveLeftOut(bodies, options, analysis);
   NoteUnknownUnits(bodies, options, analysis);
+  NoteStatedMasses(bodies, options, analysis);
   NoteUnusedRules(bodies, options, analysis);
   NoteCoincidences(bodies, analysis);
   // Bounds add up but scales need not, for example for parts on opposite sides of the origin.
@@ -583,7 +585,10 @@ std::function<bool()> MakeContinue(const IntegralLimits& limits, const RunReport
 MassAnalysis AnalyzeRun(std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options,
   bool checkEdits, const IntegralLimits& limits, SelfCrossingCheck& crossings, RunReport& report)
 {
-  MassAnalysis analysis = AnalyzeMass(bodies, options);
+  MassAnalysisOptions completed = options;
+  const std::vector<std::string> twins = FindMirroredTwins(bodies, limits, report, completed);
+  MassAnalysis analysis = AnalyzeMass(bodies, completed);
+  analysis.Messages.insert(analysis.Messages.end(), twins.begin(), twins.end());
   if (options.HasBounds)
   {
     crossings.Run(bodies, checkEdits, MakeContinue(limits, report));

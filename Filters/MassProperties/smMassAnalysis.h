@@ -16,6 +16,7 @@
 #include "smStatus.h"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct MassAnalysisOptions
   double DensityTolerance = 0.0;
   /// Materials by the names of the bodies. The first rule that a name matches comes before Density.
   std::vector<MaterialRule> Materials;
+  /// Materials of bodies without one, by their ids, from their mirror images.
+  std::map<std::string, Material> Twins;
   /// The frame of reference of InFrame in MassRow, which must be valid if Frame.IsGiven is true.
   ReferenceFrame Frame;
   /// False if the integrals have no bounds and belong to no closed chain (the paper's schemes). Then every

@@ -33,9 +33,10 @@ constexpr const char* MassPrincipalMoments = "MassPrincipalMoments"; // 3 ascend
 constexpr const char* MassPrincipalAxes = "MassPrincipalAxes";       // 9, rows are unit vectors
 constexpr const char* MassRadiiOfGyration = "MassRadiiOfGyration";   // 3, L
 constexpr const char* MassUncertainty =
-  "MassUncertainty";                         // 4, kg: in all, by density, closings, numerical bound
-constexpr const char* Density = "Density";   // 1, kg/m^3
-constexpr const char* Material = "Material"; // string
+  "MassUncertainty"; // 5, kg: in all, by density, closings, numerical bound, overridden masses
+constexpr const char* OverriddenMass = "OverriddenMass"; // 1, kg: the part of Mass that materials state
+constexpr const char* Density = "Density";               // 1, kg/m^3
+constexpr const char* Material = "Material";             // string
 constexpr const char* BoundsMeasured = "BoundsMeasured"; // 4, parts of the bounds of volume, area, centre and
                                                          // inertia that are measured, not proved
 // The total of solids of which only some have a density.

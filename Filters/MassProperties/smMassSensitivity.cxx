@@ -272,10 +272,12 @@ FaceSensitivity ComputeSensitivity(
   }
   result.Volume = area.Area;
   result.VolumeBound = area.AreaBound;
-  const double density = row.Mass / p.Volume;
+  // A stated mass does not change with the volume.
+  const double density = row.OverriddenMass > 0.0 ? 0.0 : row.Mass / p.Volume;
   result.Mass = density * area.Area;
   result.MassBound = std::abs(density) * area.AreaBound +
-    area.Area * (row.MassBound + std::abs(density) * p.VolumeBound) / (p.Volume - p.VolumeBound) +
+    area.Area * ((row.OverriddenMass > 0.0 ? 0.0 : row.MassBound) + std::abs(density) * p.VolumeBound) /
+      (p.Volume - p.VolumeBound) +
     FewRoundings * std::abs(result.Mass);
   double largest = 0.0;
   for (int i = 0; i < 3; ++i)

@@ -75,7 +75,8 @@ const Quantity MassQuantities[] = {
   { names::MassRadiiOfGyration, 3, true, [](Row r) { return r.Weighted.Gyration.data(); },
     [](Row r) { return &r.Weighted.GyrationBound; } },
   { names::Density, 1, false, [](Row r) { return &r.Density; }, nullptr },
-  { names::MassUncertainty, 4, false, [](Row r) { return r.MassUncertainty.data(); }, nullptr },
+  { names::MassUncertainty, 5, false, [](Row r) { return r.MassUncertainty.data(); }, nullptr },
+  { names::OverriddenMass, 1, false, [](Row r) { return &r.OverriddenMass; }, nullptr },
 };
 
 const Quantity FrameQuantities[] = {
@@ -118,9 +119,10 @@ void ForEachQuantity(bool withMass, bool withFrame, const Use& use)
 
 MassRow::MassRow()
 {
-  this->Area = this->AreaBound = this->Mass = this->MassBound = this->MassInertiaBound = this->Density =
-    this->KnownMass = this->KnownMassBound = this->AreaSpread = this->ClosureCorrection = this->GapSquared =
-      this->MaxGap = this->GapArea = this->ClosureResidual = std::numeric_limits<double>::quiet_NaN();
+  this->Area = this->AreaBound = this->Mass = this->MassBound = this->OverriddenMass =
+    this->MassInertiaBound = this->Density = this->KnownMass = this->KnownMassBound = this->AreaSpread =
+      this->ClosureCorrection = this->GapSquared = this->MaxGap = this->GapArea = this->ClosureResidual =
+        std::numeric_limits<double>::quiet_NaN();
   this->MassInertia.fill(this->Mass);
   this->MassUncertainty.fill(this->Mass);
   this->MeasuredBounds.fill(this->Mass);
@@ -211,14 +213,19 @@ std::string FormatSummary(
     text +=
       "Mass: " + FormatWithBound(total.Mass, total.MassBound, "kg", total.WeightedSpread.Volume, "spread") +
       "\n";
-    text += total.Density < MinDensity
+    text += total.OverriddenMass > 0.0
+      ? "Mass that the materials state: " + FormatDigits(total.OverriddenMass, 10) + " kg\n"
+      : "";
+    text += total.Density < MinDensity && !(total.OverriddenMass > 0.0)
       ? "A density of " + FormatDigits(total.Density, 6) + " kg/m^3 is that of foam: steel has 7850\n"
       : "";
     // The share of gaps is not known for open solids.
     const bool isWhole = !std::isnan(total.MassUncertainty[0]);
-    const double doubt = total.MassUncertainty[isWhole ? 0 : 1];
+    const double doubt =
+      isWhole ? total.MassUncertainty[0] : total.MassUncertainty[1] + total.MassUncertainty[4];
     text += doubt > std::max(2.0 * total.MassBound, NotableDoubt * std::abs(total.Mass))
       ? "Mass in doubt by " + FormatBound(doubt) + " kg, for its density" +
+        (total.OverriddenMass > 0.0 ? ", stated masses" : "") +
         (isWhole ? " and gaps\n" : " alone: open edges may change it more\n")
       : "";
     const MassProperties& w = total.Weighted;

@@ -33,13 +33,17 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   std::array<double, 9> MassInertia;
   double MassInertiaBound;
   /// The uncertainty of the mass, in kg: their sum; by the tolerance of the density; by the gaps of the model
-  /// (the spread of the mass); by the numerical bound. NaN without a mass, and where a share is not known.
+  /// (the spread of the mass); by the numerical bound; by the tolerance of masses that override volume times
+  /// density. NaN without a mass, and where a share is not known.
   /// The share of gaps bounds what other closings may change, not the distance to the designer's part.
-  std::array<double, 4> MassUncertainty;
+  std::array<double, 5> MassUncertainty;
+  /// The part of the mass that materials state instead of a density; NaN without a mass.
+  double OverriddenMass;
   /// Properties with the density as weight: kg, kg L, kg L^2. For all bodies together only if each has a
   /// density.
   MassProperties Weighted;
-  /// Material, and density in kg/m^3; empty and NaN without one, or if bodies differ.
+  /// Material, and density in kg/m^3; empty and NaN without one, or if bodies differ. Where the mass
+  /// overrides it, the mean density.
   std::string Material;
   double Density;
   /// Mass of those bodies that have a density. Only of the total.

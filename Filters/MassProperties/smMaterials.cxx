@@ -1,6 +1,14 @@
 #include "smMaterials.h"
 
+#include "smFormat.h"
+
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <system_error>
+#include <utility>
 
 namespace sm
 {
@@ -14,6 +22,15 @@ char ToLower(char c)
 bool AreEqual(char a, char b)
 {
   return ToLower(a) == ToLower(b);
+}
+
+/// Reads a number with a decimal point, whatever the locale; NaN for any other text.
+double ReadDecimal(const std::string& text)
+{
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? value
+                                                                  : std::numeric_limits<double>::quiet_NaN();
 }
 }
 
@@ -38,6 +55,110 @@ const Material* FindCommonMaterial(const std::string& name)
     [&name](const Material& material)
     { return std::equal(name.begin(), name.end(), material.Name.begin(), material.Name.end(), AreEqual); });
   return found == materials.end() ? nullptr : &*found;
+}
+
+double ParseMass(const std::string& text, bool needsUnit)
+{
+  static const std::pair<const char*, double> units[] = { { "kg", 1.0 }, { "g", 1e-3 }, { "mg", 1e-6 },
+    { "t", 1e3 }, { "lb", 0.45359237 }, { "oz", 0.028349523125 } };
+  const std::size_t end = text.find_last_of("0123456789.");
+  const std::string number = end == std::string::npos ? std::string() : text.substr(0, end + 1);
+  const std::size_t begin = end == std::string::npos ? end : text.find_first_not_of(' ', end + 1);
+  const std::string unit = begin == std::string::npos ? std::string() : text.substr(begin);
+  const auto* const known = std::find_if(std::begin(units), std::end(units),
+    [&unit](const auto& entry) { return MatchesPattern(entry.first, unit); });
+  const bool isKnown = known != std::end(units) || (unit.empty() && !needsUnit);
+  const double mass = isKnown ? ReadDecimal(number) * (unit.empty() ? 1.0 : known->second) : 0.0;
+  return mass > 0.0 && mass < 1e300 ? mass : std::numeric_limits<double>::quiet_NaN();
+}
+
+double ParseShare(const std::string& text)
+{
+  const bool isPercent = !text.empty() && text.back() == '%';
+  const double value = isPercent ? ReadDecimal(text.substr(0, text.size() - 1)) / 100.0 : ReadDecimal(text);
+  return value >= 0.0 && value <= 1.0 ? value : -1.0;
+}
+
+namespace
+{
+/// Returns the relative tolerance of a mass; negative if the text is none.
+double ParseMassTolerance(const std::string& text, double mass)
+{
+  const double share = ParseShare(text);
+  const double absolute = ParseMass(text, true);
+  return share < 0.0 && absolute <= mass ? absolute / mass : share;
+}
+
+/// Sets the mass that the texts state. Returns an error message; empty if there is none.
+std::string TakeMass(const MaterialTexts& texts, Material& material)
+{
+  const bool isInDensity = texts.Mass.empty();
+  const std::string& text = isInDensity ? texts.Density : texts.Mass;
+  if (!isInDensity && !texts.Density.empty())
+  {
+    return "it has the density " + texts.Density + " and the mass " + texts.Mass +
+      ", which contradict each other; give one of them";
+  }
+  material.Mass = ParseMass(text, isInDensity);
+  if (!(material.Mass > 0.0))
+  {
+    return text +
+      " is not a mass; give a number above 0 in kg, or with one of the units kg, g, mg, t, lb, oz";
+  }
+  return {};
+}
+
+/// Sets the density that the texts state. Returns an error message; empty if there is none.
+std::string TakeDensity(const MaterialTexts& texts, Material& material)
+{
+  const Material* common = FindCommonMaterial(texts.Material);
+  material.Density = !texts.Density.empty() ? ReadDecimal(texts.Density) : common ? common->Density : 0.0;
+  if (material.Density > 0.0 && material.Density < 1e300)
+  {
+    return {};
+  }
+  return texts.Density.empty()
+    ? texts.Material + " is none of the materials of --list-materials: it needs a density"
+    : texts.Density +
+      " is not a density; give kg/m^3, for example 7850, or a mass with a unit, for example 250 g";
+}
+}
+
+std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule)
+{
+  MaterialRule made{ texts.Pattern, { texts.Material } };
+  if (texts.Pattern.empty())
+  {
+    return "the name is empty";
+  }
+  made.IsLeftOut = MatchesPattern(LeftOutMaterial, texts.Material);
+  if (made.IsLeftOut)
+  {
+    if (!(texts.Density + texts.Tolerance + texts.Mass).empty())
+    {
+      return "a solid that is left out has neither density nor mass; remove them, or name a material";
+    }
+    rule = made;
+    return {};
+  }
+  const bool isMass = !texts.Mass.empty() || ParseMass(texts.Density, true) > 0.0;
+  const std::string problem = isMass ? TakeMass(texts, made.Material) : TakeDensity(texts, made.Material);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  if (!texts.Tolerance.empty())
+  {
+    made.Material.Tolerance =
+      isMass ? ParseMassTolerance(texts.Tolerance, made.Material.Mass) : ParseShare(texts.Tolerance);
+    if (!(made.Material.Tolerance >= 0.0))
+    {
+      return texts.Tolerance + " is not a relative tolerance; give 0.01 or 1%, for example" +
+        (isMass ? ", or a mass with a unit that is not above the mass, for example 2 g" : "");
+    }
+  }
+  rule = made;
+  return {};
 }
 
 bool MatchesPattern(const std::string& pattern, const std::string& name)
@@ -91,6 +212,33 @@ std::size_t FindPattern(std::size_t count, const std::function<const std::string
     }
   }
   return found;
+}
+
+std::string FindRuleProblem(const MaterialRule& rule)
+{
+  const Material& material = rule.Material;
+  if (rule.IsLeftOut)
+  {
+    return {};
+  }
+  if (!(material.Tolerance <= 1.0))
+  {
+    return FormatDigits(material.Tolerance, 6) +
+      " is not a relative tolerance; give 0 to 1, for example 0.01 for one per cent";
+  }
+  if (material.Density != 0.0 && material.Mass != 0.0)
+  {
+    return "the density " + FormatDigits(material.Density, 6) + " and the mass " +
+      FormatDigits(material.Mass, 6) + " contradict each other; give one of them";
+  }
+  const double value = material.Mass != 0.0 ? material.Mass : material.Density;
+  if (!(value > 0.0) || !std::isfinite(value))
+  {
+    return material.Mass != 0.0 ? FormatDigits(value, 6) + " is not a mass above 0; give kg"
+                                : std::string("there is no density above 0; give kg/m^3, for example 7850, "
+                                              "one of the common materials, or a mass");
+  }
+  return {};
 }
 
 const MaterialRule* FindRule(const std::vector<MaterialRule>& rules, const std::string& name)

@@ -20,8 +20,13 @@ struct Material
   std::string Name;
   /// kg/m^3; 0 without one.
   double Density = 0.0;
-  /// Largest relative deviation of the density, 0 to 1; negative if none is stated for this material.
+  /// Largest relative deviation of the density, or of the mass, 0 to 1; negative if none is stated for this
+  /// material: then that of the options counts for a density, and 0 for a mass.
   double Tolerance = -1.0;
+  /// Mass in kg of each solid, which overrides volume times density; 0 if none is stated. Then Density is 0.
+  double Mass = 0.0;
+
+  bool HasMass() const { return this->Density > 0.0 || this->Mass > 0.0; }
 };
 
 /// Gives a material to the solids whose name matches the pattern.
@@ -30,13 +35,37 @@ struct MaterialRule
   /// See MatchesPattern().
   std::string Pattern;
   sm::Material Material;
+  /// True if these solids are left out of everything. Then Material has no meaning.
+  bool IsLeftOut = false;
 };
+
+/// The material of rules that leave solids out.
+constexpr const char* LeftOutMaterial = "left out";
 
 /// Common engineering materials with usual densities at room temperature, in the order of their names.
 SMFILTERSMASSPROPERTIES_EXPORT const std::vector<Material>& GetCommonMaterials();
 
 /// Returns the common material of that name, whatever its case, or null.
 SMFILTERSMASSPROPERTIES_EXPORT const Material* FindCommonMaterial(const std::string& name);
+
+/// Reads a mass in kg: a number above 0, perhaps followed by a unit: kg, g, mg, t, lb or oz. Returns NaN for
+/// any other text. With `needsUnit` a number without a unit is not a mass.
+SMFILTERSMASSPROPERTIES_EXPORT double ParseMass(const std::string& text, bool needsUnit);
+
+/// Reads a fraction from 0 to 1, "0.01" or "1%"; returns a negative number for any other text.
+SMFILTERSMASSPROPERTIES_EXPORT double ParseShare(const std::string& text);
+
+/// The texts of a rule, as in a table of materials; all but the pattern may be empty.
+struct MaterialTexts
+{
+  /// `Density` is in kg/m^3, or a mass with a unit; `Tolerance` is relative, or a mass with a unit where a
+  /// mass is stated.
+  std::string Pattern, Material, Density, Tolerance, Mass;
+};
+
+/// Makes a rule: of a density, of a common material, of a mass, or of the material LeftOutMaterial alone.
+/// Returns an error message with a remedy, and leaves `rule` as it is; empty if the texts make a rule.
+SMFILTERSMASSPROPERTIES_EXPORT std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule);
 
 /// Returns true if the name is the pattern, in which * stands for any characters and ? for one byte. Letters
 /// of ASCII match in either case.
@@ -46,6 +75,10 @@ SMFILTERSMASSPROPERTIES_EXPORT bool MatchesPattern(const std::string& pattern, c
 /// `count` if there is none.
 SMFILTERSMASSPROPERTIES_EXPORT std::size_t FindPattern(std::size_t count,
   const std::function<const std::string&(std::size_t)>& getPattern, const std::string& name);
+
+/// Returns why a rule is none, with a remedy; empty if it is one: either a density or a mass, finite and
+/// above 0, and a tolerance of at most 1; or a pattern of solids that are left out.
+SMFILTERSMASSPROPERTIES_EXPORT std::string FindRuleProblem(const MaterialRule& rule);
 
 /// Returns the rule whose pattern FindPattern() finds, or null.
 SMFILTERSMASSPROPERTIES_EXPORT const MaterialRule* FindRule(

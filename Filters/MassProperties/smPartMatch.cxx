@@ -364,11 +364,13 @@ private:
     SetAngle(rotation);
     if ((this->Result.IsFound && rotation.Angle >= this->Result.Angle) || ++this->Tried > MaxRotations)
     {
+      this->Result.IsComplete = this->Result.IsComplete && this->Tried <= MaxRotations;
       return;
     }
     if (Carries(matrix, this->A, this->B, this->Tolerance))
     {
       rotation.IsFound = true;
+      rotation.IsComplete = this->Result.IsComplete;
       this->Result = rotation;
     }
   }
@@ -404,5 +406,22 @@ bool AreParallel(const PartShape& a, const PartShape& b, double tolerance)
 Rotation FindRotation(const PartShape& a, const PartShape& b, double tolerance)
 {
   return MayBeEqual(a, b, tolerance) ? RotationSearch(a, b, tolerance).Run() : Rotation();
+}
+
+bool AreMirrored(const PartShape& a, const PartShape& b, double tolerance)
+{
+  if (!MayBeEqual(a, b, tolerance))
+  {
+    return false;
+  }
+  constexpr double reflection[12] = { -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
+  PartShape image = a;
+  image.Place(reflection);
+  if (!RotationSearch(image, b, tolerance).Run().IsFound)
+  {
+    return false;
+  }
+  const Rotation rotation = RotationSearch(a, b, tolerance).Run();
+  return !rotation.IsFound && rotation.IsComplete;
 }
 }

@@ -9,7 +9,7 @@
  * smaller than the bounds, is not detected. For example, a single face with three or more equal lobes (a
  * spline gear, a polygonal bore) has the same numbers in every position about its axis. The same boundary
  * divided into other faces is a different shape. A mirrored shape is different, too, unless it has a plane of
- * symmetry.
+ * symmetry; AreMirrored() finds it.
  */
 #ifndef smPartMatch_h
 #define smPartMatch_h
@@ -38,6 +38,8 @@ struct Rotation
   std::array<double, 9> Matrix{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
   double Angle = 0.0;
   std::array<double, 3> Axis{};
+  /// False if there were more candidates than are tried: then another rotation may exist.
+  bool IsComplete = true;
 };
 
 /**
@@ -49,6 +51,11 @@ struct Rotation
  */
 SMFILTERSMASSPROPERTIES_EXPORT Rotation FindRotation(
   const PartShape& a, const PartShape& b, double tolerance);
+
+/// Returns true if a reflection and a rotation map the faces of `a` to those of `b`, and no rotation alone
+/// does: one is the mirror image of the other, and they are of different hands. Both are centred. False where
+/// not all rotations can be tried.
+SMFILTERSMASSPROPERTIES_EXPORT bool AreMirrored(const PartShape& a, const PartShape& b, double tolerance);
 }
 
 #endif

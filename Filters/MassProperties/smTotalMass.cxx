@@ -1,11 +1,13 @@
 #include "Detail/smTotalMass.h"
 
+#include "smFormat.h"
 #include "smUnitRoundoff.h"
 
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -40,6 +42,84 @@ void Scale(std::array<double, N>& values, double& bound, double factor)
   bound = factor * bound + FactorRounding * largest;
 }
 
+/// Returns the largest relative change of 1 / volume where the volume changes by at most `change`.
+double GetReciprocalChange(double volume, double change)
+{
+  return change < volume ? change / (volume - change) : std::numeric_limits<double>::infinity();
+}
+
+/// A mass that overrides volume times density: what has the volume as weight is multiplied by mass / volume.
+struct StatedScale
+{
+  /// kg of a volume 1.
+  double Factor;
+  /// Largest relative error of the reciprocal of the volume.
+  double Reciprocal;
+
+  StatedScale(double mass, double volume, double volumeBound)
+    : Factor(mass / volume)
+    , Reciprocal(GetReciprocalChange(volume, volumeBound))
+  {
+  }
+
+  template <std::size_t N>
+  void Scale(std::array<double, N>& values, double& bound) const
+  {
+    double largest = 0.0;
+    for (const double value : values)
+    {
+      largest = std::max(largest, std::abs(value));
+    }
+    bound += (largest + bound) * this->Reciprocal;
+    sm::Scale(values, bound, this->Factor);
+  }
+
+  void Scale(double& value, double& bound) const
+  {
+    std::array<double, 1> values{ value };
+    this->Scale(values, bound);
+    value = values[0];
+  }
+};
+
+/// Largest relative error of a mass as a table has it: its decimals, and its unit.
+constexpr double StatedRounding = 2.0 * UnitRoundoff;
+
+/// Gives moments the mass as their weight.
+void StateMoments(Moments& moments, double mass)
+{
+  const StatedScale scale(mass, moments.Volume, moments.VolumeBound);
+  for (int i = 0; i < 3; ++i)
+  {
+    scale.Scale(moments.First[i], moments.FirstBound[i]);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    scale.Scale(moments.Second[i], moments.SecondBound[i]);
+  }
+  moments.Volume = mass;
+  moments.VolumeBound = StatedRounding * mass;
+}
+
+/// Gives the spread of moments about the centre the mass as their weight: the mass stays, and the second
+/// moments of the row change as the reciprocal of the volume does.
+void StateSpread(Moments& spread, const MassRow& row)
+{
+  const double volume = row.Properties.Volume;
+  const double factor = row.Mass / volume;
+  const double reciprocal = GetReciprocalChange(volume, spread.VolumeBound);
+  for (double& bound : spread.FirstBound)
+  {
+    bound *= factor * (1.0 + reciprocal);
+  }
+  for (std::size_t i = 0; i < spread.SecondBound.size(); ++i)
+  {
+    const double second = std::abs(row.Properties.Second[i]) + row.Properties.SecondBound;
+    spread.SecondBound[i] = factor * (spread.SecondBound[i] * (1.0 + reciprocal) + second * reciprocal);
+  }
+  spread.VolumeBound = 0.0;
+}
+
 void ScaleMoments(Moments& moments, double factor)
 {
   const auto scale = [factor](double& value, double& bound)
@@ -58,14 +138,17 @@ void ScaleMoments(Moments& moments, double factor)
   }
 }
 
-/// Returns the uncertainty of a mass: sum, by the density, by gaps, by the numerical bound. The shares of
-/// gaps and bound are those at the largest density; a factor of 1 + 1e-6 includes the rounding of the shares.
-std::array<double, 4> GetMassUncertainty(const MassRow& row, double tolerance, double factor)
+/// Returns the uncertainty of a mass: sum, by the density, by gaps, by the numerical bound, by the tolerance
+/// of a mass that overrides the density. The shares of gaps and bound are those at the largest density; a
+/// factor of 1 + 1e-6 includes the rounding of the shares.
+std::array<double, 5> GetMassUncertainty(const MassRow& row, double tolerance, double factor)
 {
-  const double density = tolerance * std::abs(row.Mass);
-  const double gaps = (1.0 + tolerance) * factor * row.Spread.Volume;
+  const bool isStated = row.OverriddenMass > 0.0;
+  const double share = tolerance * std::abs(row.Mass);
+  const double gaps = isStated ? 0.0 : (1.0 + tolerance) * factor * row.Spread.Volume;
   const double numerical = (1.0 + tolerance) * row.MassBound;
-  return { (1.0 + 1e-6) * (density + gaps + numerical), density, gaps, numerical };
+  return { (1.0 + 1e-6) * (share + gaps + numerical), isStated ? 0.0 : share, gaps, numerical,
+    isStated ? share : 0.0 };
 }
 
 /// Sets the properties that follow from moments with the densities as weight.
@@ -80,31 +163,59 @@ void SetWeighted(MassRow& total, const Moments& weighted, const MassAnalysisOpti
   }
 }
 
-/// "bolt (3 times), nut, ..." of all bodies that have a volume and no density.
+/// Counts texts in the order of their first occurrence.
+class CountedTexts
+{
+public:
+  void Add(const std::string& text)
+  {
+    if (this->Counts[text]++ == 0)
+    {
+      this->Order.push_back(text);
+    }
+    ++this->Total;
+  }
+  std::size_t GetTotal() const { return this->Total; }
+
+  /// Returns "bolt (3 times), nut and 2 more".
+  std::string List() const
+  {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(this->Order.size(), NamedSolids); ++i)
+    {
+      const int count = this->Counts.at(this->Order[i]);
+      text +=
+        (i > 0 ? ", " : "") + this->Order[i] + (count > 1 ? " (" + std::to_string(count) + " times)" : "");
+    }
+    return this->Order.size() > NamedSolids
+      ? text + " and " + std::to_string(this->Order.size() - NamedSolids) + " more"
+      : text;
+  }
+
+private:
+  std::vector<std::string> Order;
+  std::map<std::string, int> Counts;
+  std::size_t Total = 0;
+};
+
+std::string GetLabel(const BodyIntegrals& body)
+{
+  return body.Name.empty() ? "solid " + body.Id : body.Name;
+}
+
+/// Lists all bodies that have a volume and no mass.
 std::string NameBodiesWithoutDensity(
   const std::vector<BodyIntegrals>& bodies, const std::vector<MassRow>& rows)
 {
-  std::vector<std::string> order;
-  std::map<std::string, int> counts;
+  CountedTexts names;
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
-    if (std::isfinite(rows[b].Properties.Volume) && !(rows[b].Density > 0.0))
+    if (std::isfinite(rows[b].Properties.Volume) && !std::isfinite(rows[b].Mass))
     {
-      const std::string name = bodies[b].Name.empty() ? "solid " + bodies[b].Id : bodies[b].Name;
-      if (counts[name]++ == 0)
-      {
-        order.push_back(name);
-      }
+      names.Add(GetLabel(bodies[b]));
     }
   }
-  std::string text;
-  for (std::size_t i = 0; i < std::min(order.size(), NamedSolids); ++i)
-  {
-    const int count = counts[order[i]];
-    text += (i > 0 ? ", " : "") + order[i] + (count > 1 ? " (" + std::to_string(count) + " times)" : "");
-  }
-  return order.size() > NamedSolids ? text + " and " + std::to_string(order.size() - NamedSolids) + " more"
-                                    : text;
+  return names.List();
 }
 }
 
@@ -123,18 +234,22 @@ Material ChooseMaterial(const BodyIntegrals& body, const MassAnalysisOptions& op
   {
     material.Name = body.Model->GetMaterial();
     material.Density = body.Model->GetDensity();
+    const auto twin = options.Twins.find(body.Id);
+    material = twin == options.Twins.end() ? material : twin->second;
   }
-  material.Tolerance = material.Tolerance >= 0.0 ? material.Tolerance : options.DensityTolerance;
+  if (!(material.Tolerance >= 0.0))
+  {
+    material.Tolerance = material.Mass > 0.0 ? 0.0 : options.DensityTolerance;
+  }
   return material;
 }
 
-void SetMass(MassRow& row, const Material& material, const std::string& unit)
+namespace
 {
-  const double factor = GetFactor(material.Density, unit);
-  row.Material = material.Name;
-  row.Density = material.Density > 0.0 ? material.Density : vtkMath::Nan();
+/// Multiplies the properties of a row by a density. `factor` is kg of a volume 1; NaN without a density.
+void SetMassOfDensity(MassRow& row, double factor)
+{
   MassProperties& weighted = row.Weighted;
-  weighted = row.Properties;
   std::array<double, 1> mass = { weighted.Volume };
   Scale(mass, weighted.VolumeBound, factor);
   weighted.Volume = mass[0];
@@ -143,22 +258,73 @@ void SetMass(MassRow& row, const Material& material, const std::string& unit)
   Scale(weighted.Inertia, weighted.InertiaBound, factor);
   Scale(weighted.InertiaAtOrigin, weighted.InertiaAtOriginBound, factor);
   Scale(weighted.Principal, weighted.PrincipalBound, factor);
+  row.WeightedSpread = row.Spread.GetWeighted(factor);
   if (!(factor > 0.0))
   {
     weighted = MassProperties();
+    return;
   }
-  row.Mass = weighted.Volume;
-  row.MassBound = weighted.VolumeBound;
-  row.WeightedSpread = row.Spread.GetWeighted(factor);
-  row.MassUncertainty = GetMassUncertainty(row, material.Tolerance, factor);
-  row.MassInertia = weighted.Inertia;
-  row.MassInertiaBound = weighted.InertiaBound;
-  if (factor > 0.0)
+  Scale(row.WeightedInFrame.Inertia, row.WeightedInFrame.InertiaBound, factor);
+  Scale(row.WeightedInFrame.CentralInertia, row.WeightedInFrame.CentralInertiaBound, factor);
+}
+
+/// Gives the properties of a row a mass that does not depend on the volume.
+void SetStatedMass(MassRow& row, double stated)
+{
+  MassProperties& weighted = row.Weighted;
+  const double volume = weighted.Volume;
+  const StatedScale scale(stated, volume, weighted.VolumeBound);
+  weighted.Volume = stated;
+  weighted.VolumeBound = StatedRounding * stated;
+  scale.Scale(weighted.First, weighted.FirstBound);
+  scale.Scale(weighted.Second, weighted.SecondBound);
+  scale.Scale(weighted.Inertia, weighted.InertiaBound);
+  scale.Scale(weighted.InertiaAtOrigin, weighted.InertiaAtOriginBound);
+  scale.Scale(weighted.Principal, weighted.PrincipalBound);
+  scale.Scale(row.WeightedInFrame.Inertia, row.WeightedInFrame.InertiaBound);
+  scale.Scale(row.WeightedInFrame.CentralInertia, row.WeightedInFrame.CentralInertiaBound);
+  // Other closings of the gaps move the shape, not the mass.
+  const double change = GetReciprocalChange(volume, row.Spread.Volume);
+  const auto getLargest = [](const auto& values)
   {
-    row.WeightedInFrame = row.InFrame;
-    Scale(row.WeightedInFrame.Inertia, row.WeightedInFrame.InertiaBound, factor);
-    Scale(row.WeightedInFrame.CentralInertia, row.WeightedInFrame.CentralInertiaBound, factor);
+    double largest = 0.0;
+    for (const double value : values)
+    {
+      largest = std::max(largest, std::abs(value));
+    }
+    return largest;
+  };
+  row.WeightedSpread = row.Spread.GetWeighted(scale.Factor);
+  row.WeightedSpread.Volume = 0.0;
+  row.WeightedSpread.Inertia += change * (row.WeightedSpread.Inertia + getLargest(weighted.Inertia));
+  row.WeightedSpread.Principal += change * (row.WeightedSpread.Principal + getLargest(weighted.Principal));
+}
+}
+
+void SetMass(MassRow& row, const Material& material, const std::string& unit)
+{
+  const double factor = GetFactor(material.Density, unit);
+  const bool isStated = material.Mass > 0.0 && row.Properties.Volume > 0.0;
+  row.Material = material.Name;
+  row.Density = material.Density > 0.0 ? material.Density : vtkMath::Nan();
+  row.Weighted = row.Properties;
+  row.WeightedInFrame = row.InFrame;
+  if (isStated)
+  {
+    SetStatedMass(row, material.Mass);
+    row.Density = material.Mass / (row.Properties.Volume * GetFactor(1.0, unit));
   }
+  else
+  {
+    row.WeightedInFrame = factor > 0.0 ? row.InFrame : FrameProperties();
+    SetMassOfDensity(row, factor);
+  }
+  row.Mass = row.Weighted.Volume;
+  row.MassBound = row.Weighted.VolumeBound;
+  row.OverriddenMass = isStated ? row.Mass : 0.0 * row.Mass;
+  row.MassUncertainty = GetMassUncertainty(row, material.Tolerance, factor);
+  row.MassInertia = row.Weighted.Inertia;
+  row.MassInertiaBound = row.Weighted.InertiaBound;
 }
 
 void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Moments>& parts,
@@ -168,7 +334,8 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   MassRow& total = analysis.Total;
   double mass = 0.0;
   double bound = 0.0;
-  std::array<double, 4> uncertainty{};
+  double overridden = 0.0;
+  std::array<double, 5> uncertainty{};
   std::vector<Moments> weighted;
   std::vector<Moments> weightedSpreads;
   std::size_t next = 0;
@@ -180,20 +347,29 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     }
     Moments spread = spreads[next];
     Moments part = parts[next++];
-    if (row.Density > 0.0)
+    if (std::isfinite(row.Mass))
     {
       mass += row.Mass;
+      overridden += row.OverriddenMass;
       const double rounding = 2.0 * UnitRoundoff * std::abs(mass);
       bound += row.MassBound + rounding;
       uncertainty[0] += rounding;
       uncertainty[3] += rounding;
-      for (int k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < uncertainty.size(); ++k)
       {
         uncertainty[k] += row.MassUncertainty[k];
       }
-      ScaleMoments(part, GetFactor(row.Density, analysis.Unit));
+      if (row.OverriddenMass > 0.0)
+      {
+        StateMoments(part, row.Mass);
+        StateSpread(spread, row);
+      }
+      else
+      {
+        ScaleMoments(part, GetFactor(row.Density, analysis.Unit));
+        ScaleMoments(spread, GetFactor(row.Density, analysis.Unit));
+      }
       weighted.push_back(part);
-      ScaleMoments(spread, GetFactor(row.Density, analysis.Unit));
       weightedSpreads.push_back(spread);
     }
   }
@@ -232,6 +408,7 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   if (std::isfinite(total.Mass))
   {
     total.MassUncertainty = uncertainty;
+    total.OverriddenMass = overridden;
   }
 }
 
@@ -259,10 +436,44 @@ void NoteUnusedRules(
   for (const MaterialRule& rule : options.Materials)
   {
     if (std::none_of(bodies.begin(), bodies.end(),
-          [&](const BodyIntegrals& body) { return FindRule(options.Materials, body.Name) == &rule; }))
+          [&](const BodyIntegrals& body) { return FindRule(options.Materials, body.Name) == &rule; }) &&
+      !rule.IsLeftOut)
     {
       analysis.Messages.push_back("no solid gets its material from the pattern " + rule.Pattern);
     }
+  }
+}
+
+void NoteStatedMasses(
+  const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis)
+{
+  bool isExact = true;
+  CountedTexts used;
+  CountedTexts unused;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    const Material material = ChooseMaterial(bodies[b], options);
+    if (material.Mass > 0.0 && analysis.Rows[b].OverriddenMass > 0.0)
+    {
+      isExact = isExact && material.Tolerance == 0.0;
+      used.Add(GetLabel(bodies[b]) + " " + FormatDigits(material.Mass, 10) + " kg");
+    }
+    else if (material.Mass > 0.0)
+    {
+      unused.Add(GetLabel(bodies[b]));
+    }
+  }
+  if (used.GetTotal() > 0)
+  {
+    analysis.Messages.push_back("the materials override the mass of " +
+      FormatCount(used.GetTotal(), "solid", "solids") + ": " + used.List() +
+      (isExact ? "; no tolerance is stated, so they count as exact" : ""));
+  }
+  if (unused.GetTotal() > 0)
+  {
+    analysis.Messages.push_back("the materials state a mass for " +
+      FormatCount(unused.GetTotal(), "body", "bodies") +
+      " without a volume, which has no inertia and does not count: " + unused.List());
   }
 }
 }

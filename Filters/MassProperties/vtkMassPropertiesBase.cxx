@@ -20,14 +20,12 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 namespace
 {
 /// Columns of a row with masses and a reference frame.
-constexpr int MaxColumns = 64;
+constexpr int MaxColumns = 72;
 }
 
 vtkMassPropertiesBase::vtkMassPropertiesBase()
@@ -67,24 +65,30 @@ void vtkMassPropertiesBase::SetDensityTolerance(double tolerance)
 
 void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
 {
-  if (!(rule.Material.Tolerance <= 1.0))
-  {
-    vtkErrorMacro("Material \"" << rule.Material.Name
-                                << "\": " << sm::FormatDigits(rule.Material.Tolerance, 6)
-                                << " is not a relative tolerance; give 0 to 1, for example "
-                                   "0.01 for one per cent.");
-    return;
-  }
-  if (!(rule.Material.Density > 0.0) || !std::isfinite(rule.Material.Density))
+  const std::string problem = sm::FindRuleProblem(rule);
+  if (!problem.empty())
   {
     vtkErrorMacro(
-      "The solids " << rule.Pattern << ", material \"" << rule.Material.Name
-                    << "\", have no density above 0; give kg/m^3, for example 7850, or one of the "
-                       "common materials.");
+      "The solids " << rule.Pattern << ", material \"" << rule.Material.Name << "\": " << problem << ".");
     return;
   }
   this->Materials.push_back(rule);
+  if (rule.IsLeftOut)
+  {
+    this->SetLeftOut([this](const std::string& name) { return this->LeavesOutName(name); });
+  }
   this->Modified();
+}
+
+bool vtkMassPropertiesBase::LeavesOutName(const std::string& name)
+{
+  const sm::MaterialRule* rule = sm::FindRule(this->Materials, name);
+  if (!rule || !rule->IsLeftOut)
+  {
+    return false;
+  }
+  this->UsedLeftOut.insert(static_cast<std::size_t>(rule - this->Materials.data()));
+  return true;
 }
 
 void vtkMassPropertiesBase::AddMaterial(
@@ -93,29 +97,27 @@ void vtkMassPropertiesBase::AddMaterial(
   this->AppendMaterial({ pattern ? pattern : "", { material ? material : "", density, tolerance } });
 }
 
+void vtkMassPropertiesBase::AddMass(const char* pattern, const char* material, double mass, double tolerance)
+{
+  this->AppendMaterial({ pattern ? pattern : "", { material ? material : "", 0.0, tolerance, mass } });
+}
+
+void vtkMassPropertiesBase::AddLeftOut(const char* pattern)
+{
+  this->AppendMaterial({ pattern ? pattern : "", { sm::LeftOutMaterial }, true });
+}
+
 void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* material, const char* density)
 {
-  const std::string text = density ? density : "";
-  const std::string name = material ? material : "";
-  double value = 0.0;
-  if (text.empty())
+  sm::MaterialRule rule;
+  const std::string problem =
+    sm::MakeRule({ pattern ? pattern : "", material ? material : "", density ? density : "", "", "" }, rule);
+  if (!problem.empty())
   {
-    const sm::Material* common = sm::FindCommonMaterial(name);
-    value = common ? common->Density : 0.0;
+    vtkErrorMacro("The solids " << (pattern ? pattern : "") << ": " << problem << ".");
+    return;
   }
-  else
-  {
-    // std::from_chars expects a decimal point in every locale.
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-    {
-      vtkErrorMacro(
-        "The density \"" << text << "\" of the solids " << (pattern ? pattern : "")
-                         << " is not a number; give kg/m^3 with a decimal point, for example 7850.5.");
-      return;
-    }
-  }
-  this->AddMaterial(pattern, name.c_str(), value);
+  this->AppendMaterial(rule);
 }
 
 void vtkMassPropertiesBase::ClearMaterials()
@@ -123,6 +125,7 @@ void vtkMassPropertiesBase::ClearMaterials()
   if (!this->Materials.empty())
   {
     this->Materials.clear();
+    this->SetLeftOut(nullptr);
     this->Modified();
   }
 }
@@ -240,6 +243,7 @@ void vtkMassPropertiesBase::ResetResults()
 {
   this->Superclass::ResetResults();
   *this->Analysis = sm::MassAnalysis();
+  this->UsedLeftOut.clear();
 }
 
 void vtkMassPropertiesBase::ReleaseKept()
@@ -257,6 +261,14 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   options.Frame = *this->Frame;
   *this->Analysis = sm::AnalyzeRun(bodies, options, this->CheckEditedSolids, this->MakeLimits(),
     *this->CrossingCheck, this->GetEngine().GetReport());
+  for (std::size_t i = 0; i < this->Materials.size(); ++i)
+  {
+    if (this->Materials[i].IsLeftOut && this->UsedLeftOut.count(i) == 0)
+    {
+      this->GetEngine().GetReport().Messages.push_back(
+        "no solid is left out by the pattern " + this->Materials[i].Pattern);
+    }
+  }
   // Volumes in different units have no sum.
   if (this->Analysis->HasOneUnit)
   {

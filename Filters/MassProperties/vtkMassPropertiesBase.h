@@ -44,7 +44,9 @@
  * | CenterOfMassSpread, MassCenterSpread | 1 | L | the same of the centres |
  * | VolumeInertiaSpread, PrincipalMomentsSpread | 1 | L^5 | the same of an entry, and of a moment |
  * | MassSpread, MassInertiaSpread, MassPrincipalMomentsSpread | 1 | kg, kg L^2 | the same, with a density |
- * | MassUncertainty | 4 | kg | doubt of the mass: sum; by DensityTolerance; MassSpread; numerical |
+ * | MassUncertainty | 5 | kg | doubt of the mass: sum; by DensityTolerance; MassSpread; numerical; by the |
+ * | | | | tolerances of masses that materials state |
+ * | OverriddenMass | 1 | kg | the part of Mass that materials state |
  * | KnownMass, SolidsWithMass, SolidsWithVolume | 1 | kg | mass and number of solids with a density |
  * | CenterOfMassInFrame, VolumeInertiaInFrame | 3, 9 | L, L^5 | in the frame of reference, if there is one |
  * | MassCenterInFrame, MassInertiaInFrame | 3, 9 | L, kg L^2 | the same with the densities as weight |
@@ -66,6 +68,7 @@
 #include "vtkSurfaceIntegralBase.h"
 
 #include <memory> // for the results
+#include <set>    // for materials that were used
 #include <vector> // for the materials
 
 namespace sm
@@ -111,6 +114,14 @@ public:
    */
   void AddMaterial(const char* pattern, const char* material, double density, double tolerance = -1.0);
   void AddMaterial(const char* pattern, const char* material, const char* density);
+  /** Overrides the mass of each of these solids: `mass` in kg, above 0 and finite, takes the place of volume
+   * times density. First moments and inertia are those of the volume, scaled to it; Density is the mean
+   * density. `tolerance` is that of the mass, relative; negative: DensityTolerance does not apply, the mass
+   * counts as exact. The order of the calls counts as for AddMaterial(), which takes a mass with a unit in
+   * place of a density, too ("250 g"; kg, g, mg, t, lb, oz), and the material "left out" for AddLeftOut(). */
+  void AddMass(const char* pattern, const char* material, double mass, double tolerance = -1.0);
+  /** Leaves these solids out of all results; a message names them. */
+  void AddLeftOut(const char* pattern);
   void ClearMaterials();
   int GetNumberOfMaterials() const;
   ///@}
@@ -199,6 +210,8 @@ protected:
 
   /** Adds a material and calls Modified(). */
   void AppendMaterial(const sm::MaterialRule& rule);
+  /** Returns whether the materials leave out a solid of that name. */
+  bool LeavesOutName(const std::string& name);
 
   /** Returns the mass properties of the last run. */
   const sm::MassAnalysis& GetAnalysis() const;
@@ -220,6 +233,8 @@ private:
   std::unique_ptr<sm::SelfCrossingCheck> CrossingCheck;
   std::unique_ptr<sm::MassGlyphs> Glyphs;
   std::vector<sm::MaterialRule> Materials;
+  /** Indices of the materials that left something out in the last run. */
+  std::set<std::size_t> UsedLeftOut;
   std::unique_ptr<sm::ReferenceFrame> Frame;
 #endif
 };

@@ -76,6 +76,7 @@ void vtkMassTolerances::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FaceTolerance: " << this->FaceTolerance[0] << " " << this->FaceTolerance[1] << "\n"
      << indent << "NumberOfTolerances: " << this->GetNumberOfTolerances() << "\n"
+     << indent << "UseDrawing: " << this->UseDrawing << "\n"
      << indent << "Distribution: " << this->Distribution << "\n";
 }
 
@@ -176,7 +177,14 @@ void vtkMassTolerances::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies)
 {
   this->Superclass::AnalyzeBodies(bodies);
   const sm::MassAnalysis& analysis = this->GetAnalysis();
-  const sm::FaceToleranceOptions options = { this->Rules, this->FaceTolerance[0], this->FaceTolerance[1],
+  std::vector<sm::FaceToleranceRule> rules = this->Rules;
+  if (this->UseDrawing)
+  {
+    const std::vector<sm::FaceToleranceRule> drawing =
+      sm::MakeDrawingRules(sm::GetDrawingTolerances(this->GetInputDataObject(0, 0)));
+    rules.insert(rules.end(), drawing.begin(), drawing.end());
+  }
+  const sm::FaceToleranceOptions options = { rules, this->FaceTolerance[0], this->FaceTolerance[1],
     this->Distribution == NORMAL };
   *this->Results =
     sm::ComputeFaceTolerances(bodies, analysis.Rows, analysis.Total, this->GetOffsets(), options);
@@ -237,7 +245,7 @@ std::vector<sm::MeshArray> vtkMassTolerances::GetMeshArrays(
     [this, getVolume](std::size_t body, std::size_t face)
     {
       const sm::MassRow& row = this->GetAnalysis().Rows[body];
-      return getVolume(body, face) * row.Mass / row.Properties.Volume;
+      return getVolume(body, face) * (row.OverriddenMass > 0.0 ? 0.0 : row.Mass / row.Properties.Volume);
     } });
   return arrays;
 }

@@ -98,6 +98,15 @@ public:
   ///@}
 
   ///@{
+  /** If on, the tolerances of the drawing that the reader found in the file (smDrawingTolerances.h) are rules
+   * that follow those of AddTolerance(): of faces, then those that are for all faces. Of several for one face
+   * the narrowest counts. Default: off. */
+  vtkSetMacro(UseDrawing, bool);
+  vtkGetMacro(UseDrawing, bool);
+  vtkBooleanMacro(UseDrawing, bool);
+  ///@}
+
+  ///@{
   /** The distribution of offsets between their limits, UNIFORM (default) or NORMAL. Clamped. */
   vtkSetClampMacro(Distribution, int, UNIFORM, NORMAL);
   vtkGetMacro(Distribution, int);
@@ -116,6 +125,7 @@ protected:
 
   double FaceTolerance[2] = { 0.0, 0.0 };
   int Distribution = UNIFORM;
+  bool UseDrawing = false;
 
 private:
   vtkMassTolerances(const vtkMassTolerances&) = delete;

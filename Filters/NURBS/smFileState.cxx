@@ -1,5 +1,7 @@
 #include "smFileState.h"
 
+#include "smDrawingTolerances.h"
+
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -64,5 +66,6 @@ void RemoveFileState(vtkDataObject* data)
   {
     data->GetFieldData()->RemoveArray(name);
   }
+  RemoveDrawingTolerances(data);
 }
 }

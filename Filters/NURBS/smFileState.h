@@ -36,8 +36,8 @@ constexpr const char* FileNotesArrayName = "FileNotes";
 
 SMFILTERSNURBS_EXPORT void SetFileState(vtkDataObject* data, const FileState& state);
 SMFILTERSNURBS_EXPORT FileState GetFileState(vtkDataObject* data);
-/// Removes these arrays. The pipeline copies the field data of a filter's input to its outputs, also to those
-/// that are not the file's data.
+/// Removes these arrays, and those of the drawing's tolerances (smDrawingTolerances.h). The pipeline copies
+/// the field data of a filter's input to its outputs, also to those that are not the file's data.
 SMFILTERSNURBS_EXPORT void RemoveFileState(vtkDataObject* data);
 }
 

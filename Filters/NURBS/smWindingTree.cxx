@@ -174,7 +174,7 @@ double WindingTree::Evaluate(const Vector3& p, std::size_t without, double farRa
 /// sides of a triangle. All of them have one sign if the ray's line crosses it, and that of the sum is the
 /// side from which. No determinant, nor the height of the crossing over p, may be below its rounding.
 bool WindingTree::CountInLeaf(
-  const Vector3& p, const Node& node, int axis, double direction, std::size_t without, int& number) const
+  const Vector3& p, const Node& node, int axis, double direction, int& number) const
 {
   // Differences of coordinates round once, products and their difference three times.
   constexpr double roundings = 8.0 * UnitRoundoff;
@@ -210,7 +210,7 @@ bool WindingTree::CountInLeaf(
       mayBeNegative = mayBeNegative && area[k][i] <= limit[k][i];
       isCertain = isCertain && std::abs(area[k][i]) > limit[k][i];
     }
-    if ((!mayBePositive && !mayBeNegative) || this->Order[node.Begin + i] == without)
+    if (!mayBePositive && !mayBeNegative)
     {
       continue;
     }
@@ -246,8 +246,7 @@ bool WindingTree::CountInLeaf(
   return true;
 }
 
-bool WindingTree::CountCrossings(
-  const Vector3& p, int axis, bool upwards, std::size_t without, int& number) const
+bool WindingTree::CountAlong(const Vector3& p, int axis, bool upwards, int& number) const
 {
   const int b = (axis + 1) % 3;
   const int c = (axis + 2) % 3;
@@ -272,7 +271,7 @@ bool WindingTree::CountCrossings(
       stack[size++] = node.Second;
       stack[size++] = index + 1;
     }
-    else if (!this->CountInLeaf(p, node, axis, upwards ? 1.0 : -1.0, without, number))
+    else if (!this->CountInLeaf(p, node, axis, upwards ? 1.0 : -1.0, number))
     {
       return false;
     }
@@ -299,7 +298,7 @@ bool WindingTree::CountCrossings(const Vector3& p, int& number) const
       }
     }
   }
-  return this->CountCrossings(p, axis, upwards, None, number);
+  return this->CountAlong(p, axis, upwards, number);
 }
 
 bool WindingTree::IsFarFrom(const Vector3& p, double slack) const

@@ -65,12 +65,10 @@ public:
   /**
    * Counts the triangles that a ray from p crosses, those that it leaves through less those that it enters
    * through: the winding number about p if the mesh is closed, which takes a fraction of the time of
-   * EvaluateWindingNumber(). The ray runs along a coordinate axis, upwards or downwards. `without` is the
-   * index of a triangle to leave out, on which p may be. Returns false if rounding could change the number,
-   * because the ray meets the side of a triangle, or a triangle contains p.
+   * EvaluateWindingNumber(). The ray runs along the axis on which p is nearest to the end of the mesh, where
+   * it meets few triangles. Returns false if rounding could change the number, because the ray meets the side
+   * of a triangle, or a triangle contains p.
    */
-  bool CountCrossings(const Vector3& p, int axis, bool upwards, std::size_t without, int& number) const;
-  /// The same along the axis on which p is nearest to the end of the mesh, where a ray meets few triangles.
   bool CountCrossings(const Vector3& p, int& number) const;
 
   /**
@@ -141,8 +139,9 @@ private:
   std::array<Vector3, 3> GetTriangle(std::size_t i) const;
   static void SumChildren(const Node& first, const Node& second, Node& node);
   double SumAngles(const Vector3& p, const Node& node, std::size_t without) const;
-  bool CountInLeaf(
-    const Vector3& p, const Node& node, int axis, double direction, std::size_t without, int& number) const;
+  /// CountCrossings() along an axis, upwards or downwards.
+  bool CountAlong(const Vector3& p, int axis, bool upwards, int& number) const;
+  bool CountInLeaf(const Vector3& p, const Node& node, int axis, double direction, int& number) const;
   double Evaluate(const Vector3& p, std::size_t without, double farRatio) const;
 
   std::vector<Node> Nodes;

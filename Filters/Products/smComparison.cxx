@@ -18,7 +18,7 @@ namespace
 {
 using namespace states;
 /// The states in the order of the list.
-constexpr const char* States[] = { Changed, Moved, Added, Removed, Unchanged };
+constexpr const char* States[] = { Changed, Mirrored, Moved, Added, Removed, Unchanged };
 
 template <std::size_t N>
 double GetLargest(const std::array<double, N>& values)
@@ -103,7 +103,8 @@ void Visit(Fields& fields, ComparedPart& part)
   auto count = static_cast<long long>(part.Bodies.size());
   auto inOld = static_cast<long long>(part.InOld);
   auto inNew = static_cast<long long>(part.InNew);
-  fields.Note("", "`unchanged`, `moved`, `changed`, `added` or `removed`").Text("state", part.State);
+  fields.Note("", "`unchanged`, `moved`, `mirrored`, `changed`, `added` or `removed`")
+    .Text("state", part.State);
   fields.Text("name", part.Name);
   fields.Text("old_name", part.OldName);
   fields.Note("", "number of its solids").Count("count", count);
@@ -139,6 +140,19 @@ bool HasOtherMaterial(const Quantities& before, const Quantities& after, double 
   const double scale = std::max(std::abs(before.Mass.Get()), std::abs(after.Mass.Get()));
   const double bound = std::isnan(change.Bound) ? 0.0 : change.Bound;
   return !(std::abs(change.Get()) <= bound + limit * scale);
+}
+
+/// Returns true if volumes and principal moments are equal within the bounds and the limit, or not known.
+bool HaveSameMoments(const Quantities& before, const Quantities& after, double limit)
+{
+  const auto areEqual = [limit](const auto& a, const auto& b)
+  {
+    const auto change = MakeDifference(a, b).Change;
+    const double scale = std::max(GetLargest(a.Value), GetLargest(b.Value));
+    const double bound = std::isnan(change.Bound) ? 0.0 : change.Bound;
+    return !change.IsKnown() || GetLargest(change.Value) <= bound + limit * scale;
+  };
+  return areEqual(before.Volume, after.Volume) && areEqual(before.PrincipalMoments, after.PrincipalMoments);
 }
 
 /// A solid of one of the files.
@@ -210,7 +224,10 @@ public:
     {
       this->MatchShapes(sameName);
     }
+    this->MatchMirrors(true);
     this->MatchNames();
+    this->MatchMirrors(false);
+    this->MatchOnly();
     for (const Body& body : this->Old)
     {
       if (!body.IsDone)
@@ -334,20 +351,67 @@ private:
     }
   }
 
-  /// Matches different shapes of the same name, or the only solids of both files.
+  /// Returns true if one solid is the mirror image of the other one; determined once for all instances of two
+  /// models, apart from volumes and moments.
+  bool AreImages(const Body& before, const Body& after)
+  {
+    const auto key = std::make_tuple(
+      before.Shape.Model, before.Shape.IsMirrored(), after.Shape.Model, after.Shape.IsMirrored());
+    const auto [known, isNew] = this->Images.emplace(key, false);
+    if (isNew)
+    {
+      known->second = this->ShouldContinue() &&
+        MayBeEqual(*before.Shape.Shape, *after.Shape.Shape, this->Limit) &&
+        AreMirrored(before.Shape.GetPlaced(), after.Shape.GetPlaced(), this->Limit);
+    }
+    return known->second && HaveSameMoments(before.Solid->Values, after.Solid->Values, this->Limit);
+  }
+
+  /// Matches solids with their mirror images.
+  void MatchMirrors(bool sameName)
+  {
+    for (Body& before : this->Old)
+    {
+      if (before.IsDone || !before.HasShape() || !this->ShouldContinue())
+      {
+        continue;
+      }
+      Body* after = this->FindNearest(before,
+        [&](const Body& body)
+        {
+          return body.HasShape() && (!sameName || before.GetName() == body.GetName()) &&
+            this->AreImages(before, body);
+        });
+      if (after)
+      {
+        before.IsDone = after->IsDone = true;
+        this->Outcomes.push_back({ &before, after, Mirrored });
+      }
+    }
+  }
+
+  /// Matches different shapes of the same name.
   void MatchNames()
   {
     for (Body& before : this->Old)
     {
-      const bool isOnly = this->Old.size() == 1 && this->New.size() == 1;
       const std::string& name = before.GetName();
-      Body* after = before.IsDone || (name.empty() && !isOnly)
+      Body* after = before.IsDone || name.empty()
         ? nullptr
-        : this->FindNearest(before, [&](const Body& body) { return isOnly || body.GetName() == name; });
+        : this->FindNearest(before, [&name](const Body& body) { return body.GetName() == name; });
       if (after)
       {
         this->Add(before, *after, Changed, false);
       }
+    }
+  }
+
+  /// Matches the only solids of both files.
+  void MatchOnly()
+  {
+    if (this->Old.size() == 1 && this->New.size() == 1 && !this->Old[0].IsDone && !this->New[0].IsDone)
+    {
+      this->Add(this->Old[0], this->New[0], Changed, false);
     }
   }
 
@@ -357,6 +421,7 @@ private:
   double Limit;
   double Diagonal;
   std::map<std::tuple<std::size_t, bool, std::size_t, bool>, bool> Congruent;
+  std::map<std::tuple<std::size_t, bool, std::size_t, bool>, bool> Images;
   std::vector<Outcome> Outcomes;
 };
 
@@ -397,10 +462,13 @@ ComparedBody MakeBody(const Outcome& outcome)
   ComparedBody entry;
   entry.OldId = outcome.Old ? outcome.Old->Solid->Id : "";
   entry.NewId = outcome.New ? outcome.New->Solid->Id : "";
-  if (outcome.HasSameShape)
+  if (outcome.HasSameShape || outcome.State == std::string(Mirrored))
   {
     vtkMath::Subtract(outcome.New->Center.data(), outcome.Old->Center.data(), entry.Translation.data());
     entry.Distance = vtkMath::Norm(entry.Translation.data());
+  }
+  if (outcome.HasSameShape)
+  {
     entry.RotationAngle = vtkMath::DegreesFromRadians(outcome.Rotation.Angle);
     entry.RotationAxis = outcome.Rotation.Axis;
   }

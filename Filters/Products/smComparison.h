@@ -20,6 +20,7 @@ namespace states
 constexpr const char* Unchanged = "unchanged";
 constexpr const char* Moved = "moved";
 constexpr const char* Changed = "changed";
+constexpr const char* Mirrored = "mirrored";
 constexpr const char* Added = "added";
 constexpr const char* Removed = "removed";
 }
@@ -78,6 +79,9 @@ struct SMFILTERSPRODUCTS_EXPORT ProductDifference
  *   - unchanged: the same shape in the same place, and the same mass and material;
  *   - moved: the same shape at another place; of several shapes, those of the same name come first, then the
  * nearest one;
+ *   - mirrored: the mirror image, and not the same shape (AreMirrored()), of the same volume and principal
+ * moments; of the same name, or, where neither has a counterpart by its name, of any. `Distance` is that of
+ * the centres of the areas;
  *   - changed: the same shape with another mass or material, or another shape of the same name, the nearest
  * of these, or another shape where either file has one solid;
  *   - removed, added: all other solids.

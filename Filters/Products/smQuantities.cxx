@@ -39,12 +39,12 @@ double GetNumber(vtkFieldData* data, vtkIdType row, const std::string& name)
 }
 
 /// Reads each share by itself: that of gaps is not known for open solids.
-std::array<double, 4> ReadMassUncertainty(vtkFieldData* data, vtkIdType row)
+std::array<double, 6> ReadMassUncertainty(vtkFieldData* data, vtkIdType row)
 {
-  std::array<double, 4> shares;
+  std::array<double, 6> shares;
   shares.fill(Unknown);
   vtkDataArray* array = data->GetArray(names::MassUncertainty);
-  if (array && array->GetNumberOfComponents() == 4 && row < array->GetNumberOfTuples())
+  if (array && array->GetNumberOfComponents() == 5 && row < array->GetNumberOfTuples())
   {
     array->GetTuple(row, shares.data());
   }
@@ -152,13 +152,13 @@ void Visit(Fields& fields, FrameQuantities& about)
   fields.End();
 }
 
-/// Visits four numbers, of which the first is the sum of the others, as an object that does not exist if the
-/// second is not known.
-void VisitFour(Fields& fields, const char* key, std::array<double, 4>& values, const char* const (&keys)[4])
+/// Visits numbers as an object that does not exist if the second is not known.
+template <std::size_t N>
+void VisitShares(Fields& fields, const char* key, std::array<double, N>& values, const char* const (&keys)[N])
 {
   if (fields.Begin(key, !std::isnan(values[1])))
   {
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < N; ++i)
     {
       fields.Number(keys[i], values[i]);
     }
@@ -188,6 +188,7 @@ Quantities ReadQuantities(vtkFieldData* data, vtkIdType row)
   q.BoundsEstimated = GetFlag(data, row, names::BoundsEstimated);
   ReadNumbers(data, row, names::BoundsMeasured, q.BoundsMeasured.data(), 4);
   q.MassUncertainty = ReadMassUncertainty(data, row);
+  q.OverriddenMass = GetNumber(data, row, names::OverriddenMass);
   q.Density = GetNumber(data, row, names::Density);
   q.Material = GetText(data, row, names::Material);
   q.Spread = ReadSpread(data, row);
@@ -256,19 +257,23 @@ void Quantities::Visit(Fields& fields, const std::function<void()>& inBounds)
   {
     fields.End();
   }
-  VisitFour(fields.Note("",
-              "the part of the bound that rests on measured "
-              "constants and residuals, an estimate; the rest "
-              "is a theorem"),
+  VisitShares(fields.Note("",
+                "the part of the bound that rests on measured "
+                "constants and residuals, an estimate; the rest "
+                "is a theorem"),
     "bounds_measured", this->BoundsMeasured, { "volume", "area", "center_of_mass", "inertia" });
   fields.Note("", "true: some bound is an estimate").Flag("bounds_estimated", this->BoundsEstimated);
   fields.Note("kg/m^3", "of the solid; of the total if all solids have the same")
     .Number("density", this->Density);
   fields.Note("", "as `density`").Name("material", this->Material);
-  VisitFour(fields.Note("kg",
-              "what is in doubt of the mass: the sum, and its "
-              "shares by densities, other closings of the gaps, and bound"),
-    "mass_uncertainty", this->MassUncertainty, { "total", "density", "gaps", "numerical" });
+  VisitShares(fields.Note("kg",
+                "what is in doubt of the mass: the sum, and its "
+                "shares by densities, other closings of the gaps, bound, the tolerances of masses that "
+                "materials state, and, where such are given, tolerances of faces"),
+    "mass_uncertainty", this->MassUncertainty,
+    { "total", "density", "gaps", "numerical", "overridden", "tolerance" });
+  fields.Note("kg", "the part of `mass` that materials state")
+    .Number("overridden_mass", this->OverriddenMass);
   fields.Note("L", "centre of mass with the densities as weight")
     .Point("mass_center", this->MassCenter.Value);
   fields.Note("kg L^2", "about `mass_center`").Matrix("mass_inertia", this->MassInertia.Value);

@@ -65,8 +65,10 @@ struct SMFILTERSPRODUCTS_EXPORT Quantities
   std::optional<bool> PrincipalAxesDegenerate, BoundsEstimated;
   std::array<double, 4> BoundsMeasured{ Unknown, Unknown, Unknown,
     Unknown }; ///< volume, area, centre, inertia
-  std::array<double, 4> MassUncertainty{ Unknown, Unknown, Unknown,
-    Unknown }; ///< sum, density, gaps, numerical
+  /// Sum, density, gaps, numerical, overridden masses, tolerances of faces; the last one only if there are
+  /// such.
+  std::array<double, 6> MassUncertainty{ Unknown, Unknown, Unknown, Unknown, Unknown, Unknown };
+  double OverriddenMass = Unknown;
   double Density = Unknown;
   std::string Material;
   SpreadQuantities Spread;

@@ -151,7 +151,7 @@ void ListNodes(const ProductTreeNode& node, bool isTop, Nodes& nodes)
 /// Adds an entry. Values are in millimetres to a power, those of a centroid in three components; `allowed` is
 /// without the bound.
 void AddEntry(const StatedProduct& product, const char* quantity, const std::vector<double>& stated,
-  const std::vector<double>& computed, double bound, double allowed, const std::string& reason, double unit,
+  const std::vector<double>& computed, double bound, double allowed, const std::string& problem, double unit,
   std::vector<ValidationEntry>& list)
 {
   const auto convert = [unit](const std::vector<double>& values)
@@ -170,7 +170,6 @@ void AddEntry(const StatedProduct& product, const char* quantity, const std::vec
   }
   const double difference = std::sqrt(squared);
   const double limit = allowed + (stated.size() == 1 ? bound : std::sqrt(3.0) * bound);
-  const std::string problem = !product.Problem.empty() ? product.Problem : reason;
   const bool isComparable = problem.empty() && std::isfinite(limit) && std::isfinite(difference);
   ValidationEntry entry;
   entry.Product = product.Name;
@@ -269,28 +268,33 @@ std::vector<ValidationEntry> CompareValidation(const std::vector<StatedProduct>&
   for (const StatedProduct& product : products)
   {
     const Vector3& point = product.Centroid;
-    const bool hasPoint = std::isfinite(point[0] + point[1] + point[2]);
-    if (!hasPoint && !std::isfinite(product.Volume) && !std::isfinite(product.Area))
+    const bool hasVolume = std::isfinite(product.Volume) || !product.VolumeProblem.empty();
+    const bool hasArea = std::isfinite(product.Area) || !product.AreaProblem.empty();
+    const bool hasPoint = std::isfinite(point[0] + point[1] + point[2]) || !product.CentroidProblem.empty();
+    if (!hasPoint && !hasVolume && !hasArea)
     {
       continue;
     }
     const ComputedProduct computed = sums.Find(product.Name);
-    if (std::isfinite(product.Volume))
+    const auto getReason = [&computed](const std::string& problem, const std::string& other) {
+      return !problem.empty() ? problem : !computed.Reason.empty() ? computed.Reason : other;
+    };
+    if (hasVolume)
     {
       AddEntry(product, "volume", { product.Volume }, { computed.Volume }, computed.VolumeBound,
-        limit * std::abs(product.Volume), computed.Reason, unit * unit * unit, list);
+        limit * std::abs(product.Volume), getReason(product.VolumeProblem, ""), unit * unit * unit, list);
     }
-    if (std::isfinite(product.Area))
+    if (hasArea)
     {
       AddEntry(product, "area", { product.Area }, { computed.Area }, computed.AreaBound,
-        limit * std::abs(product.Area), computed.Reason, unit * unit, list);
+        limit * std::abs(product.Area), getReason(product.AreaProblem, ""), unit * unit, list);
     }
     if (hasPoint)
     {
       AddEntry(product, "centroid", { point.begin(), point.end() },
         { computed.Center.begin(), computed.Center.end() }, computed.CenterBound,
-        limit * std::cbrt(computed.Volume), computed.Reason.empty() ? computed.NoCenter : computed.Reason,
-        unit, list);
+        limit * std::cbrt(computed.Volume), getReason(product.CentroidProblem, computed.NoCenter), unit,
+        list);
     }
   }
   return list;

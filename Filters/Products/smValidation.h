@@ -25,7 +25,8 @@ struct StatedProduct
 {
   std::string Name;
   long long Definition = -1; ///< entity number
-  std::string Problem;       ///< why the statements cannot be used; empty if they can
+  /// Why the statements of one quantity cannot be used; empty if they can.
+  std::string VolumeProblem, AreaProblem, CentroidProblem;
   double Volume = Unknown, Area = Unknown;
   std::array<double, 3> Centroid{ Unknown, Unknown, Unknown };
 };
@@ -90,8 +91,9 @@ struct SMFILTERSPRODUCTS_EXPORT ValidationEntry
 };
 
 /**
- * Returns an entry for every property that is stated. Volume and area may differ by `limit` of the stated
- * value, the centroid by `limit` of the cube root of the volume, and all by their bounds.
+ * Returns an entry for every property that is stated, also where the statement cannot be used. Volume and
+ * area may differ by `limit` of the stated value, the centroid by `limit` of the cube root of the volume, and
+ * all by their bounds.
  */
 SMFILTERSPRODUCTS_EXPORT std::vector<ValidationEntry> CompareValidation(
   const std::vector<StatedProduct>& products, const ProductTreeNode& tree, const ProductResults& results,

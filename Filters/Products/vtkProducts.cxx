@@ -71,7 +71,8 @@ std::string vtkProducts::CompareValidation(vtkMassPropertiesBase* filter, vtkTab
   for (vtkIdType row = 0; row < stated->GetNumberOfRows(); ++row)
   {
     products.push_back({ sm::GetText(columns, row, "Product"), sm::GetCount(columns, row, "Definition"),
-      sm::GetText(columns, row, "Problem"), sm::GetNumber(columns, row, "Volume"),
+      sm::GetText(columns, row, "VolumeProblem"), sm::GetText(columns, row, "AreaProblem"),
+      sm::GetText(columns, row, "CentroidProblem"), sm::GetNumber(columns, row, "Volume"),
       sm::GetNumber(columns, row, "Area"), sm::GetPoint(columns, row, "Centroid") });
   }
   const sm::ProductTreeNode tree = sm::MakeProductTree(filter->GetInputDataObject(0, 0));

@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -129,6 +130,11 @@ struct RejectedInput
 /// Returns a body for every vtkNURBSDataSet with a model in a data object, in depth-first order.
 SMFILTERSSURFACEINTEGRALS_EXPORT std::vector<BodyIntegrals> CollectBodies(
   vtkDataObject* input, RejectedInput& rejected);
+
+/// Removes the bodies for whose names `leavesOut` is true. Returns a message that names them; empty if there
+/// are none.
+SMFILTERSSURFACEINTEGRALS_EXPORT std::string LeaveOut(
+  const std::function<bool(const std::string& name)>& leavesOut, std::vector<BodyIntegrals>& bodies);
 
 /// Sets the status from the reader's findings and the signed uses of the edges, before anything is
 /// integrated.

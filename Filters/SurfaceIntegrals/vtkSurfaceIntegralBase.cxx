@@ -160,6 +160,12 @@ int vtkSurfaceIntegralBase::GetNumberOfSelectors() const
   return static_cast<int>(this->Selectors.size());
 }
 
+void vtkSurfaceIntegralBase::SetLeftOut(std::function<bool(const std::string& name)> leavesOut)
+{
+  this->LeavesOut = std::move(leavesOut);
+  this->Modified();
+}
+
 void vtkSurfaceIntegralBase::SetAssemblyName(const std::string& name)
 {
   if (this->AssemblyName != name)

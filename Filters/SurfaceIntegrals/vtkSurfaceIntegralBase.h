@@ -52,11 +52,12 @@
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-#include <cstddef>   // for std::size_t
-#include <exception> // for std::exception_ptr
-#include <memory>    // for std::unique_ptr
-#include <string>    // for std::string
-#include <vector>    // for std::vector
+#include <cstddef>    // for std::size_t
+#include <exception>  // for std::exception_ptr
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+#include <string>     // for std::string
+#include <vector>     // for std::vector
 
 class vtkComputeContext;
 class vtkMultiProcessController;
@@ -94,6 +95,11 @@ public:
   void AddSelector(const std::string& selector);
   void ClearSelectors();
   int GetNumberOfSelectors() const;
+#ifndef __VTK_WRAP__
+  /** Leaves out the bodies for whose names `leavesOut` is true, of those that the selectors choose; a message
+   * names them. Null, the default: none. */
+  void SetLeftOut(std::function<bool(const std::string& name)> leavesOut);
+#endif
   void SetAssemblyName(const std::string& name);
   std::string GetAssemblyName() const;
   ///@}
@@ -366,6 +372,8 @@ private:
   /** Removes the bodies that no selector matches, and adds messages about unmatched selectors. */
   void ChooseBodies(
     vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies, sm::RejectedInput& rejected);
+  /** Removes the bodies of SetLeftOut(), with a message. */
+  void LeaveOutBodies(std::vector<sm::BodyIntegrals>& bodies);
   /** Adds the row of TotalRow to the table of port 1; `all` is the number of bodies of the input. */
   void WriteTotalRow(std::size_t bodies, std::size_t all, vtkInformationVector* outputVector) const;
   /** Adds the messages of the bodies to the report, and issues at most one warning. */
@@ -376,6 +384,7 @@ private:
   std::unique_ptr<sm::IntegralEngine> Engine;
   std::unique_ptr<sm::columns::KeptArrays> Arrays;
   std::vector<std::string> Selectors;
+  std::function<bool(const std::string&)> LeavesOut;
   std::string AssemblyName = "Assembly";
   bool IsCompiling = false;
 #endif

@@ -173,6 +173,18 @@ void vtkSurfaceIntegralBase::ChooseBodies(
   bodies = std::move(kept);
 }
 
+void vtkSurfaceIntegralBase::LeaveOutBodies(std::vector<sm::BodyIntegrals>& bodies)
+{
+  if (this->LeavesOut)
+  {
+    const std::string message = sm::LeaveOut(this->LeavesOut, bodies);
+    if (!message.empty())
+    {
+      this->Engine->GetReport().Messages.push_back(message);
+    }
+  }
+}
+
 int vtkSurfaceIntegralBase::RejectInput(bool isWithheld)
 {
   sm::RunReport& report = this->Engine->GetReport();
@@ -251,6 +263,7 @@ void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
   if (found.AllBodies > 0)
   {
     this->ChooseBodies(input, found.Bodies, found.Rejected);
+    this->LeaveOutBodies(found.Bodies);
   }
   found.Request = this->MakeRequest();
   this->Engine->EstimateBackends(found.Request, found.Bodies);

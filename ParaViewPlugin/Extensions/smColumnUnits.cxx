@@ -44,6 +44,7 @@ constexpr Unit Units[] = {
   { names::MassRadiiOfGyration, "", 1 },
   { names::Density, "kg/m^3", 0 },
   { names::MassUncertainty, "kg", 0 },
+  { names::OverriddenMass, "kg", 0 },
   { names::KnownMass, "kg", 0 },
   { names::ClosureCorrection, "", 3 },
   { names::ClosureSpread, "", 3 },

@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <map>
-#include <system_error>
 
 namespace sm
 {
@@ -84,13 +82,12 @@ std::string GetDensity(const MaterialRow& rule)
   return rule[2].empty() ? GetCommonDensity(rule[1]) : rule[2];
 }
 
-/// Returns true for a number above 0, with a decimal point, which vtkMassPropertiesBase::AddMaterial()
-/// accepts.
-bool IsDensity(const std::string& text)
+/// Returns true for a rule that vtkMassPropertiesBase::AddMaterial() accepts: with a density, a mass with a
+/// unit, or of solids that are left out.
+bool IsAccepted(const MaterialRow& rule)
 {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && value > 0.0 && std::isfinite(value);
+  MaterialRule made;
+  return MakeRule({ rule[0], rule[1], GetDensity(rule), "", "" }, made).empty();
 }
 
 /// Returns the text that a rule takes from a cell; empty for a cell that states that the solids differ.
@@ -107,7 +104,7 @@ Cells MakePartRow(const PartMaterial& part, const MaterialRow* rule, double dens
   {
     row[3] = FormatMass(*mass);
   }
-  if (rule && !IsDensity(GetDensity(*rule)))
+  if (rule && !IsAccepted(*rule))
   {
     row[3] = NoDensity;
   }

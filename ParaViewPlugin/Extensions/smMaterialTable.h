@@ -5,7 +5,7 @@
  * A row has four cells: part, material, density in kg/m^3, mass in kg. The first row has titles, since
  * ParaView 5.11 shows none, and the last one the total. Between them is a row for each part of the input,
  * then one for each rule that has another pattern. A rule is a row of the property Materials: pattern of
- * names, material, density.
+ * names, material, density, or a mass with a unit in its place.
  *
  * Cells of material and density that no rule of that row gave say where they come from: "7850 (file)", "2700
  * (Density)", "7850 (below)". Only cells without such an ending make rules, so that a table as text has a

@@ -19,9 +19,9 @@ constexpr const char* HiddenColumns[] = { names::SurfaceArea, names::FirstMoment
   names::VolumeInertia, names::VolumeInertiaAtOrigin, names::PrincipalMoments, names::PrincipalAxes,
   names::PrincipalAxesDegenerate, names::RadiiOfGyration, names::Density, names::Mass, names::MassCenter,
   names::MassInertia, names::MassPrincipalMoments, names::MassPrincipalAxes, names::MassRadiiOfGyration,
-  names::MassUncertainty, names::ClosureCorrection, names::ClosureResidual, names::GapSquared, names::GapArea,
-  names::MaxGap, names::OpenEdges, names::FlippedShells, names::BoundsEstimated, names::BoundsMeasured,
-  names::Faces };
+  names::MassUncertainty, names::OverriddenMass, names::ClosureCorrection, names::ClosureResidual,
+  names::GapSquared, names::GapArea, names::MaxGap, names::OpenEdges, names::FlippedShells,
+  names::BoundsEstimated, names::BoundsMeasured, names::Faces };
 
 #if PARAVIEW_VERSION_NUMBER < PARAVIEW_VERSION_CHECK(5, 12, 0)
 void SetVisible(const std::string& series, bool isVisible)

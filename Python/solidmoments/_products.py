@@ -39,7 +39,7 @@ def compare(old, new, density=None, *, limit=1e-9, **options):
     """The differences of the solids of two files by their geometry: a dict.
 
     Keys are those of `comparison` in the JSON of the program `solidmoments`: equal, limit, length_unit, counts (solids by their state:
-    unchanged, moved, changed, added, removed), total, and parts, a list of dicts with state, name, count, notes, difference and bodies.
+    unchanged, moved, mirrored, changed, added, removed), total, and parts, a list of dicts with state, name, count, notes, difference and bodies.
     limit: largest relative difference, in addition to the bounds, that counts as equal. density and options are those of
     `mass_properties`, for both files, and so are errors and warnings.
     """

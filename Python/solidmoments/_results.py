@@ -12,7 +12,7 @@ Matrix = Tuple[Vector, Vector, Vector]
 # quantity.
 _UNITS = {"volume": (3, ""), "area": (2, ""), "center_of_mass": (1, ""), "inertia": (5, ""), "inertia_at_origin": (5, ""),
           "principal_moments": (5, ""), "principal_axes": (0, ""), "radii_of_gyration": (1, ""), "mass": (0, "kg"), "mass_center": (1, ""),
-          "mass_inertia": (2, "kg"), "mass_uncertainty": (0, "kg"), "density": (0, "kg/m^3"), "closure_correction": (3, ""), "gap_squared": (3, ""), "max_gap": (1, ""),
+          "mass_inertia": (2, "kg"), "mass_uncertainty": (0, "kg"), "overridden_mass": (0, "kg"), "density": (0, "kg/m^3"), "closure_correction": (3, ""), "gap_squared": (3, ""), "max_gap": (1, ""),
           "gap_area": (2, ""), "closure_residual": (0, "")}
 
 
@@ -38,7 +38,8 @@ class MassProperties:
     negative products of inertia off the diagonal and are about the centre unless their name says otherwise. `mass_center` and
     `mass_inertia` take the densities of the solids as weight. `volume_spread` and the others say how far closing the gaps of
     the model in another way may change the quantity, which no bound includes; None where edges are open. `mass_uncertainty` has the
-    uncertainty of the mass in kg: the sum, and its shares by the tolerance of the densities, by `mass_spread` and by `mass_bound`. `status` is ok, open, suspect or
+    uncertainty of the mass in kg: the sum, and its shares by the tolerance of the densities, by `mass_spread`, by `mass_bound` and by the tolerances of
+    masses that `materials` state; `overridden_mass` is the part of the mass that they state. `status` is ok, open, suspect or
     tolerance-not-met; `closure_correction` and what follows it describe defects of the model, which are part of no bound.
     """
 
@@ -69,7 +70,8 @@ class MassProperties:
     mass_center_bound: Optional[float]
     mass_inertia: Optional[Matrix]
     mass_inertia_bound: Optional[float]
-    mass_uncertainty: Optional[Tuple[float, float, float, float]]
+    mass_uncertainty: Optional[Tuple[float, float, float, float, float]]
+    overridden_mass: Optional[float]
     density: Optional[float]
     material: str
     volume_spread: Optional[float]

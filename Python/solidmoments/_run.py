@@ -44,7 +44,8 @@ def _make(file, data, row, **more):
         values[field + "_spread"] = _get(data, row, name + "Spread")
     for field, name in _DEFECTS:
         values[field] = _get(data, row, name)
-    values["mass_uncertainty"] = _get(data, row, "MassUncertainty", 4)
+    values["mass_uncertainty"] = _get(data, row, "MassUncertainty", 5)
+    values["overridden_mass"] = _get(data, row, "OverriddenMass")
     edges = _get(data, row, "OpenEdges")
     return MassProperties(file=file, name=_get_text(data, row, "Name"), id=_get_text(data, row, "Id"),
                           status=_get_text(data, row, "Status"), length_unit=_get_text(data, row, "LengthUnit"),
@@ -78,47 +79,65 @@ def _messages(*algorithms):
 
 
 def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(), backend="auto", max_seconds=None,
-                    repair="needed", strict=False):
+                    repair="needed", hidden="count", strict=False):
     """The MassProperties of all solids of a STEP or BREP file together; those of each solid are in `solids`.
 
     file: path. content: the bytes of a file, which are read in place of it; `file` only names them. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
     or file for that of the file. input_unit: that of a BREP file, which states none. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
     for `mass_uncertainty`. materials: rows (pattern of names, material, density or None), before
-    `density`. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
+    `density`; a row (pattern, material, None, mass in kg[, relative tolerance of the mass]) overrides the mass of each of these solids, and
+    the material "left out" leaves them out. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
     repair: needed, OpenCASCADE repairs the solids and shells that are not sound as the file has them; always, all; or never.
+    hidden: count, bodies that a STEP file hides (INVISIBILITY) count, with a message; skip, they are left out; or only, all others are.
 
     Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result. A result with another status
     than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
     """
     file = os.fspath(file)
     reader, mass = run_filter(file, density, content=content, unit=unit, input_unit=input_unit, tolerance=tolerance,
-                              density_tolerance=density_tolerance, materials=materials, backend=backend, max_seconds=max_seconds, repair=repair)
+                              density_tolerance=density_tolerance, materials=materials, backend=backend, max_seconds=max_seconds, repair=repair,
+                              hidden=hidden)
     return make_result(file, (reader, mass), strict)
 
 
 def run_filter(file, density=None, *, content=None, unit="mm", input_unit="mm", tolerance=1e-9, density_tolerance=0.0, materials=(),
-               backend="auto", max_seconds=None, repair="needed"):
+               backend="auto", max_seconds=None, repair="needed", hidden="count"):
     """The reader and the filter of mass_properties(), with its options, after their run."""
     mass = make_filter(density, tolerance, backend, density_tolerance, max_seconds)
-    reader = make_reader(file, content=content, unit=unit, input_unit=input_unit, max_seconds=max_seconds, repair=repair)
+    reader = make_reader(file, content=content, unit=unit, input_unit=input_unit, max_seconds=max_seconds, repair=repair, hidden=hidden)
     mass.SetInputConnection(reader.GetOutputPort())
-    for pattern, material, value in materials:
-        before = mass.GetNumberOfMaterials()
-        mass.AddMaterial(pattern, material, "" if value is None else float(value))
-        if mass.GetNumberOfMaterials() == before:
-            raise ValueError(f"the material {material!r} is not known and needs a density above 0, or its density {value} is not one")
+    for row in materials:
+        _add_material(mass, *row)
     read(file, reader)
     mass.Update()
     return reader, mass
 
 
-def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=None, repair="needed"):
+def _add_material(mass, pattern, material, density, stated=None, tolerance=None):
+    """Adds a row of `materials`."""
+    if density is not None and stated is not None:
+        raise ValueError(f"the solids {pattern!r} have the density {density} and the mass {stated}, which contradict each other; give one of them")
+    if stated is None and tolerance is not None:
+        raise ValueError(f"the solids {pattern!r} have the tolerance {tolerance} of a mass, which is missing; density_tolerance is that of densities")
+    before = mass.GetNumberOfMaterials()
+    if stated is None:
+        mass.AddMaterial(pattern, material, "" if density is None else float(density))
+    else:
+        mass.AddMass(pattern, material, float(stated), -1.0 if tolerance is None else float(tolerance))
+    if mass.GetNumberOfMaterials() == before:
+        raise ValueError(f"the material {material!r} is not known and needs a density above 0, or its density {density} is not one" if stated is None else
+                         f"the mass {stated} of {pattern!r} has to be above 0 and finite, in kg, and its tolerance {tolerance} from 0 to 1")
+
+
+def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=None, repair="needed", hidden="count"):
     """The reader of a file, with the options of mass_properties(), before its run."""
     from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
     if repair not in ("needed", "always", "never"):
         raise ValueError(f"repair is {repair!r}; it has to be 'needed', 'always' or 'never'")
+    if hidden not in ("count", "skip", "only"):
+        raise ValueError(f"hidden is {hidden!r}; it has to be 'count', 'skip' or 'only'")
     check_unit(unit, input_unit)
     if content is None and not os.path.exists(file):
         raise FileNotFoundError(file)
@@ -134,6 +153,7 @@ def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=N
         reader.SetInputUnit(input_unit)
     else:
         reader.SetRepair({"needed": reader.ON_NEED, "always": reader.ALWAYS, "never": reader.NEVER}[repair])
+        reader.SetHidden({"count": reader.COUNT_HIDDEN, "skip": reader.SKIP_HIDDEN, "only": reader.ONLY_HIDDEN}[hidden])
     reader.SetMaximumSeconds(max_seconds or 0.0)
     return reader
 

@@ -19,6 +19,7 @@ constexpr STEPAttribute FormationOfDefinition = { "PRODUCT_DEFINITION", 2, 2, "f
 constexpr STEPAttribute ProductOfFormation = { "PRODUCT_DEFINITION_FORMATION", 2, 2, "of product" };
 constexpr STEPAttribute IdOfProduct = { "PRODUCT", 0, 0, "id" };
 constexpr STEPAttribute NameOfProduct = { "PRODUCT", 1, 1, "name" };
+constexpr STEPAttribute ShapeOfAspect = { "SHAPE_ASPECT", 2, 2, "of shape" };
 
 /// Returns the text of a string with '' replaced by '.
 std::string Unquote(std::string_view text)
@@ -30,6 +31,14 @@ std::string Unquote(std::string_view text)
     i += text[i] == '\'' && i + 1 < text.size() && text[i + 1] == '\'' ? 1 : 0;
   }
   return result;
+}
+
+/// Returns true for the name of geometric validation properties, with blanks or underscores.
+bool IsValidation(std::string_view name)
+{
+  constexpr std::string_view expected = "geometric validation property";
+  return std::equal(name.begin(), name.end(), expected.begin(), expected.end(),
+    [](char a, char b) { return a == b || (a == '_' && b == ' '); });
 }
 
 class ProductReader
@@ -57,11 +66,12 @@ public:
     this->ForEach("PROPERTY_DEFINITION_REPRESENTATION",
       [this](Index property, Index representation)
       {
-        if (this->Entities.Get(property, NameOfProperty).Text == "geometric validation property")
+        if (IsValidation(this->Entities.Get(property, NameOfProperty).Text))
         {
           this->AddProperty(property, representation);
         }
       });
+    this->AddAspects();
     std::vector<STEPProduct> result;
     for (const auto& [definition, product] : this->Products)
     {
@@ -126,24 +136,70 @@ private:
     this->Products[product.Definition] = product;
   }
 
-  double GetMillimetres(Index context) const
+  /// Returns the size of the length unit of a context, also of one that no body has; NaN if it has none.
+  double GetMillimetres(Index context)
   {
-    const auto found = context == STEPAttributes::None ? this->Millimetres.end()
-                                                       : this->Millimetres.find(this->File.GetId(context));
-    return found == this->Millimetres.end() ? std::nan("") : found->second;
+    if (context == STEPAttributes::None)
+    {
+      return std::nan("");
+    }
+    const auto [found, isNew] = this->Millimetres.emplace(this->File.GetId(context), std::nan(""));
+    if (isNew)
+    {
+      CensusContext units;
+      units.Id = found->first;
+      std::vector<Index> used;
+      ReadSTEPUnits(this->Entities, context, units, used);
+      found->second = units.Length.Status == CensusUnit::State::Stated ? units.Length.Factor : std::nan("");
+    }
+    return found->second;
   }
 
   void AddProperty(Index property, Index representation)
   {
-    const Index definition =
-      this->FindDefinition(this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty)));
+    const Index described = this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty));
+    const Index definition = this->FindDefinition(described);
     const auto found = definition == STEPAttributes::None ? this->Products.end()
                                                           : this->Products.find(this->File.GetId(definition));
-    if (found == this->Products.end())
+    if (found != this->Products.end())
     {
+      this->AddItems(representation, found->second);
       return;
     }
-    STEPProduct& product = found->second;
+    const Index shape = described == STEPAttributes::None
+      ? STEPAttributes::None
+      : this->Entities.Follow(this->Entities.Get(described, ShapeOfAspect));
+    const Index whole = this->FindDefinition(shape);
+    if (whole != STEPAttributes::None)
+    {
+      this->Aspects[this->File.GetId(whole)][this->File.GetId(described)].push_back(representation);
+    }
+  }
+
+  /// Adds the properties of parts of a shape to products that have none of their own: where only one part of
+  /// the shape has properties, it is the whole.
+  void AddAspects()
+  {
+    for (const auto& [definition, aspects] : this->Aspects)
+    {
+      const auto found = this->Products.find(definition);
+      if (found == this->Products.end() || aspects.size() > 1)
+      {
+        continue;
+      }
+      const STEPValidation& own = found->second.Stated;
+      if (std::isnan(own.Volume) && std::isnan(own.Area) && std::isnan(own.Centroid[0]))
+      {
+        for (const Index representation : aspects.begin()->second)
+        {
+          this->AddItems(representation, found->second);
+        }
+      }
+    }
+  }
+
+  void AddItems(Index representation, STEPProduct& product)
+  {
     Part21Values items(this->Entities.Get(representation, ItemsOfRepresentation).Text);
     for (Part21Value value; items.Next(value);)
     {
@@ -152,11 +208,11 @@ private:
         item == STEPAttributes::None ? Part21Value() : this->Entities.Get(item, ValueOfItem);
       if (measure.Kind == Part21Kind::Typed && measure.TypeName == "VOLUME_MEASURE")
       {
-        this->Take(item, measure, 3.0, product.Stated.Volume, product);
+        this->Take(item, measure, 3.0, product.Stated.Volume, product.VolumeProblem);
       }
       else if (measure.Kind == Part21Kind::Typed && measure.TypeName == "AREA_MEASURE")
       {
-        this->Take(item, measure, 2.0, product.Stated.Area, product);
+        this->Take(item, measure, 2.0, product.Stated.Area, product.AreaProblem);
       }
       else if (item != STEPAttributes::None &&
         this->File.GetTypeNames()[this->File.GetType(item)] == "CARTESIAN_POINT" &&
@@ -171,7 +227,7 @@ private:
   }
 
   /// Sets a value if it was not stated before. A different statement is a problem.
-  void Set(double value, double& place, STEPProduct& product) const
+  void Set(double value, double& place, std::string& problem) const
   {
     if (std::isnan(place))
     {
@@ -179,26 +235,26 @@ private:
     }
     else if (std::abs(place - value) > 1e-12 * std::abs(place))
     {
-      product.Problem = "the same property is stated twice, with different values";
+      problem = "the same property is stated twice, with different values";
     }
   }
 
-  void Take(Index item, const Part21Value& measure, double power, double& place, STEPProduct& product) const
+  void Take(Index item, const Part21Value& measure, double power, double& place, std::string& problem) const
   {
     double number = 0.0;
     const double unit = this->ReadUnit(this->Entities.Follow(this->Entities.Get(item, UnitOfItem)), power);
     if (!GetPart21Value(measure.Text, 0).GetNumber(number))
     {
-      product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is not a number";
+      problem = "#" + std::to_string(this->File.GetId(item)) + " is not a number";
     }
     else if (!(unit > 0.0))
     {
-      product.Problem = "#" + std::to_string(this->File.GetId(item)) +
+      problem = "#" + std::to_string(this->File.GetId(item)) +
         " has no unit that is a length to the power of " + (power == 3.0 ? "3" : "2");
     }
     else
     {
-      this->Set(number * unit, place, product);
+      this->Set(number * unit, place, problem);
     }
   }
 
@@ -210,13 +266,14 @@ private:
     {
       if (!GetPart21Value(list, i).GetNumber(point[i]) || !(millimetres > 0.0))
       {
-        product.Problem = "#" + std::to_string(this->File.GetId(item)) + " is not a point with a length unit";
+        product.CentroidProblem =
+          "#" + std::to_string(this->File.GetId(item)) + " is not a point with a length unit";
         return;
       }
     }
     for (std::size_t i = 0; i < 3; ++i)
     {
-      this->Set(point[i] * millimetres, product.Stated.Centroid[i], product);
+      this->Set(point[i] * millimetres, product.Stated.Centroid[i], product.CentroidProblem);
     }
   }
 
@@ -258,6 +315,8 @@ private:
   std::map<std::uint64_t, double> Millimetres;
   std::set<std::uint64_t> WithDensity;
   std::map<std::uint64_t, STEPProduct> Products;
+  /// Representations of properties of parts of shapes, by the product and the SHAPE_ASPECT.
+  std::map<std::uint64_t, std::map<std::uint64_t, std::vector<Index>>> Aspects;
 };
 
 /// Formats a string of Part 21; bytes beyond ASCII become blanks.

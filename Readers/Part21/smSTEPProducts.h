@@ -41,18 +41,20 @@ struct STEPProduct
   STEPValidation Stated;
   /// True if the file states a density for it, usable or not (smSTEPDensities.h).
   bool HasDensity = false;
-  /// The reason why a statement cannot be used: a wrong unit, or the same property twice with different
-  /// values. Empty if all can be used.
-  std::string Problem;
+  /// The reasons why the statements of one quantity cannot be used: a wrong unit, or the same property twice
+  /// with different values. Empty if they can. Those of the others can be used all the same.
+  std::string VolumeProblem, AreaProblem, CentroidProblem;
 };
 
 /**
  * Returns the products, sorted by their numbers.
  *
  * A validation property is an item of a representation of a PROPERTY_DEFINITION with the name "geometric
- * validation property" of the product's shape (CAx-IF recommended practice): a VOLUME_MEASURE, an
+ * validation property" of the product's shape (CAx-IF recommended practice; Pro/ENGINEER writes underscores,
+ * and as the shape of a part the only SHAPE_ASPECT of it that has such properties): a VOLUME_MEASURE, an
  * AREA_MEASURE (surface area, which some systems call wetted), each with a DERIVED_UNIT of a length, or a
- * CARTESIAN_POINT "centre point" in the unit of its representation's context.
+ * CARTESIAN_POINT "centre point" in the unit of its representation's context, whether or not a body has this
+ * context.
  */
 SMREADERSPART21_EXPORT std::vector<STEPProduct> ReadSTEPProducts(const Part21File& file);
 /// The same for a file whose census has been taken.

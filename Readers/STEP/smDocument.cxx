@@ -2,6 +2,7 @@
 
 #include "smCatchFailure.h"
 #include "smFile.h"
+#include "smHiddenBodies.h"
 #include "smPart21File.h"
 #include "smRepair.h"
 #include "smReversedShells.h"
@@ -9,6 +10,7 @@
 #include "smSTEPDoubts.h"
 #include "smSTEPFaceStatements.h"
 #include "smSTEPReconciliation.h"
+#include "smSTEPTolerances.h"
 
 #include "vtkTimerLog.h"
 
@@ -172,7 +174,23 @@ void Conclude(const STEPCensus& census, Document& document)
   }
 }
 
-void Read(std::string content, RepairMode repair, const ProgressCallback& progress, Document& document)
+/// Returns the tolerances of the drawing that a file states.
+std::vector<DrawingTolerance> ListTolerances(const Part21File& file)
+{
+  std::vector<DrawingTolerance> list;
+  for (const STEPTolerance& given : ReadSTEPTolerances(file))
+  {
+    const bool isKnown = given.Problem.empty();
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    list.push_back(
+      { static_cast<std::int64_t>(given.Id), given.Kind, { given.Faces.begin(), given.Faces.end() },
+        given.IsForAll, isKnown ? given.Lower : unknown, isKnown ? given.Upper : unknown, given.Problem });
+  }
+  return list;
+}
+
+void Read(std::string content, RepairMode repair, HiddenMode hidden, const ProgressCallback& progress,
+  Document& document)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   const DeclaredContent declared(std::move(content), document);
@@ -194,7 +212,8 @@ void Read(std::string content, RepairMode repair, const ProgressCallback& progre
   }
   RepairLog log;
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
-  if (!ReadSTEPDirectly(declared.Text, declared.Census, repair, progress, document, log))
+  if (!ReadSTEPDirectly(
+        declared.Text, declared.Census, repair, hidden == HiddenMode::Count, progress, document, log))
   {
     document.Status = ReadStatus::Aborted;
     return;
@@ -215,11 +234,16 @@ void Read(std::string content, RepairMode repair, const ProgressCallback& progre
   {
     document.Statements[face].IsForward = !document.Statements[face].IsForward;
   }
-  Conclude(declared.Census, document);
+  document.Tolerances = ListTolerances(declared.Text);
+  LeaveOutHidden(hidden, document);
+  if (document.Problem.empty())
+  {
+    Conclude(declared.Census, document);
+  }
 }
 }
 
-Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress)
+Document ReadSTEP(std::string content, RepairMode repair, HiddenMode hidden, const ProgressCallback& progress)
 {
   Document document;
   const FileCheck check = CheckText(content);
@@ -237,7 +261,8 @@ Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback
   {
     document.Messages.push_back("The file does not end with END-ISO-10303-21: part of it may be missing.");
   }
-  const std::string failure = CatchFailure([&]() { Read(std::move(content), repair, progress, document); });
+  const std::string failure =
+    CatchFailure([&]() { Read(std::move(content), repair, hidden, progress, document); });
   if (!failure.empty())
   {
     document.Status = ReadStatus::Unreadable;

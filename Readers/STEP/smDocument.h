@@ -6,6 +6,7 @@
 #define smDocument_h
 
 #include "Shapes/smShape.h"
+#include "smDrawingTolerances.h"
 #include "smFaceStatement.h"
 #include "smProgressCallback.h"
 
@@ -46,6 +47,9 @@ struct BodyInstance
   std::string Name;
   /// Colour of the instance, which overrides that of its part; negative: none.
   Vector3 Color{ -1.0, -1.0, -1.0 };
+  /// True if the file hides it: its body, an occurrence above it, or a representation or layer with one of
+  /// these (INVISIBILITY).
+  bool IsHidden = false;
 };
 
 struct ProductNode
@@ -85,6 +89,8 @@ struct Document
   int FreeFaces = 0;
   /// What a STEP file states about its faces in space.
   FaceStatements Statements;
+  /// Tolerances of the drawing in a STEP file, in mm.
+  std::vector<DrawingTolerance> Tolerances;
   /// Numbers of the faces whose surface was read with the opposite normal, because one of its parameters runs
   /// backwards in the file.
   std::vector<std::uint64_t> ReversedFaces;
@@ -108,11 +114,23 @@ enum class RepairMode
   Never
 };
 
+/// The bodies that are read of those that a file hides, and of the others.
+enum class HiddenMode
+{
+  /// All, with a message about those that are hidden.
+  Count,
+  /// Those that are not hidden.
+  Skip,
+  /// Those that are hidden.
+  Only
+};
+
 /**
  * Reads the bytes of a STEP file. `progress` gets a fraction in [0,1] and returns false to stop. Throws only
  * std::bad_alloc.
  */
-Document ReadSTEP(std::string content, RepairMode repair, const ProgressCallback& progress);
+Document ReadSTEP(
+  std::string content, RepairMode repair, HiddenMode hidden, const ProgressCallback& progress);
 }
 
 #endif

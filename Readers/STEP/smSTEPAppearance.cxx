@@ -162,6 +162,22 @@ STEPColors STEPAppearance::ReadColors() const
   return colors;
 }
 
+bool STEPAppearance::HideStyled(Index styled, const std::unordered_map<Index, std::uint64_t>& occurrences,
+  std::unordered_set<std::uint64_t>& hidden) const
+{
+  std::string_view record;
+  const bool isStyled = std::any_of(std::begin(StyledTypes), std::end(StyledTypes),
+    [&](const char* type) { return this->Entities.FindRecord(styled, type, record); });
+  if (!isStyled)
+  {
+    return false;
+  }
+  const std::uint64_t occurrence = this->FindOccurrence(GetPart21Value(record, StylesOfStyled), occurrences);
+  const Index item = this->Entities.Follow(GetPart21Value(record, ItemOfStyled));
+  hidden.insert(occurrence > 0 || item == Part21File::None ? occurrence : this->Entities.File.GetId(item));
+  return true;
+}
+
 std::unordered_set<std::uint64_t> STEPAppearance::ReadHiddenItems() const
 {
   std::unordered_set<std::uint64_t> hidden;
@@ -176,21 +192,16 @@ std::unordered_set<std::uint64_t> STEPAppearance::ReadHiddenItems() const
     }
     for (const Index item : file.GetReferences(i))
     {
-      const bool isStyled = std::any_of(std::begin(StyledTypes), std::end(StyledTypes),
-        [&](const char* type) { return this->Entities.FindRecord(item, type, record); });
-      if (isStyled)
+      if (item != Part21File::None && !this->HideStyled(item, occurrences, hidden))
       {
-        const std::uint64_t occurrence =
-          this->FindOccurrence(GetPart21Value(record, StylesOfStyled), occurrences);
-        const Index styled = this->Entities.Follow(GetPart21Value(record, ItemOfStyled));
-        hidden.insert(occurrence > 0 || styled == Part21File::None ? occurrence : file.GetId(styled));
-      }
-      else if (item != Part21File::None)
-      {
+        hidden.insert(file.GetId(item));
         // A layer or a representation refers to what is in it.
         for (const Index inside : file.GetReferences(item))
         {
-          hidden.insert(inside == Part21File::None ? 0 : file.GetId(inside));
+          if (inside != Part21File::None && !this->HideStyled(inside, occurrences, hidden))
+          {
+            hidden.insert(file.GetId(inside));
+          }
         }
       }
     }

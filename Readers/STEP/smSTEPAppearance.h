@@ -49,6 +49,9 @@ private:
   /// Returns the occurrence that the styles of a styled item are for; 0 for none.
   std::uint64_t FindOccurrence(
     const Part21Value& styles, const std::unordered_map<Index, std::uint64_t>& occurrences) const;
+  /// Adds the item, or the occurrence, that a styled item is for. Returns false for any other entity.
+  bool HideStyled(Index styled, const std::unordered_map<Index, std::uint64_t>& occurrences,
+    std::unordered_set<std::uint64_t>& hidden) const;
   bool ReadColor(Index colour, Vector3& color) const;
   bool FindColor(const Part21Value& styles, int depth, Vector3& color) const;
 

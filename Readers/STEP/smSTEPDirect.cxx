@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -53,7 +54,7 @@ public:
   }
 
   /// Returns false if `progress` stopped it.
-  bool Read(RepairMode repair, const ProgressCallback& progress)
+  bool Read(RepairMode repair, bool reportsHidden, const ProgressCallback& progress)
   {
     this->Kind = this->Census.CountBodies(CensusBodyKind::Solid) > 0 ? CensusBodyKind::Solid
                                                                      : CensusBodyKind::SurfaceModel;
@@ -65,9 +66,13 @@ public:
     this->Shapes.Report(this->Result.Messages, this->Result.Defects);
     this->Result.ReversedFaces = this->Shapes.GetReversedFaces();
     this->AddColors();
-    this->ReportHidden();
+    const std::unordered_set<std::uint64_t> hidden = STEPAppearance(this->Entities).ReadHiddenItems();
     AddSTEPProducts(
-      this->Entities, this->Census, this->Kind, this->Bodies, this->OccurrenceColors, this->Result);
+      this->Entities, this->Census, this->Kind, this->Bodies, this->OccurrenceColors, hidden, this->Result);
+    if (reportsHidden)
+    {
+      this->ReportHidden(hidden);
+    }
     return true;
   }
 
@@ -247,9 +252,8 @@ private:
   }
 
   /// Reports bodies and occurrences that the file hides.
-  void ReportHidden()
+  void ReportHidden(const std::unordered_set<std::uint64_t>& hidden)
   {
-    const std::unordered_set<std::uint64_t> hidden = STEPAppearance(this->Entities).ReadHiddenItems();
     std::vector<std::uint64_t> found;
     for (const auto& [index, shapes] : this->Bodies)
     {
@@ -266,12 +270,24 @@ private:
         found.push_back(occurrence.Id);
       }
     }
+    // A representation, or a mapped item, may be what is hidden.
+    std::set<std::uint64_t> inside;
+    for (const BodyInstance& instance : this->Result.Instances)
+    {
+      if (found.empty() && instance.IsHidden)
+      {
+        inside.insert(
+          static_cast<std::uint64_t>(this->Result.Bodies[static_cast<std::size_t>(instance.Body)].FileId));
+      }
+    }
+    found.insert(found.end(), inside.begin(), inside.end());
     if (!found.empty())
     {
       this->Result.Messages.push_back(
         FormatCount(found.size(), "body or occurrence is", "bodies or occurrences are") +
         " hidden in the file (INVISIBILITY), first #" + std::to_string(found.front()) +
-        ": they count like the others. Remove what is not a part of the product.");
+        ": they count like the others. Leave out what is not a part of the product: --hidden skip, or Hidden "
+        "of the reader.");
     }
   }
 
@@ -321,9 +337,9 @@ private:
 };
 }
 
-bool ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair,
+bool ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair, bool reportsHidden,
   const ProgressCallback& progress, Document& document, RepairLog& log)
 {
-  return DirectReader(file, census, document, log).Read(repair, progress);
+  return DirectReader(file, census, document, log).Read(repair, reportsHidden, progress);
 }
 }

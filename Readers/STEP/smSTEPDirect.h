@@ -19,7 +19,7 @@ namespace sm
  * instances that are not converted are left out and reported. Sound bodies are not repaired unless `repair`
  * is Always; the others are, by OpenCASCADE (smKernel.h). Returns false if `progress` returned false.
  */
-bool ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair,
+bool ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair, bool reportsHidden,
   const ProgressCallback& progress, Document& document, RepairLog& log);
 }
 

@@ -69,12 +69,14 @@ class ProductTree
 public:
   ProductTree(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
     const std::map<std::uint32_t, ShapeGroup>& bodies,
-    const std::unordered_map<std::uint64_t, Vector3>& colors, Document& document)
+    const std::unordered_map<std::uint64_t, Vector3>& colors, const std::unordered_set<std::uint64_t>& hidden,
+    Document& document)
     : Entities(entities)
     , Census(census)
     , Kind(kind)
     , Bodies(bodies)
     , Colors(colors)
+    , Hidden(hidden)
     , Result(document)
     , Adder(document)
   {
@@ -144,6 +146,26 @@ private:
     double Volume = Nothing;
     double Area = Nothing;
     std::string Material;
+    bool IsHidden = false;
+  };
+
+  /// Counts as hidden what is visited while it exists, if `isHidden`.
+  class HiddenScope
+  {
+  public:
+    HiddenScope(int& depth, bool isHidden)
+      : Depth(depth)
+      , Step(isHidden ? 1 : 0)
+    {
+      this->Depth += this->Step;
+    }
+    ~HiddenScope() { this->Depth -= this->Step; }
+    HiddenScope(const HiddenScope&) = delete;
+    HiddenScope& operator=(const HiddenScope&) = delete;
+
+  private:
+    int& Depth;
+    int Step;
   };
 
   /// Returns the number of solids of a product and of the products in it.
@@ -199,6 +221,7 @@ private:
         const auto color = this->Colors.find(occurrence->Id);
         Inherited passed = inherited;
         passed.Color = color == this->Colors.end() ? inherited.Color : color->second;
+        passed.IsHidden = inherited.IsHidden || this->Hidden.count(occurrence->Id) > 0;
         node.Children.push_back(
           this->Visit(*child->second, occurrence->Name, Compose(placement, own), passed));
       }
@@ -221,7 +244,16 @@ private:
   {
     this->VisitItems(shape,
       [&](std::uint32_t body, const Placement& motion)
-      { this->Adder.Add(this->Bodies.at(body), part, Compose(placement, motion), inherited.Color, node); });
+      {
+        const std::size_t first = this->Result.Instances.size();
+        this->Adder.Add(this->Bodies.at(body), part, Compose(placement, motion), inherited.Color, node);
+        const bool isHidden =
+          inherited.IsHidden || this->HiddenDepth > 0 || this->Hidden.count(this->Census.Bodies[body].Id) > 0;
+        for (std::size_t i = first; i < this->Result.Instances.size(); ++i)
+        {
+          this->Result.Instances[i].IsHidden = isHidden;
+        }
+      });
     for (const std::uint64_t representation : this->Census.Shapes[shape].Representations)
     {
       this->CountFreeFaces(representation);
@@ -284,6 +316,7 @@ private:
     std::set<std::uint32_t> seen;
     for (const std::uint64_t representation : this->Census.Shapes[shape].Representations)
     {
+      const HiddenScope ofRepresentation(this->HiddenDepth, this->Hidden.count(representation) > 0);
       for (const Index item : this->GetItems(representation))
       {
         const auto body = this->BodyIndices.find(this->Entities.File.GetId(item));
@@ -303,6 +336,8 @@ private:
             Placement own;
             if (this->GetMapping(map, item, representation, this->Entities.File.GetId(mapped), own))
             {
+              const HiddenScope ofItem(
+                this->HiddenDepth, this->Hidden.count(this->Entities.File.GetId(item)) > 0);
               this->VisitItems(place->second, visit, Compose(motion, own));
             }
           }
@@ -444,6 +479,9 @@ private:
   const CensusBodyKind Kind;
   const std::map<std::uint32_t, ShapeGroup>& Bodies;
   const std::unordered_map<std::uint64_t, Vector3>& Colors;
+  const std::unordered_set<std::uint64_t>& Hidden;
+  /// Above 0 while what is visited is in a hidden representation or mapped item.
+  int HiddenDepth = 0;
   Document& Result;
   ShapeAdder Adder;
   /// Indices of bodies in the census by the number of their entity.
@@ -468,8 +506,8 @@ private:
 
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
   const std::map<std::uint32_t, ShapeGroup>& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
-  Document& document)
+  const std::unordered_set<std::uint64_t>& hidden, Document& document)
 {
-  ProductTree(entities, census, kind, bodies, colors, document).Build();
+  ProductTree(entities, census, kind, bodies, colors, hidden, document).Build();
 }
 }

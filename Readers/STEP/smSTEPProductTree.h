@@ -13,6 +13,7 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace sm
 {
@@ -22,11 +23,13 @@ namespace sm
  * file. A placement moves a representation so that its first frame lands on the second one (ISO 10303-43).
  * Operators may scale uniformly and reflect. An instance whose placement is not read is left out, and a
  * defect. `bodies` are shapes by the index of their body in the census; `colors` are those of occurrences.
+ * `hidden` has the numbers of hidden bodies, representations, mapped items and occurrences: instances of
+ * these, and below these, are marked.
  * Faces of surface models are counted where there are solids.
  */
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
   const std::map<std::uint32_t, ShapeGroup>& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
-  Document& document);
+  const std::unordered_set<std::uint64_t>& hidden, Document& document);
 }
 
 #endif

@@ -264,6 +264,14 @@ void vtkCADReader::WriteState(vtkPartitionedDataSetCollection* output) const
     }
   }
   sm::SetFileState(output, state);
+  std::vector<sm::DrawingTolerance> tolerances = this->Last->Tolerances;
+  const double unit = sm::GetUnitInMillimetres(this->Last->LengthUnit);
+  for (sm::DrawingTolerance& tolerance : tolerances)
+  {
+    tolerance.Lower /= unit;
+    tolerance.Upper /= unit;
+  }
+  sm::SetDrawingTolerances(output, tolerances);
 }
 
 void vtkCADReader::ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept
@@ -371,6 +379,7 @@ void vtkCADReader::ReadFile(vtkPartitionedDataSetCollection* output)
       "faces of the file lie outside its solids; they belong to no body and are left out."));
   }
   this->Last->Defects = document.Defects;
+  this->Last->Tolerances = document.Tolerances;
   this->Last->Messages.insert(this->Last->Messages.end(), document.Defects.begin(), document.Defects.end());
   const sm::LeafOptions options = this->ChooseOptions(document);
   std::vector<std::unique_ptr<sm::LeafMaker>> makers;

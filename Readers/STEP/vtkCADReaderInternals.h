@@ -5,6 +5,7 @@
 #ifndef vtkCADReaderInternals_h
 #define vtkCADReaderInternals_h
 
+#include "smDrawingTolerances.h"
 #include "smInstanceNames.h"
 #include "smLeafMesh.h"
 #include "vtkCADReader.h"
@@ -19,6 +20,8 @@ struct vtkCADReader::Results
   /// See sm::FileState.
   std::string Problem;
   std::vector<std::string> Defects;
+  /// Tolerances of the drawing, in mm.
+  std::vector<sm::DrawingTolerance> Tolerances;
   std::string FileUnit;
   std::string LengthUnit = "mm";
   int Bodies = 0;

@@ -20,6 +20,11 @@ constexpr const char* RepairWords[] = { "always", "needed", "never" };
 constexpr sm::RepairMode RepairModes[] = { sm::RepairMode::Always, sm::RepairMode::OnNeed,
   sm::RepairMode::Never };
 
+/// Words for vtkSTEPReader::HiddenType.
+constexpr const char* HiddenWords[] = { "count", "skip", "only" };
+constexpr sm::HiddenMode HiddenModes[] = { sm::HiddenMode::Count, sm::HiddenMode::Skip,
+  sm::HiddenMode::Only };
+
 /// Between folders.
 constexpr char FolderSeparator = ':';
 
@@ -72,8 +77,8 @@ sm::Document vtkSTEPReader::ReadDocument(std::string content, const sm::Progress
   std::string joined = isFile
     ? sm::JoinSTEPFiles(content, this->GetFileName(), ListFolders(this->SearchFolders), messages)
     : std::string();
-  sm::Document document = sm::ReadSTEP(
-    joined.empty() ? std::move(content) : std::move(joined), RepairModes[this->Repair], progress);
+  sm::Document document = sm::ReadSTEP(joined.empty() ? std::move(content) : std::move(joined),
+    RepairModes[this->Repair], HiddenModes[this->Hidden], progress);
   document.Messages.insert(document.Messages.begin(), messages.begin(), messages.end());
   return document;
 }
@@ -88,4 +93,5 @@ void vtkSTEPReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SearchFolders: " << (this->SearchFolders ? this->SearchFolders : "(none)") << "\n";
   os << indent << "Repair: " << RepairWords[this->Repair] << "\n";
+  os << indent << "Hidden: " << HiddenWords[this->Hidden] << "\n";
 }

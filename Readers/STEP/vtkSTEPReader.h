@@ -35,10 +35,10 @@ public:
   static int CanReadContent(const std::string& content);
   /**
    * Adds a row to `table` for each product of the file, with what the file states of it: `Product` (its
-   * name), `Definition` (entity number), `Problem` (why the statements cannot be used; empty if they can),
-   * and the validation properties `Volume`, `Area` and `Centroid` (3 components) in millimetres and the
-   * product's own coordinates, NaN if not stated. Returns false, and adds no rows, if the file has no text of
-   * STEP.
+   * name), `Definition` (entity number), the validation properties `Volume`, `Area` and `Centroid` (3
+   * components) in millimetres and the product's own coordinates, NaN if not stated, and `VolumeProblem`,
+   * `AreaProblem`, `CentroidProblem` (why the statements of that quantity cannot be used; empty if they can).
+   * Returns false, and adds no rows, if the file has no text of STEP.
    */
   static bool ReadStatedProducts(const char* fileName, vtkTable* table);
 
@@ -61,6 +61,26 @@ public:
   };
   vtkSetClampMacro(Repair, int, ALWAYS, NEVER);
   vtkGetMacro(Repair, int);
+  ///@}
+
+  /** The bodies that are read, by INVISIBILITY. */
+  enum HiddenType
+  {
+    COUNT_HIDDEN = 0,
+    SKIP_HIDDEN = 1,
+    ONLY_HIDDEN = 2
+  };
+
+  ///@{
+  /**
+   * What happens to bodies that the file hides (INVISIBILITY): by their style, their layer or their
+   * representation, or with an occurrence above them. COUNT_HIDDEN, the default: they count like the others,
+   * and a message reports them. SKIP_HIDDEN: they are left out. ONLY_HIDDEN: the others are left out. A
+   * message has the number and the names of the bodies that are left out; where all are, the status is
+   * EMPTY. Range [COUNT_HIDDEN, ONLY_HIDDEN], clamped.
+   */
+  vtkSetClampMacro(Hidden, int, COUNT_HIDDEN, ONLY_HIDDEN);
+  vtkGetMacro(Hidden, int);
   ///@}
 
   ///@{
@@ -87,6 +107,7 @@ private:
   void operator=(const vtkSTEPReader&) = delete;
 
   int Repair = ON_NEED;
+  int Hidden = COUNT_HIDDEN;
   char* SearchFolders = nullptr;
 };
 

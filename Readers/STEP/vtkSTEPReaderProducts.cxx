@@ -17,7 +17,9 @@ bool vtkSTEPReader::ReadStatedProducts(const char* fileName, vtkTable* table)
     return false;
   }
   vtkNew<vtkStringArray> names;
-  vtkNew<vtkStringArray> problems;
+  vtkNew<vtkStringArray> volumeProblems;
+  vtkNew<vtkStringArray> areaProblems;
+  vtkNew<vtkStringArray> centroidProblems;
   vtkNew<vtkIdTypeArray> definitions;
   vtkNew<vtkDoubleArray> volumes;
   vtkNew<vtkDoubleArray> areas;
@@ -26,14 +28,17 @@ bool vtkSTEPReader::ReadStatedProducts(const char* fileName, vtkTable* table)
   for (const sm::STEPProduct& product : sm::ReadSTEPProducts(file))
   {
     names->InsertNextValue(product.Name);
-    problems->InsertNextValue(product.Problem);
+    volumeProblems->InsertNextValue(product.VolumeProblem);
+    areaProblems->InsertNextValue(product.AreaProblem);
+    centroidProblems->InsertNextValue(product.CentroidProblem);
     definitions->InsertNextValue(static_cast<vtkIdType>(product.Definition));
     volumes->InsertNextValue(product.Stated.Volume);
     areas->InsertNextValue(product.Stated.Area);
     centroids->InsertNextTuple(product.Stated.Centroid.data());
   }
   const std::pair<const char*, vtkAbstractArray*> columns[] = { { "Product", names },
-    { "Definition", definitions }, { "Problem", problems }, { "Volume", volumes }, { "Area", areas },
+    { "Definition", definitions }, { "VolumeProblem", volumeProblems }, { "AreaProblem", areaProblems },
+    { "CentroidProblem", centroidProblems }, { "Volume", volumes }, { "Area", areas },
     { "Centroid", centroids } };
   for (const auto& [name, column] : columns)
   {

@@ -4,6 +4,7 @@
 #include "smArguments.h"
 #include "smByteFields.h"
 #include "smCompactnessAnalysis.h"
+#include "smIsolatedJob.h"
 #include "smReport.h"
 #include "smTesting.h"
 
@@ -61,6 +62,27 @@ void CheckPipe(const sm::JobOptions& options, sm::FileResult& file)
   }
   Check("cut messages that count as whole", 0, whole, 0);
 }
+
+/// What became of the outputs of two analyses comes through the pipe apart.
+void CheckOutputs(const sm::JobOptions& options)
+{
+  sm::JobMessages said;
+  const std::pair<const char*, const char*> reports[] = { { "budget", "the disk is full" }, { "chart", "" },
+    { "report", "two\nlines" } };
+  for (const auto& [key, problem] : reports)
+  {
+    sm::JobMessage message = sm::JobMessage::OfAnalysis(key, problem);
+    sm::ByteFieldWriter writer;
+    writer.Text(nullptr, message.Text);
+    writer.Number(nullptr, message.Fraction);
+    said.Take(sm::JobMessage::Analysis, writer.Get(), options, [](const std::string&, double) {});
+  }
+  CheckEqual("reports", 3, static_cast<long long>(said.Analyses.size()));
+  for (const auto& [key, problem] : reports)
+  {
+    CheckEqual(std::string("of ") + key, problem, said.Analyses[key]);
+  }
+}
 }
 
 int main(int argc, char* argv[])
@@ -97,5 +119,6 @@ int main(int argc, char* argv[])
     CheckDocuments(file, total->Compactness);
   }
   CheckPipe(arguments.Job, file);
+  CheckOutputs(arguments.Job);
   return Finish();
 }

@@ -25,7 +25,7 @@ folder = os.path.join(options.output, "compare")
 os.makedirs(folder, exist_ok=True)
 
 QUARTER = ((0, -1, 0), (1, 0, 0), (0, 0, 1))
-STATES = ("unchanged", "moved", "changed", "added", "removed")
+STATES = ("unchanged", "moved", "mirrored", "changed", "added", "removed")
 BRACKET = ((0, 0), (40, 0), (40, 10), (10, 10), (10, 30), (0, 30))
 
 run = functools.partial(smprogram.run, options.program)
@@ -160,14 +160,40 @@ def products():
     find(comparison, "added", "angle")
     find(comparison, "removed", "bracket")
 
-    # A mirrored part is another one; one that is its own mirror image is not.
-    wedge = write("wedge", Assembly("a", [(make_wedge(1), (0, 0, 0), None), (make_bolt(), (50, 0, 0), None)]))
-    mirrored = write("mirrored", Assembly("a", [(make_wedge(-1), (0, 0, 0), None), (make_bolt(), (50, 0, 0), None)]))
-    part = find(compare(wedge, mirrored, status=4, counts={"unchanged": 1, "changed": 1}), "changed", "wedge")
-    for quantity in ("volume", "area", "mass"):
-        check_difference(f"the same {quantity}", 0, part["difference"][quantity])
-    mirrored = write("mirrored", Assembly("a", [(make_wedge(-1, "other"), (0, 0, 0), None), (make_bolt(), (50, 0, 0), None)]))
-    compare(wedge, mirrored, status=4, counts={"unchanged": 1, "added": 1, "removed": 1})
+    # A mirrored part is named as such, whatever its name; one that is its own mirror image is unchanged.
+    def make_pair(wedge, name="b"):
+        return write(name, Assembly("a", [(wedge, (0, 0, 0), None), (make_bolt(), (50, 0, 0), None)]))
+
+    wedge = make_pair(make_wedge(1), "wedge")
+    for name in ("wedge", "other"):
+        mirrored = make_pair(make_wedge(-1, name), "mirrored")
+        part = find(compare(wedge, mirrored, status=4, counts={"unchanged": 1, "mirrored": 1}), "mirrored", name)
+        for quantity in ("volume", "area", "mass"):
+            check_difference(f"the same {quantity}", 0, part["difference"][quantity])
+        check_equal("the old name", [] if name == "wedge" else ["renamed from wedge"], part["notes"])
+        # The centre of the area is a weighted mean of the corners: only x changes its sign.
+        areas = [100.0, 300.0, 150.0]  # of the faces z = 0, x = 0, y = 0
+        slanted = 0.5 * math.sqrt(600.0 ** 2 + 300.0 ** 2 + 200.0 ** 2)
+        x = (areas[0] * 10 / 3 + areas[2] * 10 / 3 + slanted * 10 / 3) / (sum(areas) + slanted)
+        check("the centre of the area moved by twice its x", 2 * x, part["bodies"][0]["distance"], 1e-9)
+        check_equal("no rotation", None, part["bodies"][0]["rotation_angle"])
+    result = run("--compare", wedge, mirrored)
+    check_true("in the table", "  other " in result.stdout and " mirrored " in result.stdout and "1 mirrored, 1 unchanged" in result.stdout, result.stdout)
+    # Another material of a mirror image is a note; another shape of the same name comes first.
+    steel = make_wedge(-1)
+    steel.density = "7850."
+    part = find(compare(wedge, make_pair(steel), status=4, counts={"unchanged": 1, "mirrored": 1}), "mirrored", "wedge")
+    check_true("the density is noted", any("density" in note for note in part["notes"]), str(part["notes"]))
+    longer = make_wedge(1)
+    longer.polyhedra[0][0][3] = (Fraction(0), Fraction(0), Fraction(31))
+    new = write("both", Assembly("a", [(longer, (0, 0, 0), None), (make_wedge(-1, "other"), (90, 0, 0), None), (make_bolt(), (50, 0, 0), None)]))
+    comparison = compare(wedge, new, status=4, counts={"unchanged": 1, "changed": 1, "added": 1})
+    find(comparison, "changed", "wedge")
+    # Single solids of different names.
+    one, two = write("one", make_wedge(1)), write("two", make_wedge(-1, "other"))
+    find(compare(one, two, status=4, counts={"mirrored": 1}), "mirrored", "other")
+    box, same = write("block", make_bolt("block")), write("block_too", make_bolt("other block"))
+    compare(box, same, status=0, counts={"unchanged": 1})
     turned = write("turned", Assembly("a", [(make_wedge(1), (0, 0, 0), QUARTER), (make_bolt(), (50, 0, 0), None)]))
     body = find(compare(wedge, turned, status=4, counts={"unchanged": 1, "moved": 1}), "moved", "wedge")["bodies"][0]
     check("angle of the wedge", 90.0, body["rotation_angle"], 1e-6)

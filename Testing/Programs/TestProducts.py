@@ -11,6 +11,7 @@ from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 import smprogram  # noqa: E402
+from smmachine import KG, QUARTER, check_bounded, check_mass, check_matrix, make_machine  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smproduct import Assembly, Part, expand, get_properties, make_box, write_product  # noqa: E402
 
@@ -24,56 +25,13 @@ options = parser.parse_args()
 folder = os.path.join(options.output, "products")
 os.makedirs(folder, exist_ok=True)
 
-QUARTER = ((0, -1, 0), (1, 0, 0), (0, 0, 1))
-KG = Fraction(1, 10 ** 9)  # kg of mm^3 at kg/m^3
-
 run = functools.partial(smprogram.run, options.program)
 run_json = functools.partial(smprogram.run_json, options.program)
-
-
-def check_bounded(what, expected, actual, bound):
-    """Within the bound, which is not vacuous."""
-    check(what, float(expected), actual, bound + 1e-15 * abs(float(expected)), "its bound")
-    check_true(what + ": bound", 0 <= bound <= 1e-8 * max(abs(float(expected)), 1.0), str(bound))
 
 
 def count_triangles(path):
     with open(path, "rb") as file:
         return int.from_bytes(file.read(84)[80:], "little")
-
-
-def check_matrix(what, expected, actual, bound):
-    size = max(abs(float(x)) for row in expected for x in row)
-    for i in range(3):
-        for j in range(3):
-            check(f"{what} {i}{j}", float(expected[i][j]), actual[i][j], bound + 1e-15 * size, "its bound")
-    check_true(what + ": bound", 0 < bound <= 1e-8 * size, str(bound))
-
-
-def check_mass(total, boxes, weights, length=Fraction(1)):
-    """Mass, centre and inertia of boxes in mm with densities; `length` is mm of the unit of the results."""
-    mass, center, get_inertia = get_properties(boxes, [w * KG for w in weights])
-    check_bounded("mass", mass, total["mass"], total["bounds"]["mass"])
-    for i in range(3):
-        check(f"centre of mass {i}", float(center[i] / length), total["mass_center"][i],
-              total["bounds"]["mass_center"] + 1e-15 * float(abs(center[i] / length)), "its bound")
-    check_true("bound of the centre", 0 < total["bounds"]["mass_center"] < 1e-7, str(total["bounds"]["mass_center"]))
-    inertia = [[x / length ** 2 for x in row] for row in get_inertia(center)]
-    check_matrix("mass inertia", inertia, total["mass_inertia"], total["bounds"]["mass_inertia"])
-    eigen = total["mass_principal_moments"]
-    check("trace of the principal moments", float(sum(inertia[i][i] for i in range(3))), sum(eigen), 1e-12 * sum(eigen))
-    for moment, radius in zip(eigen, total["mass_radii_of_gyration"]):
-        check("radius of gyration", (moment / total["mass"]) ** 0.5, radius, 1e-14 * radius, "rounding")
-
-
-def make_machine(bolt_density="7.85", plate_density="2700."):
-    """A frame with two stations, each with a plate and three bolts, one of them lying; the plate is in inches."""
-    bolt = Part("bolt", [((0, 0, 0), (2, 2, 10))], bolt_density, "g/cm^3")
-    plate = Part("plate", [((0, 0, 0), (2, 1, "0.25"))], plate_density, "kg/m^3", "inch")
-    station = Assembly("station", [(plate, (0, 0, 0), None), (bolt, (5, 5, "6.35"), None), (bolt, (20, 5, "6.35"), None),
-                                   (bolt, (40, 5, "6.35"), QUARTER)])
-    rail = Part("rail", [((0, 0, 0), (200, 10, 10))], "1.4", "g/cm^3")
-    return Assembly("machine", [(station, (0, 0, 10), None), (station, (100, 0, 10), QUARTER), (rail, (0, 0, 0), None)])
 
 
 def masses():
@@ -455,6 +413,23 @@ def validation():
                             (("--require", "validation", path), "--validate"), (("--validation-limit", "2", "--validate", path), "from 0 to 1")):
         result = run(*arguments)
         check_true("wrong usage", result.returncode == 1 and said in result.stderr, result.stderr)
+
+    # A statement that cannot be used leaves those of the other quantities.
+    cube = Part("cube", [((0, 0, 0), (10, 10, 10))], validation=("1000.", "600.", ("5.", "5.", "5.")))
+    path = write_product(os.path.join(folder, "wrong-unit.step"), cube)
+    with open(path, encoding="ascii") as file:
+        text = file.read()
+    with open(path, "w", encoding="ascii") as file:
+        file.write(re.sub(r"VOLUME_MEASURE\(1000\.\),#\d+", "VOLUME_MEASURE(1000.),#1", text))
+    results = {entry["quantity"]: entry for entry in run_json("--validate", path)["validation"]}
+    check_equal("results", {"volume": "not-comparable", "area": "pass", "centroid": "pass"}, {key: entry["result"] for key, entry in results.items()})
+    check_true("the reason", "has no unit that is a length to the power of 3" in results["volume"]["reason"], str(results["volume"]))
+    check_equal("nothing is stated that could be used", None, results["volume"]["stated"])
+    stated = os.path.join(folder, "wrong-unit-stated.step")
+    run("-q", "--write-validation", stated, path)
+    with open(stated, encoding="ascii") as file:
+        check_equal("it is not written a second time", 1, file.read().count("VOLUME_MEASURE"))
+
 
 
 def systems():

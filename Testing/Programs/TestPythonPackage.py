@@ -148,7 +148,9 @@ def check_failures():
     found = raised(solidmoments.SolidMomentsError, os.path.join(folder, "no_geometry.step"))
     check_equal("a file without solids", "empty", found and found.status)
     for wrong in ({"density": -1.0}, {"density": 0.0}, {"density": math.nan}, {"density_tolerance": 2.0}, {"density_tolerance": math.nan}, {"tolerance": 2.0}, {"unit": "mile"}, {"input_unit": "file"}, {"backend": "gpu"},
-                  {"repair": "sometimes"}, {"max_seconds": 0.0}, {"materials": [("*", "unobtainium", None)]}, {"materials": [("*", "oak", -5.0)]}):
+                  {"repair": "sometimes"}, {"max_seconds": 0.0}, {"materials": [("*", "unobtainium", None)]}, {"materials": [("*", "oak", -5.0)]},
+                  {"materials": [("*", "", None, -1.0)]}, {"materials": [("*", "", 700.0, 2.0)]}, {"materials": [("*", "oak", 700.0, None, 0.1)]},
+                  {"materials": [("*", "", None, 2.0, 1.5)]}, {"hidden": "sometimes"}):
         found = raised(ValueError, sample, **wrong)
         check_true(f"{wrong} is refused", found is not None, str(found))
     # A tolerance that no run meets flags the result.
@@ -176,6 +178,13 @@ def check_texts():
     check_true("HTML: names are escaped", "<b>&lt;a&gt;" in dataclasses.replace(result, name="<a>")._repr_html_())
     steel, _ = quietly(sample, materials=[("*", "oak", 700.0)])
     check_equal("a material of one's own", ("oak", 700.0), (steel.solids[0].material, steel.solids[0].density))
+    stated, _ = quietly(sample, materials=[("*", "", None, 2.5, 0.01)])
+    check_equal("a stated mass", (2.5, 2.5), (stated.mass, stated.overridden_mass))
+    check_equal("in doubt by its tolerance", 0.025, stated.mass_uncertainty[4])
+    scale = 2.5 / stated.volume
+    check_true("the inertia is scaled to it", abs(stated.mass_inertia[0][0] - scale * stated.inertia[0][0]) <= stated.mass_inertia_bound)
+    hidden, _ = quietly(sample, hidden="skip")
+    check_equal("nothing is hidden", result.volume, hidden.volume)
 
 
 def check_table():

@@ -49,7 +49,7 @@ expected = run("--compare", old, new)["comparison"]
 for part in expected["parts"]:
     part["notes"] = [re.sub(r"(\d)\.0\b", r"\1", note) for note in part["notes"]]
 check_same("comparison", expected, found)
-check_equal("states", {"changed": 4, "moved": 0, "added": 0, "removed": 0, "unchanged": 0}, found["counts"])
+check_equal("states", {"changed": 4, "mirrored": 0, "moved": 0, "added": 0, "removed": 0, "unchanged": 0}, found["counts"])
 check_true("a note", any("density 7850 -> 2700" in part["notes"] for part in found["parts"]), str(found["parts"]))
 check_true("a file is equal to itself", solidmoments.compare(old, old)["equal"])
 check_true("with a wide limit", solidmoments.compare(old, new, 1000.0, limit=0.9)["counts"]["changed"] < 4)

@@ -117,6 +117,52 @@ check_true("a folder that is missing", result.returncode == 1 and "cannot be wri
 result = run(file, "--density", "7850", "--budget", picture, "--png", picture)
 check_true("two outputs of one name", result.returncode == 1 and "would overwrite" in result.stderr, result.stderr)
 
+# What tolerances change is in the mass in doubt without --budget, too.
+result = run(file, "--face-tolerance", "0.1", "--density", "7850", "--density-tolerance", "2%")
+share = 1.02 * 7850e-9 * (10.2 ** 3 - 1e3)
+check_true("in the table", "tolerances 0.0005\n" in result.stdout and "mass in doubt         0.00065 kg: density 0.00016, gaps 0" in result.stdout, result.stdout)
+answer = run_json(file, "--face-tolerance", "0.1", "--density", "7850", "--density-tolerance", "2%")
+for body in (answer["total"], answer["solids"][0]):
+    doubt = body["mass_uncertainty"]
+    check("share of the tolerances", share, doubt["tolerance"], 1e-14)
+    check("sum", doubt["density"] + doubt["gaps"] + doubt["numerical"] + doubt["overridden"] + doubt["tolerance"], doubt["total"], 2e-6 * share)
+answer = run_json(file, "--density", "7850")
+check_true("no tolerances, no share", answer["total"]["mass_uncertainty"]["tolerance"] is None, str(answer["total"]["mass_uncertainty"]))
+
+# Pictures are coloured by what faces add: a block with faces of 200, 400 and 800 mm^2, pale to dark.
+block = os.path.join(folder, "block.step")
+write_product(block, Part("block", [((0, 0, 0), (10, 20, 40))]))
+
+
+def draw(*arguments):
+    """The pixels of a picture: those of the bar's column, and the number of dark ones of the block."""
+    name = os.path.join(folder, "colours.png")
+    if os.path.exists(name):
+        os.remove(name)
+    run("-q", block, "--png", name, *arguments)
+    pixels = read_picture(name)
+    if not check_true("there is a picture", pixels is not None):
+        finish()
+    column = pixels[:, 800].astype(int)
+    return column, int((pixels[100:600, 100:750].sum(axis=2) < 160).sum())
+
+
+def count(column, color):
+    return int((abs(column - color).max(axis=1) < 12).sum())
+
+
+plain, dark = draw()
+check_true("no bar, no dark face", count(plain, (38, 5, 51)) == 0 and dark < 500, str(dark))
+for arguments in (("--sensitivity",), ("--face-tolerance", "0.1")):
+    bar, dark = draw(*arguments)
+    check_true(f"{arguments[0]}: the bar has both ends", count(bar, (38, 5, 51)) > 2 and count(bar, (250, 245, 184)) > 2, str(bar[::20]))
+    check_true(f"{arguments[0]}: the largest faces are dark", dark > 5000, str(dark))
+# A tolerance of one face alone leaves all others pale.
+with open(table, "w", encoding="utf-8") as out:
+    out.write("part,nothing,0.1\n")
+bar, dark = draw("--face-tolerance", table)
+check_true("no face has a tolerance: the colours of the file", count(bar, (38, 5, 51)) == 0 and dark < 500, str(dark))
+
 # The tolerance of a total is that of its solids, each at its own largest density.
 pair = os.path.join(folder, "pair.step")
 write_product(pair, Assembly("pair", [(Part("a", [((0, 0, 0), (10, 10, 10))]), (0, 0, 0), None),

@@ -5,6 +5,7 @@
 #ifndef smFaceTolerances_h
 #define smFaceTolerances_h
 
+#include "smDrawingTolerances.h"
 #include "smFiltersMassPropertiesModule.h"
 #include "smMassTable.h"
 
@@ -52,6 +53,11 @@ struct FaceToleranceOptions
   /// the root of 3. True: normally, with limits at three deviations.
   bool IsNormal = false;
 };
+
+/// Returns rules for the tolerances of the drawing whose ranges are known: of faces, where several are for
+/// one face the narrowest, then the narrowest that is for all faces.
+SMFILTERSMASSPROPERTIES_EXPORT std::vector<FaceToleranceRule> MakeDrawingRules(
+  const std::vector<DrawingTolerance>& tolerances);
 
 /// The range of the offsets of a face.
 struct OffsetRange

@@ -13,8 +13,8 @@ namespace sm
 /// options; else what its file states.
 Material ChooseMaterial(const BodyIntegrals& body, const MassAnalysisOptions& options);
 
-/// Sets the properties of a row that is of one material: those of the volume times the density. `unit` is the
-/// length unit of the row.
+/// Sets the properties of a row that is of one material: those of the volume times the density, or scaled to
+/// the mass that the material states. `unit` is the length unit of the row.
 void SetMass(MassRow& row, const Material& material, const std::string& unit);
 
 /// Sets the mass properties of the total, of bodies that all have the same unit, and adds a message about
@@ -27,6 +27,10 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
 /// Adds a message about each length unit that is not known, where it leaves bodies with a density without a
 /// mass.
 void NoteUnknownUnits(
+  const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis);
+
+/// Adds a message about the masses that materials state, which override volume times density.
+void NoteStatedMasses(
   const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis);
 
 /// Adds a message about each rule that no body matches.

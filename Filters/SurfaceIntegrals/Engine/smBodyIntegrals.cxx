@@ -140,6 +140,28 @@ std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& re
   return bodies;
 }
 
+std::string LeaveOut(
+  const std::function<bool(const std::string& name)>& leavesOut, std::vector<BodyIntegrals>& bodies)
+{
+  constexpr std::size_t maxNames = 5;
+  std::size_t count = 0;
+  std::string names;
+  const auto end = std::remove_if(bodies.begin(), bodies.end(),
+    [&](const BodyIntegrals& body)
+    {
+      if (!leavesOut(body.Name))
+      {
+        return false;
+      }
+      names += ++count > maxNames ? "" : (count > 1 ? ", " : "") + body.Name;
+      return true;
+    });
+  bodies.erase(end, bodies.end());
+  return count == 0 ? std::string()
+                    : "the materials leave out " + FormatCount(count, "body", "bodies") + ": " + names +
+      (count > maxNames ? " and " + std::to_string(count - maxNames) + " more" : "");
+}
+
 void CheckTopology(BodyIntegrals& body)
 {
   body.Status = Status::Ok;

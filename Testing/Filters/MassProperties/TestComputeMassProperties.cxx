@@ -221,7 +221,7 @@ void CheckFailures()
     compute([](Options& options) { options.MaximumEvaluations = 0; }));
   CheckFailure("seconds", notComputed, "MaximumSeconds is -1",
     compute([](Options& options) { options.MaximumSeconds = -1.0; }));
-  CheckFailure("material", notComputed, "the density of x",
+  CheckFailure("material", notComputed, "Materials, x: there is no density above 0",
     compute(
       [](Options& options) {
         options.Materials = { { "x", { "steel" } } };
@@ -234,6 +234,19 @@ void CheckFailures()
   const sm::MassPropertiesResult sound = compute([](Options&) {});
   CheckEqual("and nothing is left of them", names::StatusOk, sound.Total.Status);
   CheckEqual("no reason", "", sound.Reason);
+  const sm::MassPropertiesResult stated = compute(
+    [](Options& options) {
+      options.Materials = { { "*", { "pump", 0.0, -1.0, 2.0 } } };
+    });
+  const double all = 2.0 * static_cast<double>(stated.Solids.size());
+  Check("a stated mass of each solid", all, stated.Total.Mass.Value, 0.0);
+  Check("  is overridden", all, stated.Total.OverriddenMass, 0.0);
+  const sm::MassPropertiesResult none = compute(
+    [](Options& options) {
+      options.Materials = { { "*", { sm::LeftOutMaterial }, true } };
+    });
+  CheckEqual("all is left out", names::StatusEmpty, none.Total.Status);
+  CheckEqual("  no solids", 0, static_cast<long long>(none.Solids.size()));
 }
 }
 

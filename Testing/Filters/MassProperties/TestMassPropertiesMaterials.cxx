@@ -32,6 +32,8 @@ struct Box
   std::array<std::array<double, 4>, 3> Placement{ { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
   /// kg/m^3; 0: none.
   double Density = 0.0;
+  /// kg, in place of a density; 0: none.
+  double Stated = 0.0;
 };
 
 // Mirrored at x = 0 and rotated by the angle with cosine 0.6.
@@ -96,6 +98,7 @@ Sum Add(const std::vector<Box>& boxes, long double metres)
       mass *= size[i];
       middle[i] = 0.5L * (static_cast<long double>(box.High[i]) + box.Low[i]);
     }
+    mass = box.Stated > 0.0 ? static_cast<long double>(box.Stated) : mass;
     Vector center{};
     for (int i = 0; i < 3; ++i)
     {
@@ -284,6 +287,170 @@ void CheckMaterials(const char* unit, long double metres)
   CheckTrue("no frame, no columns", !mass->GetOutput()->GetFieldData()->HasArray(names::MassInertiaInFrame));
 }
 
+/// A mass that materials state: boxes with the inertia of their volume, scaled to it; and a row that leaves a
+/// box out.
+void CheckStatedMasses(const char* unit, long double metres)
+{
+  std::printf("--- stated masses, %s\n", unit);
+  std::vector<Box> boxes = MakeBoxes();
+  const auto input = MakeInput(boxes, unit);
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputData(input);
+  mass->SetDensity(1200.0);
+  mass->SetDensityTolerance(0.02);
+  mass->AddMass("light*", "", 12.3, 0.05);
+  mass->AddMass("other", "pump", 4.0);
+  boxes[0].Density = 1200.0;
+  boxes[1].Stated = 12.3;
+  boxes[2].Stated = 4.0;
+  CheckMass(mass, boxes, metres);
+  vtkFieldData* fields = mass->GetOutput()->GetFieldData();
+  Check("overridden", 16.3, GetField(fields, names::OverriddenMass), 1e-14);
+  const auto inDoubt = [&fields](int c)
+  { return fields->GetArray(names::MassUncertainty)->GetComponent(0, c); };
+  const auto density = static_cast<double>(0.02L * Add({ boxes[0] }, metres).Mass);
+  Check("in doubt by the density of the first alone", density, inDoubt(1), 1e-14 * density);
+  Check("by the stated masses, of which one has a tolerance", 0.05 * 12.3, inDoubt(4), 1e-15);
+  CheckEqual("by gaps", 0.0, inDoubt(2));
+  Check("in all", inDoubt(1) + inDoubt(3) + inDoubt(4), inDoubt(0), 2e-6 * inDoubt(0));
+  CheckTrue("it names them", Says(mass, "override the mass of 2 solids: light box 12.3 kg, other 4 kg"),
+    GetMessages(mass));
+  auto* table = vtkTable::SafeDownCast(mass->GetOutputDataObject(1));
+  const auto volume = static_cast<double>(40.0L * 3.0L * 1.0L * metres * metres * metres);
+  Check("mean density", 12.3 / volume, table->GetValueByName(1, names::Density).ToDouble(),
+    1e-14 * 12.3 / volume);
+  CheckEqual("material", "pump", table->GetValueByName(2, names::Material).ToString());
+  CheckEqual("overridden of the first", 0.0, table->GetValueByName(0, names::OverriddenMass).ToDouble());
+  Check("overridden of the last", 4.0, table->GetValueByName(2, names::OverriddenMass).ToDouble(), 0.0);
+  const double frame[9] = { 7.0, -8.0, 90.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0 };
+  mass->SetReferenceFrame(frame, frame + 3, frame + 6);
+  mass->Update();
+  const Sum sum = Add(boxes, metres);
+  CheckArray(mass->GetOutput()->GetFieldData(), names::MassInertiaInFrame,
+    Flatten(GetInertia(sum, { 7.0L, -8.0L, 90.0L })));
+  mass->ClearReferenceFrame();
+
+  // The order of the rows counts; a text with a unit is a mass, "left out" leaves out.
+  mass->ClearMaterials();
+  mass->AddMaterial("oth*", "", "250 g");
+  mass->AddLeftOut("o*");
+  mass->AddMaterial("steel*", "Left Out", "");
+  boxes[1].Density = 1200.0;
+  boxes[1].Stated = 0.0;
+  boxes[2].Stated = 0.25;
+  CheckMass(mass, { boxes[1], boxes[2] }, metres);
+  CheckEqual("rows", 2,
+    static_cast<long long>(vtkTable::SafeDownCast(mass->GetOutputDataObject(1))->GetNumberOfRows()));
+  CheckTrue("it names the one left out", Says(mass, "leave out 1 body: steel box"), GetMessages(mass));
+  CheckTrue(
+    "a row that leaves nothing out", Says(mass, "no solid is left out by the pattern o*"), GetMessages(mass));
+  mass->ClearMaterials();
+  boxes[0].Density = boxes[2].Density = 1200.0;
+  boxes[2].Stated = 0.0;
+  CheckMass(mass, boxes, metres);
+  CheckEqual(
+    "nothing is overridden", 0.0, GetField(mass->GetOutput()->GetFieldData(), names::OverriddenMass));
+}
+
+/// Boxes whose mirror images have a material, and one that is its own mirror image.
+void CheckTwins()
+{
+  std::printf("--- mirrored twins\n");
+  const auto makeLeaf = [](double sign, double last)
+  {
+    BoxBody body;
+    const auto add = [&](double x0, double x1, double y0, double y1, double z1) {
+      body.Add({ { std::min(sign * x0, sign * x1), y0, 0.0 }, { std::max(sign * x0, sign * x1), y1, z1 } });
+    };
+    add(0, 4, 0, 3, 5);
+    add(6, 7, 0, 2, 1);
+    add(0, 1, 5, 8, last);
+    return body.Make();
+  };
+  const struct
+  {
+    const char* Name;
+    double Sign, Last;
+  } solids[] = { { "left", 1.0, 2.0 }, { "right", -1.0, 2.0 }, { "same", 1.0, 2.0 },
+    { "longer", -1.0, 2.5 } };
+  vtkNew<vtkPartitionedDataSetCollection> input;
+  for (unsigned int i = 0; i < std::size(solids); ++i)
+  {
+    input->SetPartition(i, 0, makeLeaf(solids[i].Sign, solids[i].Last));
+    input->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), solids[i].Name);
+  }
+  vtkNew<vtkMassPropertiesGPU> mass;
+  mass->SetInputData(input);
+  mass->AddMaterial("left", "steel", 7850.0);
+  mass->Update();
+  const auto getDensity = [&mass](int row)
+  {
+    return vtkTable::SafeDownCast(mass->GetOutputDataObject(1))
+      ->GetValueByName(row, names::Density)
+      .ToDouble();
+  };
+  Check("the mirror image", 7850.0, getDensity(1), 0.0);
+  CheckTrue("the same shape has no material of its own, and gets none", std::isnan(getDensity(2)));
+  CheckTrue("another shape gets none", std::isnan(getDensity(3)));
+  CheckTrue("it says so",
+    Says(mass, "right has no line of its own in the materials and gets that of its mirror image left"),
+    GetMessages(mass));
+  mass->AddMaterial("same", "brass", 8500.0);
+  mass->Update();
+  CheckTrue("two twins of different materials: none", std::isnan(getDensity(1)));
+  CheckTrue("it says so, too", Says(mass, "whose materials differ: it gets none"), GetMessages(mass));
+  mass->AddMaterial("right", "wood", 700.0);
+  mass->Update();
+  Check("a line of its own", 700.0, getDensity(1), 0.0);
+  CheckTrue("no twin", !Says(mass, "mirror image"), GetMessages(mass));
+  mass->ClearMaterials();
+  mass->AddMass("left", "", 3.0);
+  mass->Update();
+  Check("a stated mass goes to the twin, too", 3.0,
+    vtkTable::SafeDownCast(mass->GetOutputDataObject(1))->GetValueByName(1, names::Mass).ToDouble(), 0.0);
+}
+
+void CheckTexts()
+{
+  std::printf("--- texts of rules\n");
+  const std::pair<const char*, double> masses[] = { { "2.5", 2.5 }, { "2.5 kg", 2.5 }, { "250 g", 0.25 },
+    { "250g", 0.25 }, { "3 MG", 3e-6 }, { "1.5 t", 1500.0 }, { "2 lb", 0.90718474 },
+    { "1 oz", 0.028349523125 }, { "1e-3 kg", 1e-3 } };
+  for (const auto& [text, mass] : masses)
+  {
+    Check(std::string("the mass ") + text, mass, sm::ParseMass(text, false), 1e-15 * mass);
+  }
+  CheckTrue("a unit is needed", std::isnan(sm::ParseMass("2.5", true)));
+  for (const char* text :
+    { "", "kg", "2,5 kg", "-1 kg", "0", "nan", "inf kg", "1 stone", "1 kg kg", "1e400" })
+  {
+    CheckTrue(std::string("no mass: ") + text, std::isnan(sm::ParseMass(text, false)));
+  }
+  const struct
+  {
+    sm::MaterialTexts Texts;
+    const char* Said;
+  } wrong[] = { { { "a", "steel", "7850", "", "2" }, "contradict each other" },
+    { { "a", "", "", "", "-2" }, "-2 is not a mass" },
+    { { "a", "", "", "", "2 stone" }, "2 stone is not a mass" },
+    { { "a", "", "", "3 g", "2 g" }, "3 g is not a relative tolerance" },
+    { { "a", "", "7850", "3 g", "" }, "3 g is not a relative tolerance" },
+    { { "a", "left out", "7850", "", "" }, "neither density nor mass" },
+    { { "a", "", "2 stone", "", "" }, "2 stone is not a density" },
+    { { "", "steel", "", "", "" }, "name is empty" } };
+  for (const auto& entry : wrong)
+  {
+    sm::MaterialRule rule{ "as it was", {} };
+    const std::string said = sm::MakeRule(entry.Texts, rule);
+    CheckTrue(std::string("refused: ") + entry.Said, said.find(entry.Said) != std::string::npos, said);
+    CheckEqual("  no rule", "as it was", rule.Pattern);
+  }
+  sm::MaterialRule rule;
+  CheckEqual("a mass with a tolerance", "", sm::MakeRule({ "a", "pump", "", "5 g", "2 kg" }, rule));
+  Check("  relative", 0.0025, rule.Material.Tolerance, 1e-18);
+  Check("  mass", 2.0, rule.Material.Mass, 0.0);
+}
+
 void CheckErrors()
 {
   std::printf("--- errors\n");
@@ -294,6 +461,10 @@ void CheckErrors()
   mass->AddMaterial("*", "unobtainium", "");
   mass->AddMaterial("*", "steel", "7,85");
   mass->AddMaterial("*", "steel", 7850.0, 1.5);
+  mass->AddMass("*", "", 0.0);
+  mass->AddMass("*", "", -1.0);
+  mass->AddMass("*", "", std::numeric_limits<double>::infinity());
+  mass->AddMass("*", "", 1.0, 1.5);
   mass->SetDensityTolerance(-0.1);
   mass->SetDensityTolerance(5.0);
   mass->SetDensityTolerance(std::numeric_limits<double>::quiet_NaN());
@@ -303,7 +474,7 @@ void CheckErrors()
   const double parallel[3] = { 0.0, 0.0, -5.0 };
   mass->SetReferenceFrame(origin, z, parallel);
   mass->SetReferenceFrame(origin, origin, z);
-  CheckEqual("errors", 10, trap.NumberOfErrors);
+  CheckEqual("errors", 14, trap.NumberOfErrors);
   CheckEqual("no material", 0, mass->GetNumberOfMaterials());
   CheckTrue("no frame", !mass->HasReferenceFrame());
 }
@@ -343,6 +514,10 @@ int TestMassPropertiesMaterials(int, char*[])
 {
   CheckMaterials("mm", 0.001L);
   CheckMaterials("inch", 0.0254L);
+  CheckStatedMasses("mm", 0.001L);
+  CheckStatedMasses("inch", 0.0254L);
+  CheckTwins();
+  CheckTexts();
   CheckErrors();
   CheckRules();
   CheckPatterns();

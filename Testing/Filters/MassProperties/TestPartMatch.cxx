@@ -134,7 +134,15 @@ void CheckOthers()
     mirrored.Place(MakePlacement({ 0, 0, 1 }, 0.3, true).data());
     const bool isSymmetric = shape.Faces.size() == 6;
     CheckEqual("mirrored", isSymmetric, sm::FindRotation(shape, mirrored, 1e-9).IsFound);
+    CheckEqual("of another hand", !isSymmetric, sm::AreMirrored(shape, mirrored, 1e-9));
+    CheckTrue("not the mirror image of itself", !sm::AreMirrored(shape, shape, 1e-9));
   }
+  CheckTrue(
+    "as it was modelled: the mirror image", sm::AreMirrored(chiral, MeasureCentered(MakeChiral(-1.0)), 1e-9));
+  Boxes stretched = MakeChiral(-1.0);
+  stretched.back().High[2] += 1e-6;
+  CheckTrue("the mirror image of another shape", !sm::AreMirrored(chiral, MeasureCentered(stretched), 1e-9));
+  CheckTrue("  within a wider tolerance", sm::AreMirrored(chiral, MeasureCentered(stretched), 1e-5));
   CheckTrue("modelled as its mirror image",
     !sm::FindRotation(chiral, MeasureCentered(MakeChiral(-1.0)), 1e-9).IsFound);
   sm::PartShape again = MeasureCentered(MakeChiral(-1.0));

@@ -32,6 +32,44 @@ void UnpackStrings(vtkMultiProcessStream& stream, std::vector<std::string>& stri
     stream >> text;
   }
 }
+
+void PackTolerances(vtkMultiProcessStream& stream, const std::vector<sm::DrawingTolerance>& tolerances)
+{
+  stream << static_cast<int>(tolerances.size());
+  for (const sm::DrawingTolerance& tolerance : tolerances)
+  {
+    stream << static_cast<vtkTypeInt64>(tolerance.Id) << tolerance.Kind
+           << static_cast<int>(tolerance.Faces.size());
+    for (const std::int64_t face : tolerance.Faces)
+    {
+      stream << static_cast<vtkTypeInt64>(face);
+    }
+    stream << (tolerance.IsForAll ? 1 : 0) << tolerance.Lower << tolerance.Upper << tolerance.Problem;
+  }
+}
+
+void UnpackTolerances(vtkMultiProcessStream& stream, std::vector<sm::DrawingTolerance>& tolerances)
+{
+  int count = 0;
+  stream >> count;
+  tolerances.resize(count);
+  for (sm::DrawingTolerance& tolerance : tolerances)
+  {
+    vtkTypeInt64 id = 0;
+    int faces = 0;
+    int isForAll = 0;
+    stream >> id >> tolerance.Kind >> faces;
+    tolerance.Id = id;
+    tolerance.Faces.resize(faces);
+    for (std::int64_t& face : tolerance.Faces)
+    {
+      stream >> id;
+      face = id;
+    }
+    stream >> isForAll >> tolerance.Lower >> tolerance.Upper >> tolerance.Problem;
+    tolerance.IsForAll = isForAll != 0;
+  }
+}
 }
 
 void vtkCADReader::Pack(vtkPartitionedDataSetCollection* output, std::vector<unsigned char>& bytes) const
@@ -42,6 +80,7 @@ void vtkCADReader::Pack(vtkPartitionedDataSetCollection* output, std::vector<uns
          << last.LengthUnit << last.Problem;
   PackStrings(stream, last.Messages);
   PackStrings(stream, last.Defects);
+  PackTolerances(stream, last.Tolerances);
   sm::PackTree(output, stream);
   stream.GetRawData(bytes);
 }
@@ -55,6 +94,7 @@ void vtkCADReader::Unpack(const std::vector<unsigned char>& bytes, vtkPartitione
     last.LengthUnit >> last.Problem;
   UnpackStrings(stream, last.Messages);
   UnpackStrings(stream, last.Defects);
+  UnpackTolerances(stream, last.Tolerances);
   sm::UnpackTree(stream, output);
 }
 

@@ -1,0 +1,122 @@
+#include "smHiddenBodies.h"
+
+#include "smFormat.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace sm
+{
+namespace
+{
+constexpr std::size_t MaxHiddenNames = 5;
+
+/// Returns "bolt (3 times), cover and 2 more".
+std::string ListNames(const std::map<std::string, std::size_t>& counts)
+{
+  std::string text;
+  std::size_t listed = 0;
+  for (const auto& [name, count] : counts)
+  {
+    if (++listed <= MaxHiddenNames)
+    {
+      text += (listed > 1 ? ", " : "") + (name.empty() ? std::string("without a name") : name) +
+        (count > 1 ? " (" + std::to_string(count) + " times)" : "");
+    }
+  }
+  return listed > MaxHiddenNames ? text + " and " + std::to_string(listed - MaxHiddenNames) + " more names"
+                                 : text;
+}
+
+/// Gives the instances of a node their new indices, and removes those without one (negative), and the
+/// products that had instances and have none now. Returns whether the node had instances, and has some.
+std::pair<bool, bool> RenumberInstances(const std::vector<int>& indices, ProductNode& node)
+{
+  bool had = !node.Instances.empty();
+  std::vector<int> kept;
+  for (const int instance : node.Instances)
+  {
+    if (indices[static_cast<std::size_t>(instance)] >= 0)
+    {
+      kept.push_back(indices[static_cast<std::size_t>(instance)]);
+    }
+  }
+  node.Instances = std::move(kept);
+  std::vector<ProductNode> children;
+  bool has = !node.Instances.empty();
+  for (ProductNode& child : node.Children)
+  {
+    const auto [childHad, childHas] = RenumberInstances(indices, child);
+    had = had || childHad;
+    has = has || childHas;
+    if (childHas || !childHad)
+    {
+      children.push_back(std::move(child));
+    }
+  }
+  node.Children = std::move(children);
+  return { had, has };
+}
+
+/// Removes the bodies without an instance.
+void RemoveUnusedBodies(Document& document)
+{
+  std::vector<int> indices(document.Bodies.size(), -1);
+  std::vector<PartBody> bodies;
+  for (BodyInstance& instance : document.Instances)
+  {
+    int& index = indices[static_cast<std::size_t>(instance.Body)];
+    if (index < 0)
+    {
+      index = static_cast<int>(bodies.size());
+      bodies.push_back(std::move(document.Bodies[static_cast<std::size_t>(instance.Body)]));
+    }
+    instance.Body = index;
+  }
+  document.Bodies = std::move(bodies);
+}
+}
+
+void LeaveOutHidden(HiddenMode mode, Document& document)
+{
+  if (mode == HiddenMode::Count || document.Instances.empty())
+  {
+    return;
+  }
+  const bool onlyHidden = mode == HiddenMode::Only;
+  std::vector<int> indices;
+  std::vector<BodyInstance> kept;
+  std::map<std::string, std::size_t> leftOut;
+  for (BodyInstance& instance : document.Instances)
+  {
+    const bool isKept = instance.IsHidden == onlyHidden;
+    indices.push_back(isKept ? static_cast<int>(kept.size()) : -1);
+    if (isKept)
+    {
+      kept.push_back(std::move(instance));
+    }
+    else
+    {
+      ++leftOut[document.Bodies[static_cast<std::size_t>(instance.Body)].Name];
+    }
+  }
+  const std::size_t count = document.Instances.size() - kept.size();
+  document.Instances = std::move(kept);
+  RenumberInstances(indices, document.Root);
+  RemoveUnusedBodies(document);
+  if (count > 0)
+  {
+    document.Messages.push_back(FormatCount(count, "body", "bodies") +
+      (onlyHidden ? " that the file shows" : " that the file hides (INVISIBILITY)") +
+      (count == 1 ? " is" : " are") + " left out: " + ListNames(leftOut) + ".");
+  }
+  if (document.Instances.empty())
+  {
+    document.Status = ReadStatus::Empty;
+    document.Problem = onlyHidden
+      ? "it hides none of its bodies (INVISIBILITY); read those that it shows, with Hidden as Skip or Count"
+      : "it hides all of its bodies (INVISIBILITY); read these, with Hidden as Count or Only";
+  }
+}
+}

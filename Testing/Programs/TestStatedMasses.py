@@ -1,0 +1,200 @@
+"""TestStatedMasses.py MODE --program P --output DIR: masses that a table states, solids that are left out or hidden, of boxes."""
+import argparse
+import csv
+import functools
+import json
+import os
+import re
+import sys
+from fractions import Fraction
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import smprogram  # noqa: E402
+from smcheck import check, check_equal, check_true, finish  # noqa: E402
+from smmachine import KG, check_bounded, check_mass, make_machine  # noqa: E402
+from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
+
+parser = argparse.ArgumentParser()
+parser.add_argument("mode", choices=["stated", "hidden"])
+for name in ("--program", "--output"):
+    parser.add_argument(name, required=True)
+options = parser.parse_args()
+folder = os.path.join(options.output, "stated_masses")
+os.makedirs(folder, exist_ok=True)
+run = functools.partial(smprogram.run, options.program)
+run_json = functools.partial(smprogram.run_json, options.program)
+
+
+def write_table(name, text):
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
+
+
+def stated():
+    """Masses that the table of materials states, and rows that leave solids out."""
+    machine = make_machine()
+    path = write_product(os.path.join(folder, "stated.step"), machine)
+    boxes = expand(machine)
+    volumes = {"plate": 2 * Fraction("0.25") * Fraction("25.4") ** 3, "bolt": Fraction(40), "rail": Fraction(20000)}
+    density = {"plate": Fraction(2700), "bolt": Fraction(7850), "rail": Fraction(1400)}
+    masses = {"bolt": Fraction("0.25"), "rail": Fraction("1.5")}
+    weights = [masses[b[0]] / volumes[b[0]] / KG if b[0] in masses else density[b[0]] for b in boxes]
+    for name, text in (("stated.csv", "name,material,mass,tolerance\nbolt*,,250 g,4%\nrail,pump,1.5,\n"),
+                       ("positional.csv", "bolt*,,,10 g,0.25\nrail,pump,1.5 kg\n"),
+                       ("stated.json", json.dumps([{"name": "bolt*", "mass": 0.25, "tolerance": "4%"}, {"name": "rail", "material": "pump", "mass": "1500 g"}]))):
+        file = run_json("--materials", write_table(name, text), path)
+        total = file["total"]
+        check_mass(total, boxes, weights)
+        check("overridden, of six bolts and the rail", 3.0, total["overridden_mass"], 1e-14)
+        doubt = total["mass_uncertainty"]
+        check("in doubt by the bolts", 0.06, doubt["overridden"], 1e-15)
+        check_equal("not by densities", 0.0, doubt["density"])
+        check_true("tolerances of faces are not given", doubt["tolerance"] is None, str(doubt))
+        check("in all", doubt["overridden"] + doubt["numerical"], doubt["total"], 2e-6 * doubt["total"])
+        check_equal("of the solids", {"plate": 0.0, "bolt": 0.25, "rail": 1.5}, {s["name"]: s["overridden_mass"] for s in file["solids"]})
+        rail = next(s for s in file["solids"] if s["name"] == "rail")
+        check("mean density", float(Fraction("1.5") / volumes["rail"] / KG), rail["density"], 1e-9)
+        check_true("messages", any("override the mass of 7 solids: bolt 0.25 kg (6 times), rail 1.5 kg" in m for m in file["messages"]), str(file["messages"]))
+
+    # Table, CSV, parts list, budget.
+    table = write_table("stated.csv", "name,material,mass,tolerance\nbolt*,,250 g,4%\nrail,pump,1.5,\n")
+    rows, picture = os.path.join(folder, "stated_rows.csv"), os.path.join(folder, "stated.png")
+    result = run("--materials", table, "--csv", rows, "--budget", picture, "--bom", path)
+    check_true("in the table", re.search(r"\n    of it overridden +3 kg as the materials state\n", result.stdout) and
+               re.search(r"\n  mass in doubt +0\.061 kg: density 0, gaps 0, numerical \S+, overridden masses 0\.061\n", result.stdout) and
+               "mass stated" in result.stdout and re.search(r"\n    overridden masses +0\.06\d* kg\n", result.stdout), result.stdout)
+    with open(rows, encoding="utf-8", newline="") as text:
+        first = next(csv.DictReader(text))
+    check("CSV", 3.0, float(first["overridden_mass"]), 1e-14)
+    check("CSV, in doubt", 0.06, float(first["mass_uncertainty_overridden"]), 1e-15)
+    file = run_json("--materials", table, "--budget", picture, "--bom", "--face-tolerance", "0.1", path)
+    budget = file["total"]["budget"]
+    check_equal("lines of the budget", ["numerical", "closing", "density", "overridden masses", "tolerance"], [line["name"] for line in budget["lines"]])
+    check("the line", 0.06, budget["lines"][3]["mass"], 1e-15)
+    check("the sum is that of the mass in doubt", budget["mass"], file["total"]["mass_uncertainty"]["total"], 2e-6 * budget["mass"])
+    plate = [volumes["plate"] for _ in range(2)]
+    size = [Fraction("50.8"), Fraction("25.4"), Fraction("6.35")]
+    grown = (size[0] + Fraction("0.2")) * (size[1] + Fraction("0.2")) * (size[2] + Fraction("0.2")) - plate[0]
+    check("tolerances move the plates alone", float(2 * grown * density["plate"] * KG), budget["lines"][4]["mass"], 1e-9)
+    parts = {part["name"]: part for part in file["parts"][0]["children"]}
+    check("parts list", 1.5, parts["rail"]["each"]["mass"], 1e-15)
+
+    # A stated mass does not change with an offset of a face; that of the plates, 2700 kg/m^3, does.
+    file = run_json("--materials", table, "--sensitivity", path)
+    slopes = {name: sorted({round(face["mass"] * 1e9, 6) for s in file["solids"] if s["name"] == name for face in s["sensitivity"]})
+              for name in ("rail", "plate")}
+    check_equal("kg/mm of the rail", [0.0], slopes["rail"])
+    sides = sorted({float(2700 * a * b) for a, b in ((size[0], size[1]), (size[0], size[2]), (size[1], size[2]))})
+    check_equal("kg/mm of the plates, times 1e9", len(sides), len(slopes["plate"]))
+    for expected, actual in zip(sides, slopes["plate"]):
+        check("a face of a plate", expected, actual, 1e-5)
+
+    # A mass without a tolerance counts as exact, and is said to.
+    table = write_table("exact.csv", "name,mass\n*,2\n")
+    file = run_json("--materials", table, "--density-tolerance", "5%", path)
+    check("nine solids", 18.0, file["total"]["mass"], 1e-13)
+    check_equal("no tolerance", 0.0, file["total"]["mass_uncertainty"]["overridden"])
+    check_true("said", any("no tolerance is stated, so they count as exact" in m for m in file["messages"]), str(file["messages"]))
+
+    # Left out: bolts by a pattern, except where a line of their own comes first.
+    table = write_table("left.csv", "bolt*,left out\nrail,brass\n")
+    file = run_json("--materials", table, "--bom", path)
+    kept = [b for b in boxes if b[0] != "bolt"]
+    check_mass(file["total"], kept, [8500 if b[0] == "rail" else 2700 for b in kept])
+    check_bounded("volume without bolts", get_properties(kept)[0], file["total"]["volume"], file["total"]["bounds"]["volume"])
+    check_equal("solids", ["plate", "plate", "rail"], sorted(s["name"] for s in file["solids"]))
+    check_true("said", any("the materials leave out 6 bodies: bolt" in m for m in file["messages"]), str(file["messages"]))
+    text = json.dumps(file["parts"])
+    check_true("not in the parts list", '"bolt"' not in text and '"rail"' in text, text)
+    file = run_json("--materials", table, "--section", "0,0,5,0,0,1", "--stability", "z", "--box", path)
+    check_equal("solids of other analyses", 3, len(file["solids"]))
+    check("section of the rail alone", 2000.0, file["sections"][0]["area"], 1e-9)
+
+    # Refusals name the line and the remedy.
+    for text, said in (("name,density,mass\na,7850,2\n", "line 2: it has the density 7850 and the mass 2"), ("a,,,,-2\n", "-2 is not a mass"),
+                       ("a,,,,2 stone\n", "with one of the units kg, g, mg, t, lb, oz"), ("name,mass,colour\n", "there is no column colour"),
+                       ("name,mass,mass\n", "there is no column mass twice"), ("a,left out,7850\n", "neither density nor mass"),
+                       ("a,b,1,2,3,4\n", "line 1: write NAME"), ('[{"name":"a","density":1,"mass":2}]', "entry 1: it has the density 1 and the mass 2")):
+        result = run("--materials", write_table("wrong.csv", text), path)
+        check_true(f"{text!r} is wrong usage", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
+
+    # The same product twice in one place is flagged: both count.
+    cube = Part("cube", [((0, 0, 0), (10, 10, 10))], "1000.")
+    twice = write_product(os.path.join(folder, "twice.step"), Assembly("pair", [(cube, (0, 0, 0), None), (cube, (0, 0, 0), None)]))
+    file = run_json(twice)
+    check("both count", 2000.0, file["total"]["volume"], 1e-9)
+    check_true("flagged", any("same volume and centre of mass: they overlap, and both are counted" in m for m in file["messages"]), str(file["messages"]))
+
+
+def hidden():
+    """Bodies, occurrences and layers that the file hides (INVISIBILITY)."""
+    def write(name, hide):
+        """A rail of 20000 mm^3, and bolts of 40 mm^3: one in each of two stations. hide(text): more entities."""
+        bolt = Part("bolt", [((0, 0, 0), (2, 2, 10))])
+        rail = Part("rail", [((0, 0, 0), (200, 10, 10))])
+        station = Assembly("station", [(bolt, (0, 0, 0), None)])
+        path = write_product(os.path.join(folder, name + ".step"),
+                             Assembly("machine", [(station, (0, 0, 20), None), (station, (50, 0, 20), None), (rail, (0, 0, 0), None)]))
+        with open(path, encoding="ascii") as file:
+            text = file.read()
+        with open(path, "w", encoding="ascii") as file:
+            file.write(text.replace("ENDSEC;\nEND-ISO", hide(text) + "ENDSEC;\nEND-ISO"))
+        return path
+
+    def find(text, pattern):
+        return re.search(r"(#\d+)=" + pattern, text).group(1)
+
+    def by_style(text):
+        solid = re.search(r"ADVANCED_BREP_SHAPE_REPRESENTATION\('bolt',\((.*?)\)", text).group(1).split(",")[1]
+        return f"#9001=PRESENTATION_STYLE_ASSIGNMENT((NULL_STYLE(.NULL.)));\n#9002=STYLED_ITEM('',(#9001),{solid});\n#9003=INVISIBILITY((#9002));\n"
+
+    def by_layer(text):
+        shape = find(text, r"ADVANCED_BREP_SHAPE_REPRESENTATION\('bolt'")
+        return f"#9001=PRESENTATION_LAYER_ASSIGNMENT('construction','',({shape}));\n#9003=INVISIBILITY((#9001));\n"
+
+    def by_layer_of_styles(text):
+        return by_style(text).replace("#9003=INVISIBILITY((#9002))", "#9004=PRESENTATION_LAYER_ASSIGNMENT('a','',(#9002));\n#9003=INVISIBILITY((#9004))")
+
+    def by_occurrence(text):
+        use = find(text, r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\('machine-2'")
+        described = re.search(r"(#\d+)=PRODUCT_DEFINITION_SHAPE\('placement',''," + use + r"\)", text).group(1)
+        shape = re.search(r"ADVANCED_BREP_SHAPE_REPRESENTATION\('bolt',\((.*?)\),(#\d+)\)", text)
+        origin, solid = shape.group(1).split(",")[:2]
+        return (f"#9001=SHAPE_REPRESENTATION('',({origin}),{shape.group(2)});\n#9002=SHAPE_DEFINITION_REPRESENTATION({described},#9001);\n"
+                f"#9003=PRESENTATION_STYLE_BY_CONTEXT((NULL_STYLE(.NULL.)),#9001);\n#9004=STYLED_ITEM('',(#9003),{solid});\n"
+                "#9005=INVISIBILITY((#9004));\n")
+
+    for name, hide, bolts in (("style", by_style, 2), ("layer", by_layer, 2), ("styled layer", by_layer_of_styles, 2), ("occurrence", by_occurrence, 1)):
+        path = write("hidden_" + name.replace(" ", "_"), hide)
+        for arguments in ((), ("--hidden", "count")):
+            file = run_json(*arguments, path)
+            check_equal(f"{name}, counted: status", "ok", file["status"])
+            check(f"{name}, counted", 20080.0, file["total"]["volume"], 1e-8)
+            said = [m for m in file["messages"] if "1 body or occurrence is hidden in the file (INVISIBILITY)" in m]
+            check_equal(f"{name}, counted: said", 1, len(said))
+        file = run_json("--hidden", "skip", "--bom", path)
+        check_equal(f"{name}, skipped: status", "ok", file["status"])
+        check(f"{name}, skipped", 20080.0 - 40.0 * bolts, file["total"]["volume"], 1e-8)
+        check_equal(f"{name}, skipped: solids", 3 - bolts, len(file["solids"]))
+        said = ("2 bodies that the file hides (INVISIBILITY) are left out: bolt (2 times)." if bolts == 2
+                else "1 body that the file hides (INVISIBILITY) is left out: bolt.")
+        check_true(f"{name}, skipped: said", any(said in m for m in file["messages"]), str(file["messages"]))
+        check_true(f"{name}, skipped: parts list", ("bolt" in json.dumps(file["parts"])) == (bolts == 1), json.dumps(file["parts"])[:600])
+        check_true(f"{name}, skipped: no other note", not any("hidden in the file" in m for m in file["messages"]), str(file["messages"]))
+        file = run_json("--hidden", "only", path)
+        check(f"{name}, only", 40.0 * bolts, file["total"]["volume"], 1e-9)
+        check_equal(f"{name}, only: status", "ok", file["status"])
+        check_true(f"{name}, only: said", any("the file shows" in m and "rail" in m for m in file["messages"]), str(file["messages"]))
+    # Where nothing is left there is no result, and the reason says what to do.
+    nothing = write("hidden_nothing", lambda text: "")
+    result = run("--hidden", "only", nothing)
+    check_true("nothing is hidden", result.returncode == 3 and "it hides none of its bodies" in result.stdout, result.stdout)
+    check_equal("skip leaves all", 3, len(run_json("--hidden", "skip", nothing)["solids"]))
+    result = run("--hidden", "sometimes", nothing)
+    check_true("refused", result.returncode == 1 and "count, skip or only" in result.stderr, result.stderr)
+
+
+{"stated": stated, "hidden": hidden}[options.mode]()
+finish()
