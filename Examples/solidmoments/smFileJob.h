@@ -105,7 +105,8 @@ struct JobMessage
     Mesh,
     Robot,
     Picture,
-    Analysis
+    Analysis,
+    Next ///< the job is finished, and its process begins with the next one
   };
   Kinds Kind = Progress;
   std::string Text; ///< the stage; of an output why it was not written, empty if it was, with the key before

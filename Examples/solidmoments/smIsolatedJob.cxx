@@ -59,17 +59,6 @@ void WriteMessage(int descriptor, const sm::JobMessage& message)
   }
 }
 
-void RunChild(const sm::JobOptions& options, int descriptor)
-{
-  if (options.Threads > 0)
-  {
-    vtkSMPTools::Initialize(options.Threads);
-    // Mesa's software rasterizer has threads of its own.
-    setenv("LP_NUM_THREADS", std::to_string(options.Threads).c_str(), 0);
-  }
-  sm::RunFileJob(options, [descriptor](const sm::JobMessage& message) { WriteMessage(descriptor, message); });
-}
-
 /// Returns the seconds after which a job is killed. Computations stop at the time limit by themselves; a
 /// hanging reader or compiler does not.
 double GetSecondsLeft(const sm::JobOptions& options)
@@ -193,73 +182,125 @@ void JobMessages::Take(
   }
 }
 
-IsolatedJob::IsolatedJob(const JobOptions& options, ProgressListener progress)
-  : Options(options)
-  , Progress(std::move(progress))
-  , Helper(
-      [this](char kind, Bytes content) {
-        this->Said.Take(
-          static_cast<JobMessage::Kinds>(kind), std::move(content), this->Options, this->Progress);
-      })
+JobProcess::JobProcess(std::vector<ListenedJob> jobs)
+  : Jobs(std::move(jobs))
+  , Said(this->Jobs.size())
+  , Helper([this](char kind, Bytes content) { this->Take(kind, std::move(content)); })
 {
-  this->Said.Stage = stages::Start;
-  this->Helper.SetSecondsLeft(GetSecondsLeft(options));
+  for (JobMessages& said : this->Said)
+  {
+    said.Stage = stages::Start;
+  }
+  const JobOptions& first = this->Jobs.front().Options;
+  this->Helper.SetSecondsLeft(GetSecondsLeft(first));
   struct stat info = {};
-  if (stat(options.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+  if (stat(first.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
   {
     // Reading a pipe or a device may never end.
-    this->Error = "Cannot read " + options.FileName + ": not a regular file.";
+    this->Error = "Cannot read " + first.FileName + ": not a regular file.";
     return;
   }
-  this->Error = this->Helper.Fork([&options](int descriptor) { RunChild(options, descriptor); });
+  this->Error = this->Helper.Fork([this](int descriptor) { this->Run(descriptor); });
 }
 
-void IsolatedJob::Wait(const std::vector<IsolatedJob*>& jobs)
+void JobProcess::Run(int descriptor)
+{
+  const JobOptions& first = this->Jobs.front().Options;
+  if (first.Threads > 0)
+  {
+    vtkSMPTools::Initialize(first.Threads);
+    // Mesa's software rasterizer has threads of its own.
+    setenv("LP_NUM_THREADS", std::to_string(first.Threads).c_str(), 0);
+  }
+  for (std::size_t i = 0; i < this->Jobs.size(); ++i)
+  {
+    bool isOk = false;
+    RunFileJob(this->Jobs[i].Options,
+      [descriptor, &isOk](const JobMessage& message)
+      {
+        isOk = message.Kind == JobMessage::Result
+          ? message.IsComplete && message.File->Status == names::StatusOk && message.File->Backend == "cpu"
+          : isOk;
+        WriteMessage(descriptor, message);
+      });
+    if (!isOk || i + 1 == this->Jobs.size())
+    {
+      return;
+    }
+    WriteMessage(descriptor, JobMessage::OfOutput(JobMessage::Next, {}));
+  }
+}
+
+void JobProcess::Take(char kind, Bytes content)
+{
+  if (kind == JobMessage::Next)
+  {
+    this->Current = std::min(this->Current + 1, this->Jobs.size() - 1);
+    return;
+  }
+  const ListenedJob& job = this->Jobs[this->Current];
+  this->Said[this->Current].Take(
+    static_cast<JobMessage::Kinds>(kind), std::move(content), job.Options, job.Progress);
+}
+
+void JobProcess::Wait(const std::vector<JobProcess*>& processes)
 {
   std::vector<HelperProcess*> helpers;
-  for (IsolatedJob* job : jobs)
+  for (JobProcess* process : processes)
   {
-    helpers.push_back(&job->Helper);
+    helpers.push_back(&process->Helper);
     if (Interrupted)
     {
-      job->Helper.Kill();
+      process->Helper.Kill();
     }
   }
   // A signal that arrives just before the wait is noticed a second later.
   HelperProcess::Wait(helpers, 1.0);
 }
 
+bool IsolatedJob::IsLeftOver() const
+{
+  return !this->Process->IsRunning() && this->Process->Error.empty() && this->Process->Current < this->Index;
+}
+
+ProcessEnd IsolatedJob::GetEnd() const
+{
+  return this->Process->Current > this->Index ? ProcessEnd() : this->Process->Helper.GetEnd();
+}
+
 JobOutcome IsolatedJob::GetOutcome()
 {
   JobOutcome outcome;
-  if (!this->Error.empty())
+  const JobOptions& options = this->Process->Jobs[this->Index].Options;
+  JobMessages& said = this->Process->Said[this->Index];
+  if (!this->Process->Error.empty())
   {
-    outcome.File = UnreadableFile(this->Options, this->Error);
+    outcome.File = UnreadableFile(options, this->Process->Error);
     return outcome;
   }
-  outcome.File = std::move(this->Said.Result);
+  outcome.File = std::move(said.Result);
   if (outcome.File)
   {
     // The pipe carries UTF-8 only; the table and the CSV show the name with its own bytes.
-    outcome.File->File = this->Options.FileName;
+    outcome.File->File = options.FileName;
   }
   if (Interrupted)
   {
     // After an interrupt only complete results count as those of a finished file.
-    return this->Said.IsComplete ? outcome : JobOutcome();
+    return said.IsComplete ? outcome : JobOutcome();
   }
-  const ProcessEnd& how = this->Helper.GetEnd();
-  const std::string end = DescribeEnd(how, this->Options);
-  if (!this->Said.IsComplete)
+  const ProcessEnd how = this->GetEnd();
+  const std::string end = DescribeEnd(how, options);
+  if (!said.IsComplete)
   {
-    AddFailure(this->Options, this->Said.Stage, end, how.IsForced(), outcome.File);
+    AddFailure(options, said.Stage, end, how.IsForced(), outcome.File);
   }
   else if (!end.empty() && !how.IsTimeOver)
   {
     outcome.File->Messages.push_back("the process that worked on this file " + end + " in stage \"" +
-      this->Said.Stage + "\", after it had sent the result");
+      said.Stage + "\", after it had sent the result");
   }
-  FindOutputErrors(this->Options, this->Said, end, outcome);
+  FindOutputErrors(options, said, end, outcome);
   return outcome;
 }
 

@@ -1,7 +1,7 @@
 /**
  * @file smIsolatedJob.h
  * @brief Runs the jobs of files in child processes, so that a crash of the CAD kernel affects only the job of
- * that file
+ * that file; small files share a child
  *
  * Children are forked (smHelperProcess.h) while this process has neither threads nor an OpenGL context;
  * results come back as smByteFields.h writes them.
@@ -13,10 +13,13 @@
 #include "smHelperProcess.h"
 #include "smResults.h"
 
+#include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sm
@@ -50,29 +53,67 @@ struct JobMessages
   void Take(JobMessage::Kinds kind, Bytes bytes, const JobOptions& options, const ProgressListener& progress);
 };
 
-/// The job of one file in a child process. A child is killed if it takes longer than 1.25 times
-/// MaximumSeconds, and at least 2 seconds longer.
+/// A job and the listener to its progress.
+struct ListenedJob
+{
+  JobOptions Options;
+  ProgressListener Progress;
+};
+
+/// A child process that works on the jobs of some files, one after the other, and ends early, before the next
+/// one, after a file that is not `ok` or that another backend than the CPU worked on: what such a file may
+/// have left behind does not reach another one. A child is killed if it takes longer than
+/// 1.25 times MaximumSeconds, and at least 2 seconds longer.
+class JobProcess
+{
+public:
+  /// Starts the child. Call from a process with one thread. Jobs with MaximumSeconds have a process of their
+  /// own.
+  explicit JobProcess(std::vector<ListenedJob> jobs);
+  JobProcess(const JobProcess&) = delete;
+  JobProcess& operator=(const JobProcess&) = delete;
+
+  bool IsRunning() const { return this->Helper.IsRunning(); }
+  /// Waits at most one second until one of the processes, all of which must be running, sends a message or
+  /// ends. Kills those whose time has elapsed, and all of them after an interrupt.
+  static void Wait(const std::vector<JobProcess*>& processes);
+
+private:
+  friend class IsolatedJob;
+  void Run(int descriptor);
+  void Take(char kind, Bytes content);
+
+  std::vector<ListenedJob> Jobs;
+  std::vector<JobMessages> Said; ///< of each job
+  std::size_t Current = 0;       ///< the job that the child works on
+  std::string Error;             ///< why there is no child; empty: there is one
+  HelperProcess Helper;
+};
+
+/// One job of a process.
 class IsolatedJob
 {
 public:
-  /// Starts the child. Call from a process with one thread.
-  IsolatedJob(const JobOptions& options, ProgressListener progress);
-  IsolatedJob(const IsolatedJob&) = delete;
-  IsolatedJob& operator=(const IsolatedJob&) = delete;
+  IsolatedJob(std::shared_ptr<JobProcess> process, std::size_t index)
+    : Process(std::move(process))
+    , Index(index)
+  {
+  }
 
-  bool IsRunning() const { return this->Helper.IsRunning(); }
-  /// Waits at most one second until one of the jobs, all of which must be running, sends a message or ends.
-  /// Kills those whose time has elapsed, and all of them after an interrupt.
-  static void Wait(const std::vector<IsolatedJob*>& jobs);
+  JobProcess& GetProcess() const { return *this->Process; }
+  /// Returns true until the child has finished the job or ended.
+  bool IsRunning() const { return this->Process->IsRunning() && this->Process->Current <= this->Index; }
+  /// Returns true if the child has ended before it began with the job.
+  bool IsLeftOver() const;
   /// Returns the outcome of a job that has ended; call it once.
   JobOutcome GetOutcome();
 
 private:
-  JobOptions Options;
-  ProgressListener Progress;
-  JobMessages Said;
-  std::string Error; ///< why there is no child; empty: there is one
-  HelperProcess Helper;
+  /// How the child ended, as far as this job is concerned.
+  ProcessEnd GetEnd() const;
+
+  std::shared_ptr<JobProcess> Process;
+  std::size_t Index;
 };
 
 /// Makes Ctrl-C, SIGTERM and, unless it is ignored (nohup), SIGHUP end the running job and set

@@ -39,7 +39,14 @@ private:
 
   static bool IsRunning(const Entry& entry);
   void StartJobs();
-  std::unique_ptr<IsolatedJob> MakeJob(std::size_t i);
+  /// Starts a process for entries of Started that have an input.
+  void StartProcess(const std::vector<std::size_t>& entries);
+  /// Starts processes for the jobs that one which has ended did not begin with.
+  void StartLeftOver();
+  /// Returns the processes that run.
+  std::vector<JobProcess*> GetRunning() const;
+  /// Returns the number of jobs, from i on, that one process is to work on.
+  std::size_t CountTogether(std::size_t i) const;
 
   std::vector<JobOptions> Jobs;
   std::size_t AtOnce = 1;

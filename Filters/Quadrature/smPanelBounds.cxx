@@ -122,6 +122,24 @@ bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part, bool 
   return true;
 }
 
+bool PanelBounds::ExpandByStrip(const Panel& panel, const PanelPart& part)
+{
+  this->ExpandTrim(panel, part);
+  const PatchSeries& series = this->GetSeries(panel, part, true);
+  ParameterBox box;
+  const PatchMajorants* strip =
+    series.Strips.Find(series, this->Panels.Patches[panel.Patch], this->Request, this->Box, box);
+  if (!strip || !strip->HasLength())
+  {
+    return false;
+  }
+  this->Majorants = strip;
+  this->MajorantsBox = box;
+  this->IsPolynomial = series.Traits.Polynomial;
+  this->Bound(panel, part);
+  return true;
+}
+
 void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm)
 {
   this->ExpandTrim(panel, part);
@@ -136,11 +154,6 @@ void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part, bool w
   this->MajorantsBox = this->Box;
   this->IsPolynomial = traits.Polynomial;
   this->Bound(panel, part);
-}
-
-bool PanelBounds::IsPatch() const
-{
-  return this->Box.Half[0] >= 0.49 && this->Box.Half[1] >= 0.49;
 }
 
 Ellipse PanelBounds::Embed(const Ellipse& ellipse, int direction) const

@@ -35,9 +35,6 @@ constexpr double EndRounding = 54.0;
 constexpr double RowBorder = 1e-15;
 constexpr int MinCompared = 4;
 constexpr int MaxCompared = 15;
-// Up to this number of points, evaluating them costs less than series of the part's own, which might need
-// fewer points.
-constexpr int EvaluationsOfSeries = 150;
 
 /// Largest change of the normal of a prismatic panel along its straight lines, relative to the largest
 /// normal: 1e-14 at the samples of smFacePanels.cxx, times Lebesgue's constant, which is at most 2^n / n for
@@ -390,11 +387,21 @@ void PanelPlanner::Keep(
 
 bool PanelPlanner::PlanByPatch(std::uint32_t index, const PanelPart& part, bool withForm)
 {
+  return this->Bounds.ExpandByPatch(this->Panels.Panels[index], part, withForm) &&
+    this->KeepIfSmall(index, part);
+}
+
+bool PanelPlanner::PlanByStrip(std::uint32_t index, const PanelPart& part)
+{
+  return this->Bounds.ExpandByStrip(this->Panels.Panels[index], part) && this->KeepIfSmall(index, part);
+}
+
+bool PanelPlanner::KeepIfSmall(std::uint32_t index, const PanelPart& part)
+{
   const Panel& panel = this->Panels.Panels[index];
   int along = 1;
   int across = 1;
-  if (!this->Bounds.ExpandByPatch(panel, part, withForm) || !this->FindOrders(1.0, true, along, across) ||
-    (along * across > EvaluationsOfSeries && !(withForm && this->Bounds.IsPatch())))
+  if (!this->FindOrders(1.0, true, along, across))
   {
     return false;
   }
@@ -494,7 +501,7 @@ void PanelPlanner::Plan(std::uint32_t index)
   // An expensive form of |n| costs more than the points that it saves where few are needed without it.
   const bool isCheap = this->Series.HasCheapForm(this->Panels.Panels[index].Patch);
   bool isPlanned = !isCheap && this->PlanByPatch(index, {}, false);
-  isPlanned = isPlanned || this->PlanByPatch(index, {}, true);
+  isPlanned = isPlanned || this->PlanByPatch(index, {}, true) || this->PlanByStrip(index, {});
   if (!isPlanned)
   {
     this->PlanInParts(index);

@@ -5,15 +5,19 @@
 #include "smVector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sm
 {
 namespace
 {
-// The box of a patch's series is larger than the patch by this, so that it contains trim curves that leave
-// the patch by rounding.
-constexpr double Margin = 1e-6;
+// The box of a patch's series is that of its panels, to the next multiples of this, which are exact doubles,
+// and leaves the patch by at most the margin.
+constexpr double BoxStep = 1.0 / 1024.0;
+constexpr double Margin = 1.0 / 32.0;
+// The room that is left for the series of a trim piece beyond its coefficients, relative to their range.
+constexpr double SeriesRoom = 1.0 / 64.0;
 // An edge whose control points are this close together, relative to the patch, is nearly, or certainly, one
 // point.
 constexpr double NearlyCollapsed = 1e-9;
@@ -21,13 +25,52 @@ constexpr double CertainlyCollapsed = 1e-15;
 // The largest number of samples of a patch, in both directions, whose form is cheap: bilinear to biquadratic
 // ones, and long arcs.
 constexpr int SamplesOfCheapForm = 40;
+// The smallest number of samples of a patch that make series worth sharing.
+constexpr int SamplesOfStrips = 100;
 
-/// Beyond a collapsed edge |n| is not what it is on the patch.
-ParameterBox GetPatchBox(const PatchTraits& traits)
+/// Samples of the numerators of a patch, in both directions.
+int CountSamples(const Patch& patch)
 {
-  const auto& c = traits.Collapsed;
-  const double half = c[0] || c[1] || c[2] || c[3] ? 0.5 : 0.5 + Margin;
-  return { { 0.5, 0.5 }, { half, half } };
+  return (3 * patch.Degree[0] - 1) * (3 * patch.Degree[1] - 1);
+}
+
+/// Raises the ranges of s and r, [0] to [1], to those of the coefficients of a panel's trim piece, and of s
+/// times xi in [0, 1]. A series of the piece is at most a little wider.
+void AddPanel(const FacePanels& panels, const Panel& panel, std::array<double, 2> (&ranges)[2])
+{
+  const Patch& patch = panels.Patches[panel.Patch];
+  for (int d = 0; d < 2; ++d)
+  {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (int i = 0; i <= panel.TrimDegree; ++i)
+    {
+      const double local = (panels.Coefficients[panel.Trim + 2 * i + d] - patch.Start[d]) / patch.Width[d];
+      low = std::min(low, local);
+      high = std::max(high, local);
+    }
+    const double room = SeriesRoom * (high - low);
+    ranges[d][0] = std::min(ranges[d][0], d == 0 ? std::min(0.0, low - room) : low - room);
+    ranges[d][1] = std::max(ranges[d][1], d == 0 ? std::max(0.0, high + room) : high + room);
+  }
+}
+
+/// The box of the ranges. Beyond a collapsed edge |n| is not what it is on the patch.
+ParameterBox MakeBox(const std::array<double, 2> (&ranges)[2], const PatchTraits& traits)
+{
+  ParameterBox box;
+  for (int d = 0; d < 2; ++d)
+  {
+    const double first = traits.Collapsed[2 * d] ? 0.0 : -Margin;
+    const double last = traits.Collapsed[2 * d + 1] ? 1.0 : 1.0 + Margin;
+    const double low = BoxStep * std::floor(ranges[d][0] / BoxStep);
+    const double high = BoxStep * std::ceil(ranges[d][1] / BoxStep);
+    const double start = std::clamp(low, first, last - BoxStep);
+    const double end = std::clamp(high, start + BoxStep, last);
+    box.Middle[d] = 0.5 * (start + end);
+    box.Half[d] = 0.5 * (end - start);
+  }
+  return box;
 }
 }
 
@@ -68,29 +111,87 @@ std::array<double, 3> GetOrigin(const Patch& patch, const PlanRequest& request)
     patch.Center[2] + request.Shift[2] };
 }
 
+const PatchMajorants* PatchStrips::Find(const PatchSeries& series, const Patch& patch,
+  const PlanRequest& request, const ParameterBox& box, ParameterBox& ofStrip) const
+{
+  const double width = 2.0 * series.Box.Half[1];
+  const double start = series.Box.Middle[1] - series.Box.Half[1];
+  const double low = (box.Middle[1] - box.Half[1] - start) / width;
+  const double high = (box.Middle[1] + box.Half[1] - start) / width;
+  if (CountSamples(patch) < SamplesOfStrips ||
+    !(std::abs(box.Middle[0] - series.Box.Middle[0]) + box.Half[0] <= series.Box.Half[0]) || !(low >= 0.0) ||
+    !(high <= 1.0))
+  {
+    return nullptr;
+  }
+  int level = 0;
+  int index = 0;
+  for (int next = 1; next <= Levels; ++next)
+  {
+    // Strip i of level n is [i / 2, i / 2 + 1] / 2^n.
+    const double size = std::exp2(-next);
+    const int at = std::min(static_cast<int>(2.0 * low / size), (2 << next) - 2);
+    if (high <= (0.5 * at + 1.0) * size)
+    {
+      level = next;
+      index = at;
+    }
+  }
+  if (level == 0)
+  {
+    return nullptr;
+  }
+  std::call_once(this->Once, [this]() { this->Strips = std::vector<Strip>((4 << Levels) - Levels - 4); });
+  // Before level n there are 2^(n+1) - n - 3 strips.
+  Strip& strip = this->Strips[(2 << level) - level - 3 + index];
+  const double size = std::exp2(-level);
+  ofStrip = series.Box;
+  ofStrip.Half[1] = size * series.Box.Half[1];
+  ofStrip.Middle[1] = start + (0.5 * index + 0.5) * size * width;
+  std::call_once(strip.Once,
+    [&]()
+    {
+      strip.Majorants = std::make_unique<PatchMajorants>();
+      strip.Majorants->Expand(series.Points.data(), patch.Degree[0], patch.Degree[1], series.Traits, ofStrip,
+        GetOrigin(patch, request));
+      strip.Majorants->ReleaseSamples();
+    });
+  return strip.Majorants.get();
+}
+
 FaceSeries::FaceSeries(const FacePanels& panels, const PlanRequest& request)
   : Panels(panels)
   , Request(request)
   , Entries(panels.Patches.size())
 {
+  for (Entry& entry : this->Entries)
+  {
+    for (std::array<double, 2>& range : entry.Ranges)
+    {
+      range = { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+    }
+  }
+  for (const Panel& panel : panels.Panels)
+  {
+    AddPanel(panels, panel, this->Entries[panel.Patch].Ranges);
+  }
 }
 
 const PatchSeries& FaceSeries::Get(std::uint32_t patch, Poles poles, bool withForm)
 {
-  Entry& entry = this->Entries[patch][(poles == Poles::Nearly ? 0 : 2) + (withForm ? 1 : 0)];
-  std::call_once(
-    entry.Once, [&]() { entry.Series = this->Make(this->Panels.Patches[patch], poles, withForm); });
-  return *entry.Series;
+  Lazy& lazy = this->Entries[patch].Series[(poles == Poles::Nearly ? 0 : 2) + (withForm ? 1 : 0)];
+  std::call_once(lazy.Once, [&]() { lazy.Series = this->Make(patch, poles, withForm); });
+  return *lazy.Series;
 }
 
 bool FaceSeries::HasCheapForm(std::uint32_t patch) const
 {
-  const Patch& p = this->Panels.Patches[patch];
-  return (3 * p.Degree[0] - 1) * (3 * p.Degree[1] - 1) <= SamplesOfCheapForm;
+  return CountSamples(this->Panels.Patches[patch]) <= SamplesOfCheapForm;
 }
 
-std::unique_ptr<PatchSeries> FaceSeries::Make(const Patch& patch, Poles poles, bool withForm) const
+std::unique_ptr<PatchSeries> FaceSeries::Make(std::uint32_t index, Poles poles, bool withForm) const
 {
+  const Patch& patch = this->Panels.Patches[index];
   auto series = std::make_unique<PatchSeries>();
   const std::array<double, 4>* points = this->Panels.Points.data() + patch.FirstPoint;
   const int p = patch.Degree[0];
@@ -98,7 +199,7 @@ std::unique_ptr<PatchSeries> FaceSeries::Make(const Patch& patch, Poles poles, b
   series->Points.assign(points, points + (p + 1) * (q + 1));
   CollapseEdges(series->Points, p, q, poles == Poles::Nearly ? NearlyCollapsed : CertainlyCollapsed);
   series->Traits = FindPatchTraits(series->Points.data(), p, q);
-  series->Box = GetPatchBox(series->Traits);
+  series->Box = MakeBox(this->Entries[index].Ranges, series->Traits);
   series->Whole.ExpandPatch(
     series->Points.data(), p, q, series->Traits, series->Box, GetOrigin(patch, this->Request), withForm);
   series->Whole.ReleaseSamples();

@@ -137,7 +137,7 @@ void RibbonPlanner::AddResidualError(const Ribbon& ribbon, bool sound, const Maj
   }
 }
 
-void RibbonPlanner::BoundAlong(bool sound, const Majorants& real, double share)
+bool RibbonPlanner::FindShares(bool sound, const Majorants& real, double share)
 {
   const std::size_t count = this->Request.Classes.size();
   this->Supremum.assign(count, std::numeric_limits<double>::infinity());
@@ -146,6 +146,7 @@ void RibbonPlanner::BoundAlong(bool sound, const Majorants& real, double share)
     this->Bound(real, this->Supremum);
   }
   this->Shares.resize(count);
+  bool isAny = false;
   for (std::size_t i = 0; i < count; ++i)
   {
     const double tolerance = share * this->Request.Tolerances[i];
@@ -153,7 +154,13 @@ void RibbonPlanner::BoundAlong(bool sound, const Majorants& real, double share)
       this->Request.Classes[i].Kind == BoundClass::AreaMoment || 2.0 * this->Supremum[i] <= tolerance
       ? 0.0
       : tolerance;
+    isAny = isAny || this->Shares[i] > 0.0;
   }
+  return isAny;
+}
+
+void RibbonPlanner::BoundAlong(bool sound)
+{
   this->AlongT.Reset(this->Shares, LargestOrder);
   if (!sound)
   {
@@ -207,8 +214,15 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   const bool sound =
     this->Gap.Evaluate(Ellipse::FromRadius(1.0), real) && std::isfinite(this->Gap.GetRemainder(real).Gap);
   const double share = std::exp2(-depth);
-  this->BoundAlong(sound, real, share);
-  const int along = this->ChooseOrder();
+  // Where any order will do, and the ribbon is rounding, no ellipse is needed.
+  const bool needsOrder = this->FindShares(sound, real, share) || this->Gap.IsRough();
+  const bool isRounding = sound && this->IsRounding(ribbon, real);
+  int along = 1;
+  if (needsOrder || !isRounding)
+  {
+    this->BoundAlong(sound);
+    along = this->ChooseOrder();
+  }
   if ((along > LargestOrder || this->Gap.IsRough()) && depth < LargestRibbonDepth)
   {
     const double middle = 0.5 * (start + end);
@@ -216,7 +230,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
     this->PlanPart(index, middle, end, depth + 1);
     return;
   }
-  if (sound && this->IsRounding(ribbon, real))
+  if (isRounding)
   {
     for (std::size_t i = 0; i < this->Supremum.size(); ++i)
     {

@@ -99,6 +99,48 @@ def check_termination(good):
         check_true("it holds the finished files", 1 <= finished < count, str(finished))
 
 
+def find_children(parent):
+    """The processes that a process started and that are no more than forks of it."""
+    found = []
+    for name in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{name}/stat", encoding="utf-8", errors="replace") as file:
+                after = file.read().rpartition(")")[2].split()
+        except OSError:
+            continue
+        if int(after[1]) == parent and after[0] != "Z":
+            found.append(int(name))
+    return found
+
+
+def check_shared_process(good):
+    """Small files share a process: their results are those of a process each, and its end costs one file."""
+    names = [good, manifest.solid("torus")["path"], manifest.special("open_solid")["path"], good, manifest.special("not_step")["path"], good]
+    _, together = run_json(*names)
+    for name, file in zip(names, together):
+        alone = run_json(name)[1][0]
+        for key in ("status", "messages", "total", "solids", "evaluations"):
+            check_equal(f"{key} of {name} among others", alone[key], file[key])
+
+    target = os.path.join(make_folder("killed"), "out.json")
+    count = 200
+    with subprocess.Popen([options.program, "-q", "--json", target, *[good] * count], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL) as process:
+        children = []
+        while not children and process.poll() is None:
+            children = find_children(process.pid)
+        for child in children:
+            os.kill(child, signal.SIGKILL)
+        process.wait(timeout=100)
+    with open(target, encoding="utf-8") as file:
+        files = json.load(file)["files"]
+    check_equal("files of a run whose process was killed", count, len(files))
+    others = [file for file in files if file["status"] != "ok"]
+    check_equal("files that a killed process cost", 1, len(others))
+    for file in others:
+        check_true("the reason is reported", "ended by signal 9" in file["messages"][0], str(file["messages"]))
+
+
 def read_bytes(path):
     with open(path, "rb") as file:
         return file.read()
@@ -312,6 +354,7 @@ def errors():
     check_name_that_is_not_utf8(good)
     check_facts_once()
     check_termination(good)
+    check_shared_process(good)
 
     # Wrong usage.
     for arguments in ([], ["--no-such-option", good], ["--tolerance-of", "volume=1e-6"], ["--tolerance-of", good],

@@ -30,13 +30,13 @@ public:
   /// `degree`: highest degree of the factors g.
   PanelBounds(const FacePanels& panels, const PlanRequest& request, FaceSeries& series, int degree);
 
-  /// Bounds a part by the series of its patch. Returns false if it leaves the patch, or if |n| may have a
+  /// Bounds a part by the series of its patch. Returns false if it leaves their box, or if |n| may have a
   /// zero there. `withForm`: |n| may be taken for a polynomial.
   bool ExpandByPatch(const Panel& panel, const PanelPart& part, bool withForm);
+  /// The same by the series of a strip of the patch that other panels may share.
+  bool ExpandByStrip(const Panel& panel, const PanelPart& part);
   /// Bounds a part by series of its own. `withForm`: |n| may be taken for a polynomial.
   void ExpandByPart(const Panel& panel, const PanelPart& part, bool withForm = true);
-  /// Returns true if the part covers its whole patch, so that series of its own would be those of the patch.
-  bool IsPatch() const;
 
   const TrimSeries& GetTrim() const { return this->Trim; }
   const PatchMajorants& GetMajorants() const { return *this->Majorants; }

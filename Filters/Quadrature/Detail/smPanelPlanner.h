@@ -30,10 +30,13 @@ private:
   void PlanInParts(std::uint32_t index);
   /// Adds the error of exact orders for what a flat patch deviates from a parallelogram.
   void AddFlatError(const Panel& panel, const double extent[2], double reach);
-  /// Plans a panel by the series of its patch. Returns false if their bounds do not suffice, or if series of
-  /// the panel's own may need far fewer points. `withForm`: |n| may be taken for a polynomial, and the panel
-  /// covers its patch or needs few points.
+  /// Plans a panel by the series of its patch. Returns false if their bounds do not suffice. `withForm`: |n|
+  /// may be taken for a polynomial.
   bool PlanByPatch(std::uint32_t index, const PanelPart& part, bool withForm);
+  /// The same by the series of a strip of the patch.
+  bool PlanByStrip(std::uint32_t index, const PanelPart& part);
+  /// Keeps a panel with the current bounds if they suffice.
+  bool KeepIfSmall(std::uint32_t index, const PanelPart& part);
   void PlanPart(std::uint32_t index, const PanelPart& part);
   /// Bound of the errors of the area that the series do not contain: rounding, the kinks of collapsed edges,
   /// and the deviation of a nearly constant normal.

@@ -29,6 +29,30 @@ void FillIntegrandChange(const Patch& patch, const PlanRequest& request, double 
 /// The centre of a patch as seen from the point that moments are about.
 std::array<double, 3> GetOrigin(const Patch& patch, const PlanRequest& request);
 
+struct PatchSeries;
+
+/// Series on strips of the box of a patch's series, of its whole extent in s and a part in r, for panels that
+/// the series of the box does not suffice for. At a level strips are a fraction of the box wide, and begin at
+/// multiples of half of that, so that each shorter interval lies in one. Thread safe.
+class PatchStrips
+{
+public:
+  /// A strip that contains the box, as narrow as strips are; null where the box is too wide, or beyond that
+  /// of the series, or series of a panel's own take less time than finding out.
+  const PatchMajorants* Find(const PatchSeries& series, const Patch& patch, const PlanRequest& request,
+    const ParameterBox& box, ParameterBox& ofStrip) const;
+
+private:
+  static constexpr int Levels = 4;
+  struct Strip
+  {
+    std::once_flag Once;
+    std::unique_ptr<PatchMajorants> Majorants;
+  };
+  mutable std::once_flag Once;
+  mutable std::vector<Strip> Strips;
+};
+
 struct PatchSeries
 {
   /// Control points of the patch with poles made points; bounds of the change of points and derivatives; and
@@ -41,11 +65,12 @@ struct PatchSeries
   std::vector<double> Change;
   PatchTraits Traits;
   PatchMajorants Whole;
-  /// The box of the series.
+  /// The box of the series: of all panels of the patch, as far as they leave it by little.
   ParameterBox Box;
+  PatchStrips Strips;
 };
 
-/// The series of a face's patches. Thread safe.
+/// The series of a face's patches, each on the box of its panels. Thread safe.
 class FaceSeries
 {
 public:
@@ -65,17 +90,23 @@ public:
   bool HasCheapForm(std::uint32_t patch) const;
 
 private:
-  struct Entry
+  struct Lazy
   {
     std::once_flag Once;
     std::unique_ptr<PatchSeries> Series;
   };
-  std::unique_ptr<PatchSeries> Make(const Patch& patch, Poles poles, bool withForm) const;
+  struct Entry
+  {
+    /// Of s and r, by all panels of the patch.
+    std::array<double, 2> Ranges[2];
+    /// By `poles` and `withForm`.
+    std::array<Lazy, 4> Series;
+  };
+  std::unique_ptr<PatchSeries> Make(std::uint32_t index, Poles poles, bool withForm) const;
 
   const FacePanels& Panels;
   const PlanRequest& Request;
-  /// For every patch, by `poles` and `withForm`.
-  std::vector<std::array<Entry, 4>> Entries;
+  std::vector<Entry> Entries;
 };
 }
 

@@ -26,8 +26,10 @@ public:
 private:
   using Majorants = GapSeries::Majorants;
   void PlanPart(std::uint32_t index, double start, double end, int depth);
-  /// Fills AlongT and Supremum from real t and from ellipses.
-  void BoundAlong(bool sound, const Majorants& real, double share);
+  /// Fills Supremum and Shares. Returns false if any order meets all tolerances.
+  bool FindShares(bool sound, const Majorants& real, double share);
+  /// Fills AlongT by Shares, from ellipses.
+  void BoundAlong(bool sound);
   /// Returns the lowest order that meets all tolerances; more than LargestOrder when none does.
   int ChooseOrder() const;
   void AddItem(const PlannedItem& item);

@@ -149,6 +149,49 @@ void EvaluateValue(const RevolvedSurface& value, double s, double t, int order, 
   }
 }
 
+/// Sums the control points times the basis functions, and the weights, up to a total order.
+template <int Order, bool IsRational>
+void SumAllPoles(const SplineSurface& value, const SplineBasis::Values& u, const SplineBasis::Values& v,
+  double (&weights)[3][3], SurfaceDerivatives& result)
+{
+  const int columns = value.Basis[0].GetCount();
+  for (int b = 0; b <= value.Basis[1].Degree; ++b)
+  {
+    const std::size_t row = static_cast<std::size_t>(v.Poles[b]) * columns;
+    for (int a = 0; a <= value.Basis[0].Degree; ++a)
+    {
+      const Vector3& pole = value.Poles[u.Poles[a] + row];
+      for (int i = 0; i <= Order; ++i)
+      {
+        const double first = IsRational ? value.Weights[u.Poles[a] + row] * u.N[i][a] : u.N[i][a];
+        for (int j = 0; i + j <= Order; ++j)
+        {
+          const double factor = first * v.N[j][b];
+          weights[i][j] += IsRational ? factor : 0.0;
+          for (int c = 0; c < 3; ++c)
+          {
+            result[i][j][c] += factor * pole[c];
+          }
+        }
+      }
+    }
+  }
+}
+
+template <int Order>
+void SumPoles(const SplineSurface& value, const SplineBasis::Values& u, const SplineBasis::Values& v,
+  double (&weights)[3][3], SurfaceDerivatives& result)
+{
+  if (value.Weights.empty())
+  {
+    SumAllPoles<Order, false>(value, u, v, weights, result);
+  }
+  else
+  {
+    SumAllPoles<Order, true>(value, u, v, weights, result);
+  }
+}
+
 void EvaluateValue(const SplineSurface& value, double s, double t, int order, SurfaceDerivatives& result)
 {
   SplineBasis::Values u;
@@ -156,28 +199,19 @@ void EvaluateValue(const SplineSurface& value, double s, double t, int order, Su
   value.Basis[0].Evaluate(s, order, u);
   value.Basis[1].Evaluate(t, order, v);
   const bool rational = !value.Weights.empty();
-  const int columns = value.Basis[0].GetCount();
   double weights[3][3] = {};
   result = {};
-  for (int b = 0; b <= value.Basis[1].Degree; ++b)
+  if (order == 0)
   {
-    for (int a = 0; a <= value.Basis[0].Degree; ++a)
-    {
-      const std::size_t pole = u.Poles[a] + static_cast<std::size_t>(v.Poles[b]) * columns;
-      const double weight = rational ? value.Weights[pole] : 1.0;
-      for (int i = 0; i <= order; ++i)
-      {
-        for (int j = 0; i + j <= order; ++j)
-        {
-          const double factor = weight * u.N[i][a] * v.N[j][b];
-          weights[i][j] += factor;
-          for (int c = 0; c < 3; ++c)
-          {
-            result[i][j][c] += factor * value.Poles[pole][c];
-          }
-        }
-      }
-    }
+    SumPoles<0>(value, u, v, weights, result);
+  }
+  else if (order == 1)
+  {
+    SumPoles<1>(value, u, v, weights, result);
+  }
+  else
+  {
+    SumPoles<2>(value, u, v, weights, result);
   }
   // The quotient's derivatives by Leibniz' rule, lower orders first.
   for (int total = 0; rational && total <= order; ++total)

@@ -95,39 +95,39 @@ void SplineBasis::Evaluate(double t, int order, Values& values) const
   triangle[0][0] = 1.0;
   for (int k = 1; k <= p; ++k)
   {
-    for (int j = 0; j <= k; ++j)
-    {
-      triangle[k][j] = 0.0;
-    }
+    const double* knots = flat.Knots.data() + span + 1;
+    double carried = 0.0;
     for (int j = 0; j < k; ++j)
     {
-      const double low = flat.Knots[span + 1 - k + j];
-      const double high = flat.Knots[span + 1 + j];
-      const double x = (t - low) / (high - low);
-      triangle[k][j] += (1.0 - x) * triangle[k - 1][j];
-      triangle[k][j + 1] += x * triangle[k - 1][j];
+      const double low = knots[j - k];
+      const double x = (t - low) / (knots[j] - low);
+      triangle[k][j] = carried + (1.0 - x) * triangle[k - 1][j];
+      carried = x * triangle[k - 1][j];
     }
+    triangle[k][k] = carried;
   }
   for (int r = 0; r <= order; ++r)
   {
-    // Derivatives of the functions of degree p - r, raised r times.
-    double now[MaximumDegree + 1] = {};
-    if (r <= p)
+    double* now = values.N[r];
+    if (r > p)
     {
-      std::copy_n(triangle[p - r], p - r + 1, now);
+      std::fill_n(now, p + 1, 0.0);
+      continue;
     }
-    for (int k = p - r + 1; r <= p && k <= p; ++k)
+    // Derivatives of the functions of degree p - r, raised r times.
+    std::copy_n(triangle[p - r], p - r + 1, now);
+    for (int k = p - r + 1; k <= p; ++k)
     {
-      double next[MaximumDegree + 1] = {};
+      const double* knots = flat.Knots.data() + span + 1;
+      double carried = 0.0;
       for (int j = 0; j < k; ++j)
       {
-        const double width = flat.Knots[span + 1 + j] - flat.Knots[span + 1 - k + j];
-        next[j] -= k * now[j] / width;
-        next[j + 1] += k * now[j] / width;
+        const double slope = k * now[j] / (knots[j] - knots[j - k]);
+        now[j] = carried - slope;
+        carried = slope;
       }
-      std::copy_n(next, k + 1, now);
+      now[k] = carried;
     }
-    std::copy_n(now, p + 1, values.N[r]);
   }
   for (int j = 0; j <= p; ++j)
   {
