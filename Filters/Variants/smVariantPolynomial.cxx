@@ -105,7 +105,8 @@ struct VariantPolynomial::Internals
   }
 
   void AddErrors(const std::vector<VariantFaceChain>& chains);
-  void AddFaces(const std::vector<VariantFaceChain>& chains);
+  /// Returns false if `progress` did.
+  bool AddFaces(const std::vector<VariantFaceChain>& chains, const ProgressCallback& progress);
   void MakeTables();
   void MakeBounds(double roundings);
   void EvaluateBatch(const FormTables& tables, const double* c, std::size_t count, double* values,
@@ -127,7 +128,8 @@ struct VariantPolynomial::Internals
   double Seconds = 0.0;
 };
 
-void VariantPolynomial::Internals::AddFaces(const std::vector<VariantFaceChain>& chains)
+bool VariantPolynomial::Internals::AddFaces(
+  const std::vector<VariantFaceChain>& chains, const ProgressCallback& progress)
 {
   VariantTotals totals(this->Monomials);
   // Faces in parallel, and their sums in the order of the faces, so that the result does not depend on
@@ -139,6 +141,10 @@ void VariantPolynomial::Internals::AddFaces(const std::vector<VariantFaceChain>&
   };
   for (std::size_t first = 0; first < chains.size(); first += FacesAtOnce)
   {
+    if (progress && !progress(static_cast<double>(first) / static_cast<double>(chains.size())))
+    {
+      return false;
+    }
     std::vector<FaceSums> faces(std::min(FacesAtOnce, chains.size() - first));
     ParallelFor(faces.size(), 1,
       [&](std::size_t begin, std::size_t end)
@@ -183,6 +189,7 @@ void VariantPolynomial::Internals::AddFaces(const std::vector<VariantFaceChain>&
       this->Bounds[m][i] += 2.0 * UnitRoundoff * std::abs(this->Coefficients[m][i]);
     }
   }
+  return true;
 }
 
 void VariantPolynomial::Internals::AddErrors(const std::vector<VariantFaceChain>& chains)
@@ -364,7 +371,8 @@ VariantPolynomial::VariantPolynomial(std::unique_ptr<Internals> implementation)
 VariantPolynomial::~VariantPolynomial() = default;
 
 std::shared_ptr<const VariantPolynomial> VariantPolynomial::Make(
-  const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error)
+  const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error,
+  const ProgressCallback& progress)
 try
 {
   error = !shape ? "there is no shape: make one first" : FindProblem(options, shape->GetNumberOfDirections());
@@ -381,7 +389,7 @@ try
   auto internals = std::make_unique<Internals>(shape);
   const VariantChainOptions chainOptions = MakeChainOptions(*shape, options);
   std::vector<VariantFaceChain> chains;
-  if (!MakeChains(*shape, chainOptions, chains, error))
+  if (!MakeChains(*shape, chainOptions, GetPartOf(progress, 0.0, 0.3), chains, error))
   {
     return nullptr;
   }
@@ -396,7 +404,11 @@ try
     internals->Bounds[m] = internals->Coefficients[m];
   }
   internals->AddErrors(chains);
-  internals->AddFaces(chains);
+  if (!internals->AddFaces(chains, GetPartOf(progress, 0.3, 1.0)))
+  {
+    error = StoppedReason;
+    return nullptr;
+  }
   internals->Gaps = FindGaps(chains, internals->Directions);
   internals->MakeTables();
   internals->Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

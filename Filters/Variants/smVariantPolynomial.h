@@ -20,6 +20,7 @@
 
 #include "smFiltersVariantsModule.h"
 
+#include "smProgressCallback.h"
 #include "smVariantShape.h"
 
 #include <array>
@@ -77,9 +78,10 @@ public:
   static constexpr int MaximumDirections = 24;
 
   /// Integrates the coefficients, on the threads of vtkSMPTools. Returns null with the reason in `error`: an
-  /// option out of its range, more than MaximumDirections, a face that cannot be cut, a lack of memory.
-  static std::shared_ptr<const VariantPolynomial> Make(
-    const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error);
+  /// option out of its range, more than MaximumDirections, a face that cannot be cut, a lack of memory, or
+  /// that `progress`, which the calling thread calls between portions of the faces, returned false.
+  static std::shared_ptr<const VariantPolynomial> Make(const std::shared_ptr<const VariantShape>& shape,
+    const VariantOptions& options, std::string& error, const ProgressCallback& progress = {});
   ~VariantPolynomial();
 
   int GetNumberOfDirections() const;

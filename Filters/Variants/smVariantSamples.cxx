@@ -21,6 +21,9 @@ const double* GetRule(int points)
   return GetRuleTable().data() + static_cast<std::ptrdiff_t>(points) * (points - 1);
 }
 
+constexpr int StripPoints = 3;
+}
+
 void VisitPanel(const VariantFaceChain& chain, const VariantPanel& panel,
   const std::function<void(const VariantSample&)>& visit)
 {
@@ -37,8 +40,6 @@ void VisitPanel(const VariantFaceChain& chain, const VariantPanel& panel,
       visit(sample);
     });
 }
-
-constexpr int StripPoints = 3;
 
 void VisitRibbon(const VariantFaceChain& chain, const VariantRibbon& ribbon,
   const std::function<void(const VariantSample&)>& visit)
@@ -98,7 +99,6 @@ void VisitCap(const VariantCap& cap, int variables, const std::function<void(con
       visit(sample);
     }
   }
-}
 }
 
 void EvaluateTrim(const double* trim, int degree, double t, double point[2], double slope[2])

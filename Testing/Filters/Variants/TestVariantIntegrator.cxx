@@ -131,11 +131,13 @@ void CheckChoice()
 {
   const VariantSolid solid = MakeEllipsoid(false);
   std::string error;
-  const auto few = sm::VariantIntegrator::Make(solid.Shape, {}, error, sm::VariantMethod::Automatic, 1);
+  sm::VariantSettings settings(sm::VariantMethod::Automatic, sm::VariantBackend::CPU);
+  settings.Expected = 1;
+  const auto few = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
   CheckTrue(
     "one variant at frozen points", few && few->GetMethod() == sm::VariantMethod::Points, few->GetReason());
-  const auto many =
-    sm::VariantIntegrator::Make(solid.Shape, {}, error, sm::VariantMethod::Automatic, 1000000000);
+  settings.Expected = 1000000000;
+  const auto many = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
   CheckTrue("a billion as polynomials", many && many->GetMethod() == sm::VariantMethod::Polynomial,
     many->GetReason());
 }
