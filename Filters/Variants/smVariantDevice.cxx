@@ -1,5 +1,6 @@
 #include "Detail/smVariantDevice.h"
 
+#include "Detail/smVariantNumbers.h"
 #include "smBernstein.h"
 #include "smComputeBuffer.h"
 #include "smComputeProgram.h"
@@ -24,15 +25,11 @@ namespace sm
 {
 namespace
 {
-// Invocations of a work group, as in the shaders.
-constexpr unsigned int VariantsOfGroup = 32;
-// Variants of a batch, and samples of a dispatch: for a software renderer some 50 ms on two CPU cores.
+// Variants of a batch of a software renderer, and samples of a dispatch: for a software renderer some 50 ms
+// on two CPU cores.
 constexpr std::size_t SoftwareBatch = 1024;
-constexpr std::size_t DeviceBatch = 131072;
 constexpr std::uint64_t SoftwareCost = 4000000;
 constexpr std::uint64_t DeviceCost = 400000000;
-// Mesa's llvmpipe ends all loops of an invocation, without an error, after 65,535 iterations together.
-constexpr std::uint64_t SoftwareSteps = 60000;
 
 struct GroupProgram
 {
@@ -115,7 +112,6 @@ struct VariantDevice::Internals
   {
     return this->Context->IsSoftware() ? SoftwareSteps : std::numeric_limits<std::uint64_t>::max();
   }
-  bool UploadVariables(const double* c, std::size_t count);
   bool RunGroup(GroupProgram& program, std::uint32_t count);
   bool RunGroups(std::uint32_t count, bool isBounds);
   bool RunResults(std::uint32_t count, ComputeBuffer& to, bool hasCarries);
@@ -188,26 +184,6 @@ std::size_t VariantDevice::Internals::GetBatchSize() const
   return std::min(fitting, this->Context->IsSoftware() ? SoftwareBatch : DeviceBatch);
 }
 
-bool VariantDevice::Internals::UploadVariables(const double* c, std::size_t count)
-{
-  std::vector<char> isUsable(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    isUsable[i] = IsInRange(c + i * this->Directions, this->Directions) ? 1 : 0;
-  }
-  return this->Variables.Fill<double>(count * this->Directions,
-    [&](double* to)
-    {
-      for (std::size_t k = 0; k < this->Directions; ++k)
-      {
-        for (std::size_t i = 0; i < count; ++i)
-        {
-          *to++ = isUsable[i] ? c[i * this->Directions + k] : 0.0;
-        }
-      }
-    });
-}
-
 bool VariantDevice::Internals::RunGroup(GroupProgram& own, std::uint32_t count)
 {
   const DeviceGroup& group = *own.Group;
@@ -278,7 +254,7 @@ bool VariantDevice::Internals::RunBatch(const double* c, std::size_t count, doub
   {
     return this->Fail("the OpenGL context was lost: " + this->Context->GetReason());
   }
-  if (!this->UploadVariables(c, count) ||
+  if (!UploadVariables(this->Variables, c, count, this->Directions) ||
     !this->Nets.Allocate(std::max<std::size_t>(this->Points.LargestNet, 1) * count * sizeof(double)))
   {
     return this->Fail("a batch does not fit on the GPU: " + this->GetBufferErrors());
@@ -331,11 +307,6 @@ bool VariantDevice::Prepare()
   }
   self.Generation = self.Context->GetGeneration();
   return true;
-}
-
-bool VariantDevice::IsInRange(const double* c, std::size_t directions)
-{
-  return std::all_of(c, c + directions, [](double number) { return std::abs(number) <= MaximumNumber; });
 }
 
 bool VariantDevice::Evaluate(const double* c, std::size_t n, double* values, double* bounds)

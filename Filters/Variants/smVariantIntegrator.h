@@ -10,8 +10,8 @@
  * Moments and bounds are those of smVariantPolynomial.h. At frozen points a bound is that of the variant's
  * own c: the bounds of all items are forms, which are evaluated at |c|.
  *
- * Frozen points are evaluated on the CPU, or by compute shaders (OpenGL 4.3 with doubles), one invocation for
- * each variant. Both have the same samples; their sums are rounded differently, each within its bounds.
+ * Either way runs on the CPU, or by compute shaders (OpenGL 4.3 with doubles), one invocation for each
+ * variant. Both have the same samples or coefficients; their sums are rounded differently, within the bounds.
  */
 #ifndef smVariantIntegrator_h
 #define smVariantIntegrator_h
@@ -36,7 +36,7 @@ enum class VariantMethod
   Points
 };
 
-/// The device that evaluates frozen points. Polynomials are evaluated on the CPU.
+/// The device that evaluates variants.
 enum class VariantBackend
 {
   /// OpenGL if the context is that of a GPU, the expected number of variants takes the CPU more than a
@@ -95,10 +95,15 @@ public:
   /// Samples that are evaluated for each variant; those of faces that nothing moves are not among them.
   std::int64_t GetNumberOfSamples() const;
 
-  /// Evaluates n variants, c[n][K], on the threads of vtkSMPTools: values[n][10], and if it is not null
-  /// bounds[n][10]; NaN for a variant with a number that is not finite. The bits of a variant do not depend
-  /// on the others of the call. Where OpenGL fails the CPU evaluates all of them. Throws std::bad_alloc.
-  void Evaluate(const double* c, std::size_t n, double* values, double* bounds = nullptr) const;
+  /**
+   * Evaluates n variants, c[n][K], by OpenGL or on the threads of vtkSMPTools: values[n][10], and where they
+   * are not null bounds[n][10]; with polynomials also gradients[n][10][K] by c, and bounds of these, which
+   * are NaN with points. All are NaN for a variant with a number that is not finite. The bits of a variant do
+   * not depend on the others of the call. Where OpenGL fails the CPU evaluates all of them. Throws
+   * std::bad_alloc.
+   */
+  void Evaluate(const double* c, std::size_t n, double* values, double* bounds = nullptr,
+    double* gradients = nullptr, double* gradientBounds = nullptr) const;
 
 private:
   struct Internals;

@@ -1,5 +1,6 @@
 #include "smVariantPolynomial.h"
 
+#include "Detail/smVariantFormTables.h"
 #include "Detail/smVariantKernels.h"
 #include "Detail/smVariantScales.h"
 #include "Detail/smVariantSums.h"
@@ -17,58 +18,6 @@ namespace sm
 {
 namespace
 {
-/// Matrices of the kernels with what they refer to.
-struct FormTables
-{
-  std::vector<std::size_t> Counts;
-  std::vector<std::vector<double>> Entries;
-  std::vector<VariantMatrix> Matrices;
-  VariantForms Forms;
-
-  void Begin(const VariantMonomials& monomials, int degree)
-  {
-    for (int d = 0; d <= MaximumFormDegree; ++d)
-    {
-      for (int n = 0; n <= monomials.GetVariables(); ++n)
-      {
-        this->Counts.push_back(monomials.GetCount(d, n));
-      }
-    }
-    this->Forms.Variables = monomials.GetVariables();
-    this->Forms.MaximumDegree = degree;
-  }
-  /// Adds a matrix; `get(row, column)` gives its entries.
-  template <typename Get>
-  void Add(int degree, std::size_t rows, std::size_t columns, const Get& get)
-  {
-    VariantMatrix matrix;
-    matrix.Degree = degree;
-    matrix.Rows = rows;
-    matrix.Columns = (columns + 3) / 4 * 4;
-    std::vector<double> entries(matrix.Rows * matrix.Columns, 0.0);
-    for (std::size_t column = 0; column < columns; ++column)
-    {
-      for (std::size_t row = 0; row < rows; ++row)
-      {
-        entries[(column / 4 * rows + row) * 4 + column % 4] = get(row, column);
-      }
-    }
-    this->Entries.push_back(std::move(entries));
-    this->Matrices.push_back(matrix);
-    this->Forms.TotalColumns += matrix.Columns;
-  }
-  void Finish()
-  {
-    for (std::size_t i = 0; i < this->Matrices.size(); ++i)
-    {
-      this->Matrices[i].Entries = this->Entries[i].data();
-    }
-    this->Forms.Counts = this->Counts.data();
-    this->Forms.Matrices = this->Matrices.data();
-    this->Forms.MatrixCount = this->Matrices.size();
-  }
-};
-
 /**
  * The bound of a polynomial's value for |c|: constant and linear terms exactly; with theta = max |c_k| /
  * range_k, the terms of degree j >= 2 are at most theta^j times their sum at |c| = range. The same of its
@@ -467,6 +416,36 @@ std::vector<int> VariantPolynomial::GetPowers(int moment, std::size_t index) con
   return powers;
 }
 
+const FormTables& VariantPolynomial::GetTables(bool areDerivatives) const
+{
+  return areDerivatives ? this->Implementation->Derivatives : this->Implementation->Plain;
+}
+
+void VariantPolynomial::EvaluateBounds(
+  const double* c, std::size_t n, double* bounds, double* gradientBounds) const
+{
+  const auto directions = static_cast<std::size_t>(this->GetNumberOfDirections());
+  ParallelFor(bounds || gradientBounds ? n : 0, 1024,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->Implementation->EvaluateBounds(c + i * directions,
+          bounds ? bounds + i * NumberOfMoments : nullptr,
+          gradientBounds ? gradientBounds + i * NumberOfMoments * directions : nullptr);
+      }
+    });
+  const auto hideUnknown = [](double* to, std::size_t size)
+  {
+    for (std::size_t i = 0; to && i < size; ++i)
+    {
+      to[i] = std::isfinite(to[i]) ? to[i] : std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  hideUnknown(bounds, n * NumberOfMoments);
+  hideUnknown(gradientBounds, n * NumberOfMoments * directions);
+}
+
 void VariantPolynomial::Evaluate(const double* c, std::size_t n, double* values, double* bounds,
   double* gradients, double* gradientBounds) const
 {
@@ -486,22 +465,9 @@ void VariantPolynomial::Evaluate(const double* c, std::size_t n, double* values,
         const std::size_t count = std::min(lanes, n - first);
         self.EvaluateBatch(tables, c + first * directions, count, values + first * NumberOfMoments,
           gradients ? gradients + first * NumberOfMoments * directions : nullptr, columns, scratch);
-        for (std::size_t i = first; i < first + count && (bounds || gradientBounds); ++i)
-        {
-          self.EvaluateBounds(c + i * directions, bounds ? bounds + i * NumberOfMoments : nullptr,
-            gradientBounds ? gradientBounds + i * NumberOfMoments * directions : nullptr);
-        }
       }
     });
-  const auto hideUnknown = [](double* to, std::size_t size)
-  {
-    for (std::size_t i = 0; to && i < size; ++i)
-    {
-      to[i] = std::isfinite(to[i]) ? to[i] : std::numeric_limits<double>::quiet_NaN();
-    }
-  };
-  hideUnknown(bounds, n * NumberOfMoments);
-  hideUnknown(gradientBounds, n * NumberOfMoments * directions);
+  this->EvaluateBounds(c, n, bounds, gradientBounds);
   HideNotFinite(c, directions, n,
     { { values, NumberOfMoments }, { bounds, NumberOfMoments }, { gradients, NumberOfMoments * directions },
       { gradientBounds, NumberOfMoments * directions } });

@@ -31,6 +31,8 @@
 
 namespace sm
 {
+struct FormTables;
+
 struct VariantOptions
 {
   /// |c_k| for which the error of quadrature meets the tolerance, positive; one for each direction, or empty:
@@ -104,6 +106,12 @@ public:
    */
   void Evaluate(const double* c, std::size_t n, double* values, double* bounds = nullptr,
     double* gradients = nullptr, double* gradientBounds = nullptr) const;
+
+  /// The bounds alone, of the same values and gradients.
+  void EvaluateBounds(const double* c, std::size_t n, double* bounds, double* gradientBounds = nullptr) const;
+
+  /// The forms of the moments, or of their derivatives by (1, c). For this module's own classes.
+  const FormTables& GetTables(bool areDerivatives) const;
 
   /// What each direction opens.
   const std::vector<VariantGap>& GetGaps() const;

@@ -191,19 +191,10 @@ try
   };
   double* const toValues = prepare(values, 10);
   double* const toBounds = prepare(bounds, 10);
-  if (gradients)
-  {
-    double* const toGradients = prepare(gradients, 10 * k);
-    if (n > 0)
-    {
-      integrator->GetPolynomial()->Evaluate(
-        numbers.data(), static_cast<std::size_t>(n), toValues, toBounds, toGradients);
-    }
-    return this->Fail({});
-  }
+  double* const toGradients = prepare(gradients, 10 * k);
   if (n > 0)
   {
-    integrator->Evaluate(numbers.data(), static_cast<std::size_t>(n), toValues, toBounds);
+    integrator->Evaluate(numbers.data(), static_cast<std::size_t>(n), toValues, toBounds, toGradients);
   }
   return this->Fail({});
 }

@@ -46,7 +46,7 @@ public:
   vtkGetMacro(Method, int);
   ///@}
 
-  /** The device that evaluates frozen points. */
+  /** The device that evaluates variants. */
   enum BackendType
   {
     /** OpenGL on a GPU where ExpectedVariants take the CPU more than a second and OpenGL is faster; else the
@@ -58,8 +58,7 @@ public:
   };
 
   ///@{
-  /** The device; values outside the enumeration are clamped. Polynomials are evaluated on the CPU. Default:
-   * AUTOMATIC_BACKEND. */
+  /** The device; values outside the enumeration are clamped. Default: AUTOMATIC_BACKEND. */
   vtkSetClampMacro(Backend, int, AUTOMATIC_BACKEND, CPU);
   vtkGetMacro(Backend, int);
   ///@}

@@ -12,7 +12,7 @@ class Variants:
     move belongs to; a number, the index of a face that moves along its outward normal; or {face: displacements}, the displacements (count_v, count_u, 3) of the control points
     of faces for c_k = 1. For the last two edges stay and ribbons lead to them. ranges: the largest |c_k| that the orders of integration are chosen for, default 1; bounds hold for any c.
     method: "auto" (what takes less time for `expected` variants), "polynomial" or "points". backend: "auto" (a GPU where that is faster), "cpu" or
-    "opengl", which also takes a software renderer, and the CPU where OpenGL cannot be used; polynomials are evaluated on the CPU. progress: called
+    "opengl", which also takes a software renderer, and the CPU where OpenGL cannot be used. progress: called
     with a fraction from 0 to 1 while the variants are prepared; where it returns False they are not. ValueError has the reason where something does
     not fit, or was stopped.
 

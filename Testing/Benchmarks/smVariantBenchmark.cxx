@@ -108,12 +108,7 @@ void Evaluate(const sm::VariantIntegrator& variants, int mode, const std::vector
   const std::size_t size = 10 * count;
   results.resize(size * (2 + (mode == 2 ? static_cast<std::size_t>(variants.GetNumberOfDirections()) : 0)));
   double* const bounds = mode > 0 ? results.data() + size : nullptr;
-  if (mode == 2)
-  {
-    variants.GetPolynomial()->Evaluate(c.data(), count, results.data(), bounds, results.data() + 2 * size);
-    return;
-  }
-  variants.Evaluate(c.data(), count, results.data(), bounds);
+  variants.Evaluate(c.data(), count, results.data(), bounds, mode == 2 ? results.data() + 2 * size : nullptr);
 }
 
 /// Prints rows of values alone, with bounds, and with gradients. On a device a call gets so many variants

@@ -44,13 +44,10 @@ public:
 
   /**
    * Evaluates n variants, c[n][directions]: values[n][10], and if it is not null bounds[n][10]. A variant
-   * with a number that is not finite, or above MaximumNumber, is evaluated for c = 0: its results have no
-   * meaning.
+   * with a number that is not finite, or above MaximumNumber (smVariantNumbers.h), is evaluated for c = 0:
+   * its results have no meaning.
    */
   bool Evaluate(const double* c, std::size_t n, double* values, double* bounds);
-  /// The largest |c|, whose powers are far from an overflow.
-  static constexpr double MaximumNumber = 1e30;
-  static bool IsInRange(const double* c, std::size_t directions);
 
   /// Why the last call failed.
   const std::string& GetError() const;

@@ -123,6 +123,104 @@ void CheckSolid(
       AreSame(own.Bounds.data(), again.Bounds.data(), own.Bounds.size()));
 }
 
+/// Polynomials: values, bounds and gradients, with and without gradients, against the CPU's and closed forms.
+void CheckForms(const VariantSolid& solid, vtkComputeContext* context, double poles, std::size_t truths = 4)
+{
+  constexpr std::size_t count = 37;
+  const std::size_t k = solid.Ranges.size();
+  sm::VariantOptions options;
+  options.Ranges = solid.Ranges;
+  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::VariantBackend::OpenGL);
+  settings.Context = context;
+  std::string error;
+  const Integrator device = sm::VariantIntegrator::Make(solid.Shape, options, error, settings);
+  if (!CheckTrue(solid.Name + ": polynomials by OpenGL",
+        device && device->GetPolynomial() && device->GetBackend() == sm::VariantBackend::OpenGL,
+        device ? device->GetReason() : error))
+  {
+    return;
+  }
+  const std::vector<double> c = MakeNumbers(solid, count, 1.2);
+  std::vector<double> values[3], bounds[3], gradients[2], gradientBounds[2];
+  for (int i = 0; i < 3; ++i)
+  {
+    values[i].resize(10 * count);
+    bounds[i].resize(10 * count);
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    gradients[i].resize(10 * count * k);
+    gradientBounds[i].resize(10 * count * k);
+  }
+  context->ResetCounters();
+  device->Evaluate(c.data(), count, values[0].data(), bounds[0].data());
+  CheckTrue(solid.Name + ": shaders of polynomials ran", context->GetNumberOfDispatches() > 0);
+  device->Evaluate(
+    c.data(), count, values[1].data(), bounds[1].data(), gradients[0].data(), gradientBounds[0].data());
+  device->GetPolynomial()->Evaluate(
+    c.data(), count, values[2].data(), bounds[2].data(), gradients[1].data(), gradientBounds[1].data());
+  long long outside = 0;
+  for (std::size_t i = 0; i < 10 * count; ++i)
+  {
+    for (int which = 0; which < 2; ++which)
+    {
+      outside += std::abs(values[which][i] - values[2][i]) <= 2.0 * bounds[2][i] ? 0 : 1;
+    }
+    const std::size_t t = i / 10;
+    if (t < truths)
+    {
+      const Numbers at(
+        c.begin() + static_cast<std::ptrdiff_t>(t * k), c.begin() + static_cast<std::ptrdiff_t>((t + 1) * k));
+      const TenMoments truth = About(solid.Truth(at), device->GetReference());
+      const double size = std::pow(static_cast<double>(std::abs(truth[0])),
+        i % 10 == 0    ? 1.0
+          : i % 10 < 4 ? 4.0 / 3.0
+                       : 5.0 / 3.0);
+      outside +=
+        static_cast<double>(std::abs(values[0][i] - truth[i % 10])) <= bounds[0][i] + poles * size ? 0 : 1;
+    }
+  }
+  CheckEqual(solid.Name + ": polynomials outside the bounds", 0LL, outside);
+  CheckTrue(solid.Name + ": the CPU's bounds",
+    AreSame(bounds[0].data(), bounds[2].data(), 10 * count) &&
+      AreSame(gradientBounds[0].data(), gradientBounds[1].data(), 10 * count * k));
+  outside = 0;
+  for (std::size_t i = 0; i < 10 * count * k; ++i)
+  {
+    outside += std::abs(gradients[0][i] - gradients[1][i]) <= 2.0 * gradientBounds[1][i] ? 0 : 1;
+  }
+  CheckEqual(solid.Name + ": gradients outside the bounds", 0LL, outside);
+  std::vector<double> again(10 * count);
+  device->Evaluate(c.data(), count, again.data());
+  CheckTrue(
+    solid.Name + ": the same bits of polynomials twice", AreSame(again.data(), values[0].data(), 10 * count));
+  device->Evaluate(c.data() + 7 * k, 1, again.data());
+  CheckTrue(
+    solid.Name + ": the bits of a polynomial alone", AreSame(again.data(), values[0].data() + 70, 10));
+}
+
+void CheckFormFallback()
+{
+  const VariantSolid solid = MakeBoxOfSides();
+  vtkNew<vtkComputeContext> none;
+  none->SetSource(vtkComputeContext::WINDOW);
+  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::VariantBackend::OpenGL);
+  settings.Context = none;
+  std::string error;
+  const Integrator variants = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
+  CheckTrue("polynomials without a context",
+    variants && variants->GetBackend() == sm::VariantBackend::CPU &&
+      variants->GetReason().find("no OpenGL") != std::string::npos,
+    variants ? variants->GetReason() : error);
+  // Points have no gradients.
+  const Integrator points = MakePoints(solid, sm::VariantBackend::CPU, nullptr);
+  std::vector<double> values(10);
+  std::vector<double> gradients(30, 1.0);
+  points->Evaluate(std::vector<double>(3, 0.1).data(), 1, values.data(), nullptr, gradients.data());
+  CheckTrue("gradients at points are NaN",
+    std::all_of(gradients.begin(), gradients.end(), [](double x) { return std::isnan(x); }));
+}
+
 void CheckBatches(vtkComputeContext* context)
 {
   const VariantSolid solid = MakeBoxOfSides();
@@ -298,6 +396,12 @@ int TestVariantDevice(int, char*[])
   // Nets in a buffer; and more directions than polynomials have.
   CheckSolid(MakeBlock({ 4, 2, 5 }, true, 1), context, 2e-15, 1.0, 4);
   CheckSolid(MakeBlock({ 2, 3, 1 }, false, 40), context, 2e-15, 1.0, 4);
+  CheckForms(MakeEllipsoid(true), context, 2e-15);
+  CheckForms(MakePrism(), context, 1e-17);
+  CheckForms(MakeBlock({ 3, 3, 2 }, true, 10), context, 2e-15);
+  // More monomials than loops of llvmpipe may have.
+  CheckForms(MakeBlock({ 1, 1, 1 }, false, 20), context, 2e-15);
+  CheckFormFallback();
   CheckBatches(context);
   CheckNotFinite(context);
   CheckFallbacks();
