@@ -221,7 +221,10 @@ bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings,
     }
     if (!isForced && !this->Context->StartOnGPU())
     {
-      this->AddReason("no GPU");
+      // A machine without a GPU is nothing to report; a GPU that cannot be used is.
+      this->AddReason(this->Context->GetStatus() <= vtkComputeContext::NO_CONTEXT
+          ? "no GPU"
+          : "no usable GPU: " + this->Context->GetReason());
     }
   }
   return isForced || this->Context->StartOnGPU();
