@@ -75,6 +75,7 @@ struct VariantDevice::Internals
     , Numbers(context)
     , Variables(context)
     , Sums(context)
+    , BoundSums(context)
     , Nets(context)
     , Values(context)
     , Bounds(context)
@@ -86,7 +87,7 @@ struct VariantDevice::Internals
   std::size_t Directions;
   std::vector<GroupProgram> Programs;
   ComputeProgram Results;
-  ComputeBuffer Words, Numbers, Variables, Sums, Nets, Values, Bounds;
+  ComputeBuffer Words, Numbers, Variables, Sums, BoundSums, Nets, Values, Bounds;
   vtkTypeUInt64 Generation = 0;
   std::string Error;
 
@@ -179,7 +180,8 @@ std::size_t VariantDevice::Internals::GetBatchSize() const
 {
   const std::size_t row = sizeof(double) *
     std::max({ 2 * std::size_t{ NumberOfMoments }, this->Directions, this->Points.LargestNet });
-  const auto block = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize());
+  const std::size_t block =
+    std::min(static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize()), MaximumBufferBytes);
   const std::size_t fitting = block / row / VariantsOfGroup * VariantsOfGroup;
   return std::min(fitting, this->Context->IsSoftware() ? SoftwareBatch : DeviceBatch);
 }
@@ -220,11 +222,11 @@ bool VariantDevice::Internals::RunGroup(GroupProgram& own, std::uint32_t count)
 
 bool VariantDevice::Internals::RunGroups(std::uint32_t count, bool isBounds)
 {
-  const std::size_t rows = (isBounds ? 1 : 2) * std::size_t{ NumberOfMoments };
-  if (!this->Sums.Allocate(rows * count * sizeof(double)) || !this->Sums.Clear() || !this->Words.Bind(0) ||
-    !this->Numbers.Bind(1) || !this->Variables.Bind(2) || !this->Sums.Bind(3) || !this->Nets.Bind(4))
+  ComputeBuffer& sums = isBounds ? this->BoundSums : this->Sums;
+  if (!this->Words.Bind(0) || !this->Numbers.Bind(1) || !this->Variables.Bind(2) || !sums.Bind(3) ||
+    !this->Nets.Bind(4))
   {
-    return this->Fail("a batch does not fit on the GPU: " + this->GetBufferErrors());
+    return this->Fail("the buffers of a batch cannot be used: " + this->GetBufferErrors());
   }
   for (GroupProgram& program : this->Programs)
   {
@@ -254,7 +256,9 @@ bool VariantDevice::Internals::RunBatch(const double* c, std::size_t count, doub
   {
     return this->Fail("the OpenGL context was lost: " + this->Context->GetReason());
   }
-  if (!UploadVariables(this->Variables, c, count, this->Directions) ||
+  // Everything is written before the first dispatch: drivers may write a buffer before shaders have read it.
+  if (!UploadVariables(this->Variables, c, count, this->Directions) || !this->Sums.Allocate(2 * bytes) ||
+    !this->Sums.Clear() || !this->BoundSums.Allocate(bytes) || !this->BoundSums.Clear() ||
     !this->Nets.Allocate(std::max<std::size_t>(this->Points.LargestNet, 1) * count * sizeof(double)))
   {
     return this->Fail("a batch does not fit on the GPU: " + this->GetBufferErrors());

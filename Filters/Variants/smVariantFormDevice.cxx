@@ -168,8 +168,11 @@ bool VariantFormDevice::Internals::Upload()
 std::size_t VariantFormDevice::Internals::GetBatchSize(bool hasGradients) const
 {
   const FormTables& tables = this->Polynomial->GetTables(hasGradients);
-  const std::size_t row = sizeof(double) * std::max(tables.Forms.TotalColumns, this->Directions);
-  const std::size_t fitting = static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize()) / row;
+  const std::size_t gradients = hasGradients ? NumberOfMoments * this->Directions : 0;
+  const std::size_t row =
+    sizeof(double) * std::max({ tables.Forms.TotalColumns, this->Directions, gradients });
+  const std::size_t fitting =
+    std::min(static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize()), MaximumBufferBytes) / row;
   std::size_t entries = 1;
   for (const std::vector<double>& matrix : tables.Entries)
   {

@@ -21,8 +21,9 @@ bool UploadVariables(ComputeBuffer& to, const double* c, std::size_t count, std:
 
 // Invocations of a work group, as in the shaders.
 constexpr unsigned int VariantsOfGroup = 32;
-// Variants of a batch on a GPU.
+// Variants of a batch on a GPU, and bytes of its largest buffer: a GPU's memory is shared with others.
 constexpr std::size_t DeviceBatch = 131072;
+constexpr std::size_t MaximumBufferBytes = std::size_t{ 256 } << 20;
 // Mesa's llvmpipe ends all loops of an invocation, without an error, after 65,535 iterations together.
 constexpr std::size_t SoftwareSteps = 60000;
 }
