@@ -327,6 +327,33 @@ void CheckFallbacks()
   CheckFallback("a wrong shader in a new context", lost, "computes a variant wrong");
 }
 
+/// Automatic takes a GPU alone, and only where the CPU needs more than a second.
+void CheckAutomatic(vtkComputeContext* context)
+{
+  const VariantSolid solid = MakeTorusOfRadii();
+  for (const std::int64_t expected : { std::int64_t{ 1 }, std::int64_t{ 1000000000 } })
+  {
+    sm::VariantSettings settings(sm::VariantMethod::Points, sm::VariantBackend::Automatic);
+    settings.Expected = expected;
+    vtkNew<vtkComputeContext> own;
+    settings.Context = own;
+    std::string error;
+    const Integrator variants = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
+    CheckTrue("automatic for " + std::to_string(expected) + " is made", variants != nullptr, error);
+    const std::string reason = variants->GetReason();
+    const bool isOpenGL = variants->GetBackend() == sm::VariantBackend::OpenGL;
+    if (expected == 1)
+    {
+      CheckTrue("a variant needs no context", !isOpenGL && own->GetStatus() == vtkComputeContext::NOT_STARTED,
+        reason);
+      continue;
+    }
+    CheckTrue("a software renderer is not taken", !isOpenGL || !context->IsSoftware(), reason);
+    CheckTrue("what was found is in the reason",
+      reason.find(context->IsSoftware() ? "no GPU" : "OpenGL on") != std::string::npos, reason);
+  }
+}
+
 void CheckLostContext()
 {
   const VariantSolid solid = MakeBlock({ 2, 2, 2 }, true, 3);
@@ -405,6 +432,7 @@ int TestVariantDevice(int, char*[])
   CheckBatches(context);
   CheckNotFinite(context);
   CheckFallbacks();
+  CheckAutomatic(context);
   CheckLostContext();
   CheckProgress();
   return Finish();
