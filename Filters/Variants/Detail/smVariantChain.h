@@ -130,6 +130,11 @@ struct RibbonNode
 void VisitRibbonNodes(const VariantFaceChain& chain, const VariantRibbon& ribbon,
   const std::function<void(const RibbonNode&)>& visit);
 
+/// Returns the piece of an edge that a ribbon of the cut face refers to, whose trim piece runs over [start,
+/// start + width] of the edge's parameter. In the middle of a ribbon of a rounding's length another may lie.
+SMFILTERSVARIANTS_EXPORT int FindEdgePiece(
+  const EdgeCurve& curve, const Ribbon& ribbon, double start, double width);
+
 /// Evaluates a trim piece, degree + 1 pairs (s, r), and its derivative.
 void EvaluateTrim(const double* trim, int degree, double t, double point[2], double slope[2]);
 
