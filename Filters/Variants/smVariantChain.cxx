@@ -519,7 +519,7 @@ void ChainMaker::PlanRibbons(VariantOrders& orders)
     const double start = curve.Breaks[ribbon.Piece];
     const double width = curve.Breaks[ribbon.Piece + 1] - start;
     const VariantEdge& edge = this->GetEdge(coedge);
-    const int piece = edge.Curve.FindPiece(start + 0.5 * width * (ribbon.Start + ribbon.End));
+    const int piece = FindEdgePiece(edge.Curve, ribbon, start, width);
     const double* trim = this->Panels.Coefficients.data() + ribbon.Trim;
     const VariantPatch& patch = this->Result.Patches[ribbon.Patch];
     VariantRibbon planned{};
@@ -529,7 +529,7 @@ void ChainMaker::PlanRibbons(VariantOrders& orders)
     planned.Start = ribbon.Start;
     planned.End = ribbon.End;
     planned.Edge = this->AddEdge(edge, piece, patch);
-    planned.EdgeDegree = ribbon.EdgeDegree;
+    planned.EdgeDegree = edge.Curve.GetDegree(piece);
     planned.EdgeStart = ribbon.EdgeStart;
     planned.EdgeEnd = ribbon.EdgeEnd;
     planned.Sign = ribbon.FlipNormal ? -1.0 : 1.0;

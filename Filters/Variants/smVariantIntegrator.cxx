@@ -1,282 +1,40 @@
 #include "smVariantIntegrator.h"
 
+#include "Detail/smVariantIntegratorInternals.h"
 #include "Detail/smVariantKernels.h"
-#include "Detail/smVariantPoints.h"
+#include "Detail/smVariantPointsWriter.h"
 #include "Detail/smVariantScales.h"
 #include "Detail/smVariantSums.h"
-#include "smBernstein.h"
-#include "smGaussLegendre.h"
+#include "smFormat.h"
 #include "smParallelFor.h"
 #include "smUnitRoundoff.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
-#include <limits>
 
 namespace sm
 {
-namespace
+std::string FormatMicroseconds(double seconds)
 {
-constexpr double PointsRounding = 1.0 + 1e-11;
-
-/// Writes the samples of a face and the nets that they refer to.
-class PointsWriter
-{
-public:
-  explicit PointsWriter(const VariantFaceChain& chain)
-    : Chain(chain)
-    , Variables(chain.GetNumberOfVariables())
-  {
-    this->Face.Directions = chain.Directions;
-  }
-
-  PointsFace Write()
-  {
-    for (const VariantPatch& patch : this->Chain.Patches)
-    {
-      this->NetOfPatch.push_back(this->AddPatch(patch));
-    }
-    for (const VariantPanel& panel : this->Chain.Panels)
-    {
-      this->AddPanel(panel);
-    }
-    for (const VariantRibbon& ribbon : this->Chain.Ribbons)
-    {
-      this->AddRibbon(ribbon);
-    }
-    for (const VariantCap& cap : this->Chain.Caps)
-    {
-      this->AddCap(cap);
-    }
-    return std::move(this->Face);
-  }
-
-private:
-  /// Appends a number of the nets: get(variable).
-  template <typename Get>
-  void AddNumber(const Get& get)
-  {
-    for (int a = 0; a < this->Variables; ++a)
-    {
-      this->Face.Nets.push_back(get(a));
-    }
-    ++this->Face.NetSize;
-  }
-  void AddNet(const std::vector<double>& net, int count)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      for (int i = 0; i < count; ++i)
-      {
-        this->AddNumber([&](int a) { return net[(3 * static_cast<std::size_t>(a) + c) * count + i]; });
-      }
-    }
-  }
-  std::size_t AddPatch(const VariantPatch& patch)
-  {
-    const std::size_t first = this->Face.NetSize;
-    for (int c = 0; c < 3; ++c)
-    {
-      this->AddNumber([&](int a) { return patch.Centers[a][c]; });
-    }
-    this->AddNet(patch.Points, patch.GetNumberOfPoints());
-    this->AddNet(patch.StepsS, patch.GetNumberOfStepsS());
-    this->AddNet(patch.StepsR, patch.GetNumberOfStepsR());
-    return first;
-  }
-  PointsBlock MakeBlock(PointsKind kind, std::uint32_t index) const
-  {
-    const VariantPatch& patch = this->Chain.Patches[index];
-    return { kind, patch.GetNumberOfPoints(), patch.GetNumberOfStepsS(), patch.GetNumberOfStepsR(), 0,
-      this->NetOfPatch[index], 0, this->Face.Records.size(), 0, 0 };
-  }
-  void Append(const std::vector<double>& values, double factor)
-  {
-    for (const double value : values)
-    {
-      this->Face.Records.push_back(factor * value);
-    }
-  }
-
-  void AddPanel(const VariantPanel& panel)
-  {
-    const VariantPatch& patch = this->Chain.Patches[panel.Patch];
-    PointsBlock block = this->MakeBlock(PointsKind::Panel, panel.Patch);
-    block.RecordSize = 3 + static_cast<std::size_t>(block.Points + block.StepsS + block.StepsR);
-    PatchBasis basis;
-    VisitPanelNodes(this->Chain, panel,
-      [&](double weight, double s, double r)
-      {
-        patch.FillBasis(s, r, basis);
-        this->Face.Records.insert(this->Face.Records.end(), { weight, basis.TurnS, basis.TurnR });
-        this->Append(basis.Position, 1.0);
-        this->Append(basis.First, 1.0);
-        this->Append(basis.Second, 1.0);
-        ++block.Count;
-      });
-    this->Face.Blocks.push_back(block);
-  }
-
-  void AddRibbon(const VariantRibbon& ribbon)
-  {
-    const VariantPatch& patch = this->Chain.Patches[ribbon.Patch];
-    const int n = ribbon.EdgeDegree;
-    PointsBlock block = this->MakeBlock(PointsKind::Ribbon, ribbon.Patch);
-    block.EdgePoints = n + 1;
-    block.EdgeNet = this->Face.NetSize;
-    block.RecordSize =
-      2 + static_cast<std::size_t>(block.Points + block.StepsS + block.StepsR + 2 * block.EdgePoints);
-    for (int c = 0; c < 3; ++c)
-    {
-      for (int i = 0; i <= n; ++i)
-      {
-        this->AddNumber(
-          [&](int a) {
-            return this->Chain
-              .Coefficients[ribbon.Edge + 3 * ((n + 1) * static_cast<std::size_t>(a) + i) + c];
-          });
-      }
-    }
-    const double* rule =
-      GetRuleTable().data() + static_cast<std::ptrdiff_t>(ribbon.Along) * (ribbon.Along - 1);
-    const double width = ribbon.End - ribbon.Start;
-    const double edgeWidth = ribbon.EdgeEnd - ribbon.EdgeStart;
-    PatchBasis basis;
-    for (int i = 0; i < ribbon.Along; ++i)
-    {
-      double point[2];
-      double slope[2];
-      EvaluateTrim(this->Chain.Coefficients.data() + ribbon.Trim, ribbon.TrimDegree,
-        ribbon.Start + width * rule[2 * i], point, slope);
-      patch.FillBasis(point[0], point[1], basis);
-      const double slopes[2] = { width * slope[0], width * slope[1] };
-      this->Face.Records.push_back(ribbon.Sign * rule[2 * i + 1]);
-      this->Face.Records.push_back(slopes[0] * basis.TurnS + slopes[1] * basis.TurnR);
-      this->Append(basis.Position, 1.0);
-      this->Append(basis.First, slopes[0]);
-      this->Append(basis.Second, slopes[1]);
-      const double e = ribbon.EdgeStart + edgeWidth * rule[2 * i];
-      std::vector<double> own(n + 1);
-      std::vector<double> lower(n + 1, 0.0);
-      FillBernsteinBasis(n, e, own.data());
-      std::vector<double> derivative(n + 1, 0.0);
-      if (n > 0)
-      {
-        FillBernsteinBasis(n - 1, e, lower.data());
-        for (int k = 0; k <= n; ++k)
-        {
-          derivative[k] = n * ((k > 0 ? lower[k - 1] : 0.0) - (k < n ? lower[k] : 0.0));
-        }
-      }
-      this->Append(own, 1.0);
-      this->Append(derivative, edgeWidth);
-      ++block.Count;
-    }
-    this->Face.Blocks.push_back(block);
-  }
-
-  void AddCap(const VariantCap& cap)
-  {
-    PointsBlock block{ PointsKind::Cap, 0, 0, 0, 0, this->Face.NetSize, 0, this->Face.Records.size(), 1, 1 };
-    for (const auto& corner : cap.Corners)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        this->AddNumber([&](int a) { return corner[c][a]; });
-      }
-    }
-    this->Face.Records.push_back(cap.Sign);
-    this->Face.Blocks.push_back(block);
-  }
-
-  const VariantFaceChain& Chain;
-  const int Variables;
-  std::vector<std::size_t> NetOfPatch;
-  PointsFace Face;
-};
-
-/// The errors of a face's items as numbers, for any |c|: three vectors of forms, [coordinate][variable].
-struct PointsErrors
-{
-  std::vector<int> Directions;
-  std::vector<VariantError> Terms;
-};
-
-std::array<ErrorBound, 3> EvaluateForms3(
-  const std::array<std::vector<ErrorBound>, 3>& forms, const std::vector<double>& sizes)
-{
-  std::array<ErrorBound, 3> sums{};
-  for (int c = 0; c < 3; ++c)
-  {
-    for (std::size_t a = 0; a < sizes.size(); ++a)
-    {
-      sums[c].Value += sizes[a] * forms[c][a].Value;
-      sums[c].Error += sizes[a] * forms[c][a].Error;
-    }
-  }
-  return sums;
+  return FormatDigits(1e6 * seconds, 4) + " us";
 }
 
-/**
- * Adds the bounds of a face's items. A net is a sum of products with c, which adds one rounding for each
- * variable and two more to the numbers of the net; errors of positions and tangents are at least 2 unit
- * roundoffs of these, those of a patch's centre no more.
- */
-void AddErrors(
-  const PointsErrors& face, const std::vector<double>& sizes, std::array<double, NumberOfMoments>& bounds)
-{
-  const double growth = 1.0001 * (1.0 + (static_cast<double>(sizes.size()) + 2.0) / 2.0);
-  for (const VariantError& term : face.Terms)
-  {
-    const auto flux = GetFluxBounds(EvaluateForms3(term.Forms.Position, sizes),
-      EvaluateForms3(term.Forms.First, sizes), EvaluateForms3(term.Forms.Second, sizes));
-    for (int m = 0; m < NumberOfMoments; ++m)
-    {
-      bounds[m] +=
-        PointsRounding * (term.ValueFactor * flux[m].Value + term.ErrorFactor * growth * flux[m].Error);
-    }
-  }
-}
-
-double Now()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-}
-
-struct VariantIntegrator::Internals
-{
-  std::shared_ptr<const VariantShape> Shape;
-  std::shared_ptr<const VariantPolynomial> Polynomial;
-  std::array<double, 3> Reference{};
-  std::vector<PointsFace> Faces;
-  std::vector<PointsErrors> Errors;
-  /// Of the faces that nothing moves.
-  std::array<double, NumberOfMoments> Constant{};
-  std::array<double, NumberOfMoments> ConstantBound{};
-  std::vector<VariantGap> Gaps;
-  std::int64_t Samples = 0;
-  std::string Reason;
-
-  void AddFaces(std::vector<VariantFaceChain>& chains);
-  void EvaluatePoints(const double* c, std::size_t n, double* values, double* bounds) const;
-  double MeasurePoints() const;
-};
-
-void VariantIntegrator::Internals::AddFaces(std::vector<VariantFaceChain>& chains)
+void VariantIntegrator::Internals::AddFaces(std::vector<VariantFaceChain>& chains, DevicePointsWriter* writer)
 {
   const VariantMonomials one(1);
   VariantTotals totals(one);
   const VariantMap map(one, {}, one);
   for (VariantFaceChain& chain : chains)
   {
+    if (writer)
+    {
+      writer->AddFace(chain);
+    }
     PointsErrors errors{ chain.Directions, std::move(chain.Errors) };
     if (!chain.Directions.empty())
     {
       this->Samples += CountSamples(chain);
-      this->Faces.push_back(PointsWriter(chain).Write());
+      this->Faces.push_back(WritePoints(chain));
       this->Errors.push_back(std::move(errors));
       continue;
     }
@@ -295,7 +53,7 @@ void VariantIntegrator::Internals::EvaluatePoints(
   const double* c, std::size_t n, double* values, double* bounds) const
 {
   const std::size_t lanes = GetVariantLanes();
-  const auto directions = static_cast<std::size_t>(this->Shape->GetNumberOfDirections());
+  const std::size_t directions = this->GetDirections();
   ParallelFor((n + lanes - 1) / lanes, 8,
     [&](std::size_t begin, std::size_t end)
     {
@@ -327,15 +85,7 @@ void VariantIntegrator::Internals::EvaluatePoints(
             continue;
           }
           std::array<double, NumberOfMoments> total = this->ConstantBound;
-          for (const PointsErrors& errors : this->Errors)
-          {
-            sizes.assign(1, 1.0);
-            for (const int direction : errors.Directions)
-            {
-              sizes.push_back(std::abs(c[(first + lane) * directions + static_cast<std::size_t>(direction)]));
-            }
-            AddErrors(errors, sizes, total);
-          }
+          AddErrors(this->Errors, c + (first + lane) * directions, sizes, total);
           for (int m = 0; m < NumberOfMoments; ++m)
           {
             const double value = values[(first + lane) * NumberOfMoments + m];
@@ -352,16 +102,63 @@ void VariantIntegrator::Internals::EvaluatePoints(
 double VariantIntegrator::Internals::MeasurePoints() const
 {
   const std::size_t n = 4 * static_cast<std::size_t>(GetVariantLanes());
-  const std::vector<double> c(n * static_cast<std::size_t>(this->Shape->GetNumberOfDirections()), 0.0);
+  const std::vector<double> c(n * this->GetDirections(), 0.0);
   std::vector<double> values(n * NumberOfMoments);
-  double seconds = std::numeric_limits<double>::max();
-  for (int i = 0; i < 3; ++i)
+  return MeasureVariants(n, [&]() { this->EvaluatePoints(c.data(), n, values.data(), nullptr); });
+}
+
+bool VariantIntegrator::Internals::MakePoints(
+  const VariantSettings& settings, const VariantChainOptions& options, double& seconds, std::string& error)
+{
+  std::vector<VariantFaceChain> chains;
+  if (!MakeChains(*this->Shape, options, GetPartOf(settings.Progress, 0.0, 0.5), chains, error))
   {
-    const double start = Now();
-    this->EvaluatePoints(c.data(), n, values.data(), nullptr);
-    seconds = std::min(seconds, Now() - start);
+    return false;
   }
-  return seconds / static_cast<double>(n);
+  this->Gaps = FindGaps(chains, this->Shape->GetNumberOfDirections());
+  DevicePointsWriter writer;
+  const bool isForDevice = settings.Backend != VariantBackend::CPU;
+  this->AddFaces(chains, isForDevice ? &writer : nullptr);
+  seconds = this->MeasurePoints();
+  this->Reason =
+    "a variant takes " + FormatMicroseconds(seconds) + " at frozen points on a thread of the CPU";
+  if (isForDevice)
+  {
+    seconds = this->ChooseDevice(settings, writer.Finish(), seconds);
+  }
+  return true;
+}
+
+bool VariantIntegrator::Internals::TryPolynomial(
+  const VariantSettings& settings, const VariantOptions& options, double ofPoints, std::string& error)
+{
+  const bool isOnly = settings.Method == VariantMethod::Polynomial;
+  const auto polynomial = VariantPolynomial::Make(
+    this->Shape, options, error, GetPartOf(settings.Progress, isOnly ? 0.0 : 0.5, 1.0));
+  if (!polynomial)
+  {
+    return false;
+  }
+  const std::size_t n = 16 * static_cast<std::size_t>(GetVariantLanes());
+  const std::vector<double> c(n * this->GetDirections(), 0.0);
+  std::vector<double> values(n * NumberOfMoments);
+  const double seconds = MeasureVariants(n, [&]() { polynomial->Evaluate(c.data(), n, values.data()); });
+  this->AddReason((this->Reason.empty() ? "a variant takes " : "") + FormatMicroseconds(seconds) +
+    " as a polynomial, which took " + FormatDigits(polynomial->GetSeconds(), 4) + " s to make");
+  if (this->ChooseFormDevice(settings, polynomial, seconds) < ofPoints || isOnly)
+  {
+    this->Gaps = polynomial->GetGaps();
+    this->Samples = 0;
+    this->Faces.clear();
+    this->Errors.clear();
+    this->Device = nullptr;
+  }
+  else
+  {
+    this->Polynomial = nullptr;
+    this->FormDevice = nullptr;
+  }
+  return true;
 }
 
 VariantIntegrator::VariantIntegrator(std::unique_ptr<Internals> implementation)
@@ -373,9 +170,10 @@ VariantIntegrator::~VariantIntegrator() = default;
 
 std::shared_ptr<const VariantIntegrator> VariantIntegrator::Make(
   const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error,
-  VariantMethod method, std::int64_t expected)
+  const VariantSettings& settings)
 try
 {
+  const VariantMethod method = settings.Method;
   error = !shape ? "there is no shape: make one first" : FindProblem(options, shape->GetNumberOfDirections());
   if (error.empty() && method == VariantMethod::Polynomial &&
     shape->GetNumberOfDirections() > VariantPolynomial::MaximumDirections)
@@ -390,57 +188,24 @@ try
   auto internals = std::make_unique<Internals>();
   internals->Shape = shape;
   const VariantChainOptions chainOptions = MakeChainOptions(*shape, options);
+  internals->Ranges = chainOptions.Ranges;
   for (int c = 0; c < 3; ++c)
   {
     internals->Reference[c] = chainOptions.Reference[c] + shape->GetBase()->GetOrigin()[c];
   }
   double ofPoints = 0.0;
-  if (method != VariantMethod::Polynomial)
+  if (method != VariantMethod::Polynomial && !internals->MakePoints(settings, chainOptions, ofPoints, error))
   {
-    std::vector<VariantFaceChain> chains;
-    if (!MakeChains(*shape, chainOptions, chains, error))
-    {
-      return nullptr;
-    }
-    internals->Gaps = FindGaps(chains, shape->GetNumberOfDirections());
-    internals->AddFaces(chains);
-    ofPoints = internals->MeasurePoints();
-    internals->Reason = "a variant takes " + std::to_string(1e6 * ofPoints) + " us at frozen points";
+    return nullptr;
   }
   const bool isTried = method == VariantMethod::Polynomial ||
     (method == VariantMethod::Automatic &&
       shape->GetNumberOfDirections() <= VariantPolynomial::MaximumDirections &&
       // Below the time that a small polynomial takes there is nothing to gain.
-      ofPoints * static_cast<double>(expected) > 0.01);
-  if (isTried)
+      ofPoints * static_cast<double>(settings.Expected) > 0.01);
+  if (isTried && !internals->TryPolynomial(settings, options, ofPoints, error))
   {
-    const auto polynomial = VariantPolynomial::Make(shape, options, error);
-    if (!polynomial)
-    {
-      return nullptr;
-    }
-    const std::size_t n = 16 * static_cast<std::size_t>(GetVariantLanes());
-    const std::vector<double> c(n * static_cast<std::size_t>(shape->GetNumberOfDirections()), 0.0);
-    std::vector<double> values(n * NumberOfMoments);
-    double seconds = std::numeric_limits<double>::max();
-    for (int i = 0; i < 3; ++i)
-    {
-      const double start = Now();
-      polynomial->Evaluate(c.data(), n, values.data());
-      seconds = std::min(seconds, Now() - start);
-    }
-    seconds /= static_cast<double>(n);
-    internals->Reason += (internals->Reason.empty() ? "a variant takes " : ", ") +
-      std::to_string(1e6 * seconds) + " us as a polynomial, which took " +
-      std::to_string(polynomial->GetSeconds()) + " s to make";
-    if (method == VariantMethod::Polynomial || seconds < ofPoints)
-    {
-      internals->Polynomial = polynomial;
-      internals->Gaps = polynomial->GetGaps();
-      internals->Samples = 0;
-      internals->Faces.clear();
-      internals->Errors.clear();
-    }
+    return nullptr;
   }
   return std::shared_ptr<const VariantIntegrator>(new VariantIntegrator(std::move(internals)));
 }
@@ -455,8 +220,16 @@ VariantMethod VariantIntegrator::GetMethod() const
   return this->Implementation->Polynomial ? VariantMethod::Polynomial : VariantMethod::Points;
 }
 
-const std::string& VariantIntegrator::GetReason() const
+VariantBackend VariantIntegrator::GetBackend() const
 {
+  const std::lock_guard<std::mutex> lock(this->Implementation->Mutex);
+  return this->Implementation->Device || this->Implementation->FormDevice ? VariantBackend::OpenGL
+                                                                          : VariantBackend::CPU;
+}
+
+std::string VariantIntegrator::GetReason() const
+{
+  const std::lock_guard<std::mutex> lock(this->Implementation->Mutex);
   return this->Implementation->Reason;
 }
 
@@ -485,15 +258,34 @@ std::int64_t VariantIntegrator::GetNumberOfSamples() const
   return this->Implementation->Samples;
 }
 
-void VariantIntegrator::Evaluate(const double* c, std::size_t n, double* values, double* bounds) const
+void VariantIntegrator::Evaluate(const double* c, std::size_t n, double* values, double* bounds,
+  double* gradients, double* gradientBounds) const
 {
-  if (this->Implementation->Polynomial)
+  Internals& self = *this->Implementation;
+  const std::size_t directions = self.GetDirections();
+  const VariantPolynomial* polynomial = self.Polynomial.get();
+  if (polynomial && !self.EvaluateFormsOnDevice(c, n, values, gradients))
   {
-    this->Implementation->Polynomial->Evaluate(c, n, values, bounds);
+    polynomial->Evaluate(c, n, values, bounds, gradients, gradientBounds);
     return;
   }
-  this->Implementation->EvaluatePoints(c, n, values, bounds);
-  HideNotFinite(c, static_cast<std::size_t>(this->GetNumberOfDirections()), n,
-    { { values, NumberOfValues }, { bounds, NumberOfValues } });
+  if (polynomial)
+  {
+    polynomial->EvaluateBounds(c, n, bounds, gradientBounds);
+  }
+  else if (!self.EvaluateOnDevice(c, n, values, bounds))
+  {
+    self.EvaluatePoints(c, n, values, bounds);
+  }
+  for (double* unknown : { gradients, gradientBounds })
+  {
+    if (unknown && !polynomial)
+    {
+      std::fill_n(unknown, n * NumberOfValues * directions, std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  HideNotFinite(c, directions, n,
+    { { values, NumberOfValues }, { bounds, NumberOfValues }, { gradients, NumberOfValues * directions },
+      { gradientBounds, NumberOfValues * directions } });
 }
 }

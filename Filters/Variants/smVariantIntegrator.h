@@ -9,6 +9,9 @@
  *
  * Moments and bounds are those of smVariantPolynomial.h. At frozen points a bound is that of the variant's
  * own c: the bounds of all items are forms, which are evaluated at |c|.
+ *
+ * Either way runs on the CPU, or by compute shaders (OpenGL 4.3 with doubles), one invocation for each
+ * variant. Both have the same samples or coefficients; their sums are rounded differently, within the bounds.
  */
 #ifndef smVariantIntegrator_h
 #define smVariantIntegrator_h
@@ -21,6 +24,8 @@
 #include <memory>
 #include <string>
 
+class vtkComputeContext;
+
 namespace sm
 {
 enum class VariantMethod
@@ -31,23 +36,57 @@ enum class VariantMethod
   Points
 };
 
-/// Immutable after Make(). Thread safe.
+/// The device that evaluates variants.
+enum class VariantBackend
+{
+  /// OpenGL if the context is that of a GPU, the expected number of variants takes the CPU more than a
+  /// second, and OpenGL is measured to be faster; else the CPU.
+  Automatic,
+  CPU,
+  /// OpenGL, also of a software renderer; the CPU where there is no context, no double precision, or a wrong
+  /// result, with the reason.
+  OpenGL
+};
+
+/// How an integrator is made.
+struct VariantSettings
+{
+  VariantSettings(
+    VariantMethod method = VariantMethod::Automatic, VariantBackend backend = VariantBackend::Automatic)
+    : Method(method)
+    , Backend(backend)
+  {
+  }
+
+  VariantMethod Method;
+  VariantBackend Backend;
+  /// The number of variants that Automatic is to be fast for.
+  std::int64_t Expected = 100000;
+  /// Called by the thread that calls Make(), between portions of the faces; returns false to stop.
+  ProgressCallback Progress;
+  /// For OpenGL; null: a context of its own, on the X display or without any by EGL. It is used by one thread
+  /// at a time, and by none but the integrator during a call of it.
+  vtkComputeContext* Context = nullptr;
+};
+
+/// Immutable after Make(), except that it leaves OpenGL where that fails. Thread safe; with OpenGL one call
+/// of Evaluate() runs at a time.
 class SMFILTERSVARIANTS_EXPORT VariantIntegrator
 {
 public:
   static constexpr int NumberOfValues = 10;
 
-  /// `expected` is the number of variants, which decides between both with Automatic. Returns null with the
-  /// reason in `error`, see VariantPolynomial::Make().
+  /// Returns null with the reason in `error`, see VariantPolynomial::Make().
   static std::shared_ptr<const VariantIntegrator> Make(const std::shared_ptr<const VariantShape>& shape,
-    const VariantOptions& options, std::string& error, VariantMethod method = VariantMethod::Automatic,
-    std::int64_t expected = 100000);
+    const VariantOptions& options, std::string& error, const VariantSettings& settings = {});
   ~VariantIntegrator();
 
   /// Polynomial or Points.
   VariantMethod GetMethod() const;
-  /// Why: the seconds of both, for a variant and for making them; a sentence.
-  const std::string& GetReason() const;
+  /// CPU or OpenGL. It becomes CPU where OpenGL fails.
+  VariantBackend GetBackend() const;
+  /// Why: the seconds of those that were tried, for a variant and for making them, and why OpenGL was left.
+  std::string GetReason() const;
   int GetNumberOfDirections() const;
   const std::array<double, 3>& GetReference() const;
   const std::vector<VariantGap>& GetGaps() const;
@@ -56,9 +95,15 @@ public:
   /// Samples that are evaluated for each variant; those of faces that nothing moves are not among them.
   std::int64_t GetNumberOfSamples() const;
 
-  /// Evaluates n variants, c[n][K], on the threads of vtkSMPTools: values[n][10], and if it is not null
-  /// bounds[n][10]; NaN for a variant with a number that is not finite. Throws std::bad_alloc.
-  void Evaluate(const double* c, std::size_t n, double* values, double* bounds = nullptr) const;
+  /**
+   * Evaluates n variants, c[n][K], by OpenGL or on the threads of vtkSMPTools: values[n][10], and where they
+   * are not null bounds[n][10]; with polynomials also gradients[n][10][K] by c, and bounds of these, which
+   * are NaN with points. All are NaN for a variant with a number that is not finite. The bits of a variant do
+   * not depend on the others of the call. Where OpenGL fails the CPU evaluates all of them. Throws
+   * std::bad_alloc.
+   */
+  void Evaluate(const double* c, std::size_t n, double* values, double* bounds = nullptr,
+    double* gradients = nullptr, double* gradientBounds = nullptr) const;
 
 private:
   struct Internals;

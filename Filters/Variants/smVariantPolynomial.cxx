@@ -1,5 +1,6 @@
 #include "smVariantPolynomial.h"
 
+#include "Detail/smVariantFormTables.h"
 #include "Detail/smVariantKernels.h"
 #include "Detail/smVariantScales.h"
 #include "Detail/smVariantSums.h"
@@ -17,58 +18,6 @@ namespace sm
 {
 namespace
 {
-/// Matrices of the kernels with what they refer to.
-struct FormTables
-{
-  std::vector<std::size_t> Counts;
-  std::vector<std::vector<double>> Entries;
-  std::vector<VariantMatrix> Matrices;
-  VariantForms Forms;
-
-  void Begin(const VariantMonomials& monomials, int degree)
-  {
-    for (int d = 0; d <= MaximumFormDegree; ++d)
-    {
-      for (int n = 0; n <= monomials.GetVariables(); ++n)
-      {
-        this->Counts.push_back(monomials.GetCount(d, n));
-      }
-    }
-    this->Forms.Variables = monomials.GetVariables();
-    this->Forms.MaximumDegree = degree;
-  }
-  /// Adds a matrix; `get(row, column)` gives its entries.
-  template <typename Get>
-  void Add(int degree, std::size_t rows, std::size_t columns, const Get& get)
-  {
-    VariantMatrix matrix;
-    matrix.Degree = degree;
-    matrix.Rows = rows;
-    matrix.Columns = (columns + 3) / 4 * 4;
-    std::vector<double> entries(matrix.Rows * matrix.Columns, 0.0);
-    for (std::size_t column = 0; column < columns; ++column)
-    {
-      for (std::size_t row = 0; row < rows; ++row)
-      {
-        entries[(column / 4 * rows + row) * 4 + column % 4] = get(row, column);
-      }
-    }
-    this->Entries.push_back(std::move(entries));
-    this->Matrices.push_back(matrix);
-    this->Forms.TotalColumns += matrix.Columns;
-  }
-  void Finish()
-  {
-    for (std::size_t i = 0; i < this->Matrices.size(); ++i)
-    {
-      this->Matrices[i].Entries = this->Entries[i].data();
-    }
-    this->Forms.Counts = this->Counts.data();
-    this->Forms.Matrices = this->Matrices.data();
-    this->Forms.MatrixCount = this->Matrices.size();
-  }
-};
-
 /**
  * The bound of a polynomial's value for |c|: constant and linear terms exactly; with theta = max |c_k| /
  * range_k, the terms of degree j >= 2 are at most theta^j times their sum at |c| = range. The same of its
@@ -105,7 +54,8 @@ struct VariantPolynomial::Internals
   }
 
   void AddErrors(const std::vector<VariantFaceChain>& chains);
-  void AddFaces(const std::vector<VariantFaceChain>& chains);
+  /// Returns false if `progress` did.
+  bool AddFaces(const std::vector<VariantFaceChain>& chains, const ProgressCallback& progress);
   void MakeTables();
   void MakeBounds(double roundings);
   void EvaluateBatch(const FormTables& tables, const double* c, std::size_t count, double* values,
@@ -127,7 +77,8 @@ struct VariantPolynomial::Internals
   double Seconds = 0.0;
 };
 
-void VariantPolynomial::Internals::AddFaces(const std::vector<VariantFaceChain>& chains)
+bool VariantPolynomial::Internals::AddFaces(
+  const std::vector<VariantFaceChain>& chains, const ProgressCallback& progress)
 {
   VariantTotals totals(this->Monomials);
   // Faces in parallel, and their sums in the order of the faces, so that the result does not depend on
@@ -139,6 +90,10 @@ void VariantPolynomial::Internals::AddFaces(const std::vector<VariantFaceChain>&
   };
   for (std::size_t first = 0; first < chains.size(); first += FacesAtOnce)
   {
+    if (progress && !progress(static_cast<double>(first) / static_cast<double>(chains.size())))
+    {
+      return false;
+    }
     std::vector<FaceSums> faces(std::min(FacesAtOnce, chains.size() - first));
     ParallelFor(faces.size(), 1,
       [&](std::size_t begin, std::size_t end)
@@ -183,6 +138,7 @@ void VariantPolynomial::Internals::AddFaces(const std::vector<VariantFaceChain>&
       this->Bounds[m][i] += 2.0 * UnitRoundoff * std::abs(this->Coefficients[m][i]);
     }
   }
+  return true;
 }
 
 void VariantPolynomial::Internals::AddErrors(const std::vector<VariantFaceChain>& chains)
@@ -364,7 +320,8 @@ VariantPolynomial::VariantPolynomial(std::unique_ptr<Internals> implementation)
 VariantPolynomial::~VariantPolynomial() = default;
 
 std::shared_ptr<const VariantPolynomial> VariantPolynomial::Make(
-  const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error)
+  const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error,
+  const ProgressCallback& progress)
 try
 {
   error = !shape ? "there is no shape: make one first" : FindProblem(options, shape->GetNumberOfDirections());
@@ -381,7 +338,7 @@ try
   auto internals = std::make_unique<Internals>(shape);
   const VariantChainOptions chainOptions = MakeChainOptions(*shape, options);
   std::vector<VariantFaceChain> chains;
-  if (!MakeChains(*shape, chainOptions, chains, error))
+  if (!MakeChains(*shape, chainOptions, GetPartOf(progress, 0.0, 0.3), chains, error))
   {
     return nullptr;
   }
@@ -396,7 +353,11 @@ try
     internals->Bounds[m] = internals->Coefficients[m];
   }
   internals->AddErrors(chains);
-  internals->AddFaces(chains);
+  if (!internals->AddFaces(chains, GetPartOf(progress, 0.3, 1.0)))
+  {
+    error = StoppedReason;
+    return nullptr;
+  }
   internals->Gaps = FindGaps(chains, internals->Directions);
   internals->MakeTables();
   internals->Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -455,6 +416,36 @@ std::vector<int> VariantPolynomial::GetPowers(int moment, std::size_t index) con
   return powers;
 }
 
+const FormTables& VariantPolynomial::GetTables(bool areDerivatives) const
+{
+  return areDerivatives ? this->Implementation->Derivatives : this->Implementation->Plain;
+}
+
+void VariantPolynomial::EvaluateBounds(
+  const double* c, std::size_t n, double* bounds, double* gradientBounds) const
+{
+  const auto directions = static_cast<std::size_t>(this->GetNumberOfDirections());
+  ParallelFor(bounds || gradientBounds ? n : 0, 1024,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->Implementation->EvaluateBounds(c + i * directions,
+          bounds ? bounds + i * NumberOfMoments : nullptr,
+          gradientBounds ? gradientBounds + i * NumberOfMoments * directions : nullptr);
+      }
+    });
+  const auto hideUnknown = [](double* to, std::size_t size)
+  {
+    for (std::size_t i = 0; to && i < size; ++i)
+    {
+      to[i] = std::isfinite(to[i]) ? to[i] : std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  hideUnknown(bounds, n * NumberOfMoments);
+  hideUnknown(gradientBounds, n * NumberOfMoments * directions);
+}
+
 void VariantPolynomial::Evaluate(const double* c, std::size_t n, double* values, double* bounds,
   double* gradients, double* gradientBounds) const
 {
@@ -474,22 +465,9 @@ void VariantPolynomial::Evaluate(const double* c, std::size_t n, double* values,
         const std::size_t count = std::min(lanes, n - first);
         self.EvaluateBatch(tables, c + first * directions, count, values + first * NumberOfMoments,
           gradients ? gradients + first * NumberOfMoments * directions : nullptr, columns, scratch);
-        for (std::size_t i = first; i < first + count && (bounds || gradientBounds); ++i)
-        {
-          self.EvaluateBounds(c + i * directions, bounds ? bounds + i * NumberOfMoments : nullptr,
-            gradientBounds ? gradientBounds + i * NumberOfMoments * directions : nullptr);
-        }
       }
     });
-  const auto hideUnknown = [](double* to, std::size_t size)
-  {
-    for (std::size_t i = 0; to && i < size; ++i)
-    {
-      to[i] = std::isfinite(to[i]) ? to[i] : std::numeric_limits<double>::quiet_NaN();
-    }
-  };
-  hideUnknown(bounds, n * NumberOfMoments);
-  hideUnknown(gradientBounds, n * NumberOfMoments * directions);
+  this->EvaluateBounds(c, n, bounds, gradientBounds);
   HideNotFinite(c, directions, n,
     { { values, NumberOfMoments }, { bounds, NumberOfMoments }, { gradients, NumberOfMoments * directions },
       { gradientBounds, NumberOfMoments * directions } });

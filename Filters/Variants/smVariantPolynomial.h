@@ -20,6 +20,7 @@
 
 #include "smFiltersVariantsModule.h"
 
+#include "smProgressCallback.h"
 #include "smVariantShape.h"
 
 #include <array>
@@ -30,6 +31,8 @@
 
 namespace sm
 {
+struct FormTables;
+
 struct VariantOptions
 {
   /// |c_k| for which the error of quadrature meets the tolerance, positive; one for each direction, or empty:
@@ -77,9 +80,10 @@ public:
   static constexpr int MaximumDirections = 24;
 
   /// Integrates the coefficients, on the threads of vtkSMPTools. Returns null with the reason in `error`: an
-  /// option out of its range, more than MaximumDirections, a face that cannot be cut, a lack of memory.
-  static std::shared_ptr<const VariantPolynomial> Make(
-    const std::shared_ptr<const VariantShape>& shape, const VariantOptions& options, std::string& error);
+  /// option out of its range, more than MaximumDirections, a face that cannot be cut, a lack of memory, or
+  /// that `progress`, which the calling thread calls between portions of the faces, returned false.
+  static std::shared_ptr<const VariantPolynomial> Make(const std::shared_ptr<const VariantShape>& shape,
+    const VariantOptions& options, std::string& error, const ProgressCallback& progress = {});
   ~VariantPolynomial();
 
   int GetNumberOfDirections() const;
@@ -102,6 +106,12 @@ public:
    */
   void Evaluate(const double* c, std::size_t n, double* values, double* bounds = nullptr,
     double* gradients = nullptr, double* gradientBounds = nullptr) const;
+
+  /// The bounds alone, of the same values and gradients.
+  void EvaluateBounds(const double* c, std::size_t n, double* bounds, double* gradientBounds = nullptr) const;
+
+  /// The forms of the moments, or of their derivatives by (1, c). For this module's own classes.
+  const FormTables& GetTables(bool areDerivatives) const;
 
   /// What each direction opens.
   const std::vector<VariantGap>& GetGaps() const;

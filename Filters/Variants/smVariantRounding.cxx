@@ -153,6 +153,7 @@ void VariantOrders::Finish()
     rounding.ValueFactor = RoundingsOfSums * UnitRoundoff * state->Weight;
     rounding.ErrorFactor = state->Weight;
     rounding.Forms = BoundSamples(state->Source, state->Outside, true);
+    rounding.Patch = static_cast<int>(&state - this->States.data());
     this->Chain.Errors.push_back(std::move(rounding));
     for (Target& target : state->Targets)
     {

@@ -21,6 +21,9 @@ const double* GetRule(int points)
   return GetRuleTable().data() + static_cast<std::ptrdiff_t>(points) * (points - 1);
 }
 
+constexpr int StripPoints = 3;
+}
+
 void VisitPanel(const VariantFaceChain& chain, const VariantPanel& panel,
   const std::function<void(const VariantSample&)>& visit)
 {
@@ -37,8 +40,6 @@ void VisitPanel(const VariantFaceChain& chain, const VariantPanel& panel,
       visit(sample);
     });
 }
-
-constexpr int StripPoints = 3;
 
 void VisitRibbon(const VariantFaceChain& chain, const VariantRibbon& ribbon,
   const std::function<void(const VariantSample&)>& visit)
@@ -99,6 +100,26 @@ void VisitCap(const VariantCap& cap, int variables, const std::function<void(con
     }
   }
 }
+
+int FindEdgePiece(const EdgeCurve& curve, const Ribbon& ribbon, double start, double width)
+{
+  const double middle = start + 0.5 * width * (ribbon.Start + ribbon.End);
+  const int found = curve.FindPiece(middle);
+  const auto getDistance = [&](int piece)
+  {
+    const double first = curve.Breaks[piece];
+    return std::abs(
+      first + 0.5 * (ribbon.EdgeStart + ribbon.EdgeEnd) * (curve.Breaks[piece + 1] - first) - middle);
+  };
+  int best = found;
+  for (const int piece : { found - 1, found + 1 })
+  {
+    if (piece >= 0 && piece < curve.GetNumberOfPieces() && getDistance(piece) < getDistance(best))
+    {
+      best = piece;
+    }
+  }
+  return best;
 }
 
 void EvaluateTrim(const double* trim, int degree, double t, double point[2], double slope[2])

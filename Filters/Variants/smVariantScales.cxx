@@ -10,6 +10,11 @@
 
 namespace sm
 {
+namespace
+{
+constexpr std::size_t FacesOfPortion = 16;
+}
+
 std::string FindProblem(const VariantOptions& options, int directions)
 {
   if (!options.Ranges.empty() && options.Ranges.size() != static_cast<std::size_t>(directions))
@@ -89,27 +94,50 @@ VariantChainOptions MakeChainOptions(const VariantShape& shape, const VariantOpt
   return result;
 }
 
+ProgressCallback GetPartOf(const ProgressCallback& progress, double first, double last)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [=](double fraction) { return progress(first + (last - first) * fraction); };
+}
+
 bool MakeChains(const VariantShape& shape, const VariantChainOptions& options,
-  std::vector<VariantFaceChain>& chains, std::string& error)
+  const ProgressCallback& progress, std::vector<VariantFaceChain>& chains, std::string& error)
 {
   const std::size_t count = shape.GetFaces().size();
   chains.resize(count);
   std::vector<std::string> problems(count);
-  ParallelFor(count, 1,
-    [&](std::size_t begin, std::size_t end)
+  const auto make = [&](std::size_t i)
+  {
+    try
     {
-      for (std::size_t i = begin; i < end; ++i)
+      chains[i] = MakeFaceChain(shape, i, options);
+    }
+    catch (const std::runtime_error& problem)
+    {
+      problems[i] = problem.what();
+    }
+  };
+  // Progress is reported by the calling thread, between portions of the faces.
+  const std::size_t portion = progress ? FacesOfPortion : std::max<std::size_t>(count, 1);
+  for (std::size_t first = 0; first < count; first += portion)
+  {
+    if (progress && !progress(static_cast<double>(first) / static_cast<double>(count)))
+    {
+      error = StoppedReason;
+      return false;
+    }
+    ParallelFor(std::min(portion, count - first), 1,
+      [&](std::size_t begin, std::size_t end)
       {
-        try
+        for (std::size_t i = begin; i < end; ++i)
         {
-          chains[i] = MakeFaceChain(shape, i, options);
+          make(first + i);
         }
-        catch (const std::runtime_error& problem)
-        {
-          problems[i] = problem.what();
-        }
-      }
-    });
+      });
+  }
   for (std::size_t i = 0; i < count; ++i)
   {
     if (!problems[i].empty())

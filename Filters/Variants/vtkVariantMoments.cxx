@@ -3,6 +3,8 @@
 #include "smFailureReason.h"
 #include "smVariantIntegrator.h"
 
+#include "vtkCommand.h"
+#include "vtkComputeContext.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -19,6 +21,8 @@ struct vtkVariantMoments::Internals
   std::vector<sm::MovedModel> Directions;
   std::vector<double> Ranges;
   std::shared_ptr<const sm::VariantIntegrator> Integrator;
+  /// Is kept when the base changes.
+  vtkSmartPointer<vtkComputeContext> Context;
 };
 
 vtkVariantMoments::vtkVariantMoments()
@@ -28,6 +32,12 @@ vtkVariantMoments::vtkVariantMoments()
 
 vtkVariantMoments::~vtkVariantMoments() = default;
 
+void vtkVariantMoments::SetComputeContext(vtkComputeContext* context)
+{
+  this->Implementation->Context = context;
+  this->Modified();
+}
+
 bool vtkVariantMoments::Fail(const std::string& reason)
 {
   this->Message = reason;
@@ -36,8 +46,11 @@ bool vtkVariantMoments::Fail(const std::string& reason)
 
 void vtkVariantMoments::SetBase(vtkTrimmedNURBSModel* model)
 {
-  *this->Implementation = {};
-  this->Implementation->Base = model;
+  Internals& self = *this->Implementation;
+  self.Base = model;
+  self.Directions.clear();
+  self.Ranges.clear();
+  self.Integrator = nullptr;
   this->Modified();
 }
 
@@ -117,10 +130,22 @@ try
   }
   sm::VariantOptions options;
   options.Ranges = self.Ranges;
-  const auto method = this->Method == POLYNOMIAL ? sm::VariantMethod::Polynomial
-    : this->Method == POINTS                     ? sm::VariantMethod::Points
-                                                 : sm::VariantMethod::Automatic;
-  self.Integrator = sm::VariantIntegrator::Make(shape, options, error, method, this->ExpectedVariants);
+  sm::VariantSettings settings;
+  settings.Method = this->Method == POLYNOMIAL ? sm::VariantMethod::Polynomial
+    : this->Method == POINTS                   ? sm::VariantMethod::Points
+                                               : sm::VariantMethod::Automatic;
+  settings.Backend = this->Backend == OPENGL ? sm::VariantBackend::OpenGL
+    : this->Backend == CPU                   ? sm::VariantBackend::CPU
+                                             : sm::VariantBackend::Automatic;
+  settings.Expected = this->ExpectedVariants;
+  settings.Context = self.Context;
+  this->AbortBuild = false;
+  settings.Progress = [this](double fraction)
+  {
+    this->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
+    return !this->AbortBuild;
+  };
+  self.Integrator = sm::VariantIntegrator::Make(shape, options, error, settings);
   return this->Fail(error);
 }
 catch (...)
@@ -166,19 +191,10 @@ try
   };
   double* const toValues = prepare(values, 10);
   double* const toBounds = prepare(bounds, 10);
-  if (gradients)
-  {
-    double* const toGradients = prepare(gradients, 10 * k);
-    if (n > 0)
-    {
-      integrator->GetPolynomial()->Evaluate(
-        numbers.data(), static_cast<std::size_t>(n), toValues, toBounds, toGradients);
-    }
-    return this->Fail({});
-  }
+  double* const toGradients = prepare(gradients, 10 * k);
   if (n > 0)
   {
-    integrator->Evaluate(numbers.data(), static_cast<std::size_t>(n), toValues, toBounds);
+    integrator->Evaluate(numbers.data(), static_cast<std::size_t>(n), toValues, toBounds, toGradients);
   }
   return this->Fail({});
 }
@@ -209,6 +225,12 @@ int vtkVariantMoments::GetUsedMethod() const
   return integrator && integrator->GetMethod() == sm::VariantMethod::Polynomial ? POLYNOMIAL : POINTS;
 }
 
+int vtkVariantMoments::GetUsedBackend() const
+{
+  const auto& integrator = this->Implementation->Integrator;
+  return integrator && integrator->GetBackend() == sm::VariantBackend::OpenGL ? OPENGL : CPU;
+}
+
 std::string vtkVariantMoments::GetReason() const
 {
   const auto& integrator = this->Implementation->Integrator;
@@ -236,6 +258,7 @@ void vtkVariantMoments::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Backend: " << this->Backend << "\n";
   os << indent << "ExpectedVariants: " << this->ExpectedVariants << "\n";
   os << indent << "Directions: " << this->GetNumberOfDirections() << "\n";
   os << indent << "Message: " << this->Message << "\n";

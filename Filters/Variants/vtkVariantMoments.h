@@ -19,6 +19,7 @@
 #include <memory> // for the implementation
 #include <string> // for the messages
 
+class vtkComputeContext;
 class vtkDataArray;
 class vtkDoubleArray;
 class vtkTrimmedNURBSModel;
@@ -44,6 +45,26 @@ public:
   vtkSetClampMacro(Method, int, AUTOMATIC, POINTS);
   vtkGetMacro(Method, int);
   ///@}
+
+  /** The device that evaluates variants. */
+  enum BackendType
+  {
+    /** OpenGL on a GPU where ExpectedVariants take the CPU more than a second and OpenGL is faster; else the
+     * CPU. */
+    AUTOMATIC_BACKEND = 0,
+    /** OpenGL, also of a software renderer; the CPU, with the reason, where it cannot be used. */
+    OPENGL = 1,
+    CPU = 2
+  };
+
+  ///@{
+  /** The device; values outside the enumeration are clamped. Default: AUTOMATIC_BACKEND. */
+  vtkSetClampMacro(Backend, int, AUTOMATIC_BACKEND, CPU);
+  vtkGetMacro(Backend, int);
+  ///@}
+
+  /** The OpenGL context of the next Build(); null (default): an own one. */
+  void SetComputeContext(vtkComputeContext* context);
 
   ///@{
   /** The number of variants that AUTOMATIC is to be fast for; clamped to >= 1. Default: 100000. */
@@ -75,8 +96,14 @@ public:
   ///@}
   int GetNumberOfDirections() const;
 
-  /** Integrates. Returns false if a moved model does not fit the base or a face cannot be cut. */
+  /**
+   * Integrates. Returns false if a moved model does not fit the base, a face cannot be cut, or it was
+   * stopped. Invokes ProgressEvent, whose data is a double from 0 to 1, between portions of the faces; an
+   * observer may call StopBuild().
+   */
   bool Build();
+  /** Stops the running Build(), which then returns false. */
+  void StopBuild() { this->AbortBuild = true; }
 
   /**
    * Evaluates the variants of `c`, K components each. The results get 10 components, `bounds` may be null.
@@ -91,6 +118,8 @@ public:
   /** After Build(): POLYNOMIAL or POINTS, and why; the point that moments are about, part coordinates; and
    * how far a direction moves a face away from an edge for c = 1. */
   int GetUsedMethod() const;
+  /** OPENGL or CPU; OPENGL becomes CPU where it fails, and GetReason() has why. */
+  int GetUsedBackend() const;
   std::string GetReason() const;
   void GetReference(double point[3]) const;
   double GetGap(int direction) const;
@@ -112,6 +141,8 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Implementation;
   int Method = AUTOMATIC;
+  int Backend = AUTOMATIC_BACKEND;
+  bool AbortBuild = false;
   vtkIdType ExpectedVariants = 100000;
   std::string Message;
 };

@@ -224,11 +224,30 @@ def check_variants(box):
         if gradients is not None:
             check_equal("shape of the gradients", (1000, 10, 6), gradients.shape)
             check_true("derivatives are areas", bool((abs(gradients[:, 0] - areas) <= 1e-11).all()))
+    for backend in ("cpu", "opengl"):
+        device = solidmoments.Variants(box, numpy.arange(6), [0.2] * 6, method="points", backend=backend)
+        check_true(f"{backend}: used, or the reason why not", device.used_backend == backend or "no OpenGL" in device.reason, device.reason)
+        values, bounds, _ = device.evaluate(c)
+        check_true(f"{backend}: 1000 volumes within their bounds", bool((abs(values[:, 0] - 30.0 - c @ areas) <= bounds[:, 0] + 1e-14).all()))
+    fractions = []
+    solidmoments.Variants(box, [0], method="points", progress=fractions.append)
+    check_true("progress", len(fractions) > 0 and sorted(fractions) == fractions, str(fractions))
+
+    def fail(fraction):
+        raise KeyError("own")
+
+    for what, words, call in (("stopped", "stopped", lambda fraction: False), ("an exception of progress", "own", fail)):
+        try:
+            solidmoments.Variants(box, [0], method="points", progress=call)
+            check_true(what, False, "nothing was raised")
+        except (ValueError, KeyError) as error:
+            check_true(what, words in str(error), str(error))
     up = numpy.tile([0.0, 0.0, 1.0], (2, 2, 1))
     rise = solidmoments.Variants(box, [{1: up}], method="polynomial")
     check("a face that slides along its edges", 30.0, float(rise.evaluate([0.5]).values[0, 0]), 1e-11)
     for what, words, call in (("numbers of another shape", "shape", lambda: rise.evaluate([0.5, 0.1])), ("ranges that do not fit", "ranges", lambda: solidmoments.Variants(box, [0], [1, 2])),
                               ("a face that is not there", "face 9", lambda: solidmoments.Variants(box, [9])),
+                              ("no such backend", "backend", lambda: solidmoments.Variants(box, [0], backend="fast")),
                               ("no such method", "method", lambda: solidmoments.Variants(box, [0], method="fast"))):
         try:
             call()

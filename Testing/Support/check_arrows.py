@@ -29,7 +29,7 @@ ROOMS = {
     "FiltersMomentSchemes": ("Filters/MomentSchemes", ["FiltersMassProperties", "RenderingCompute", "RenderingNURBS"]),
     "FiltersNURBSEdit": ("Filters/NURBSEdit", ["FiltersNURBS"]),
     "FiltersMomentGradient": ("Filters/MomentGradient", ["FiltersMassProperties", "FiltersNURBSEdit"]),
-    "FiltersVariants": ("Filters/Variants", ["FiltersMassProperties"]),
+    "FiltersVariants": ("Filters/Variants", ["FiltersMassProperties", "RenderingCompute"]),
     "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),
     "RenderingCompute": ("Rendering/Compute", ["FiltersCommon"]),
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),

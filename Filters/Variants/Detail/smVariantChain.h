@@ -61,6 +61,8 @@ struct VariantError
   double ValueFactor = 0.0;
   double ErrorFactor = 0.0;
   TangentForms<ErrorBound> Forms;
+  /// The patch whose panels' rounding it is; -1: another error.
+  int Patch = -1;
 };
 
 struct VariantFaceChain
@@ -109,6 +111,14 @@ struct VariantSample
 
 /// Calls visit(sample) for all samples of a face.
 void VisitSamples(const VariantFaceChain& chain, const std::function<void(const VariantSample&)>& visit);
+///@{
+/// The same for one item.
+void VisitPanel(const VariantFaceChain& chain, const VariantPanel& panel,
+  const std::function<void(const VariantSample&)>& visit);
+void VisitRibbon(const VariantFaceChain& chain, const VariantRibbon& ribbon,
+  const std::function<void(const VariantSample&)>& visit);
+void VisitCap(const VariantCap& cap, int variables, const std::function<void(const VariantSample&)>& visit);
+///@}
 
 /// Both curves of a ribbon at a node, relative to the centre of the patch, and their derivatives by the
 /// ribbon's parameter on [0,1], [coordinate * variables + variable].
@@ -119,6 +129,11 @@ struct RibbonNode
 };
 void VisitRibbonNodes(const VariantFaceChain& chain, const VariantRibbon& ribbon,
   const std::function<void(const RibbonNode&)>& visit);
+
+/// Returns the piece of an edge that a ribbon of the cut face refers to, whose trim piece runs over [start,
+/// start + width] of the edge's parameter. In the middle of a ribbon of a rounding's length another may lie.
+SMFILTERSVARIANTS_EXPORT int FindEdgePiece(
+  const EdgeCurve& curve, const Ribbon& ribbon, double start, double width);
 
 /// Evaluates a trim piece, degree + 1 pairs (s, r), and its derivative.
 void EvaluateTrim(const double* trim, int degree, double t, double point[2], double slope[2]);

@@ -5,6 +5,7 @@
 #ifndef smVariantScales_h
 #define smVariantScales_h
 
+#include "smProgressCallback.h"
 #include "smVariantChain.h"
 #include "smVariantPolynomial.h"
 
@@ -22,9 +23,14 @@ std::string FindProblem(const VariantOptions& options, int directions);
 /// scales from VolumeScale, or from the box.
 VariantChainOptions MakeChainOptions(const VariantShape& shape, const VariantOptions& options);
 
-/// Cuts and plans all faces, on the threads of vtkSMPTools. Returns false with the reason.
+/// Cuts and plans all faces, on the threads of vtkSMPTools. Returns false with the reason, which is
+/// StoppedReason if `progress` returned false.
 bool MakeChains(const VariantShape& shape, const VariantChainOptions& options,
-  std::vector<VariantFaceChain>& chains, std::string& error);
+  const ProgressCallback& progress, std::vector<VariantFaceChain>& chains, std::string& error);
+constexpr const char* StoppedReason = "stopped before the variants were prepared: nothing can be evaluated";
+
+/// The share of `progress` in [first, last]; empty if it is.
+ProgressCallback GetPartOf(const ProgressCallback& progress, double first, double last);
 
 /// The reason for an exception while variants are prepared, with the remedy.
 std::string ExplainFailure(const std::exception_ptr& failure);

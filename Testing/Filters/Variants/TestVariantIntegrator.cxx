@@ -1,5 +1,6 @@
 // Moments of variants at frozen points: against closed forms, polynomials, and the mass properties of each
 // variant.
+#include "Detail/smVariantChain.h"
 #include "smComputeMassProperties.h"
 #include "smTesting.h"
 #include "smVariantIntegrator.h"
@@ -127,15 +128,39 @@ void CheckFullPath(const VariantSolid& solid)
   CheckEqual(solid.Name + ": mass properties outside both bounds", 0LL, outside);
 }
 
+/// Ribbons of a rounding's length at the end of an edge's piece, whose middle lies in its neighbour.
+void CheckEdgePieces()
+{
+  const std::array<double, 3> points[4] = {};
+  sm::EdgeCurve curve;
+  curve.Breaks = { 0.0 };
+  curve.AppendPiece(0.5, points, 1);
+  curve.AppendPiece(1.0, points, 3);
+  sm::Ribbon ribbon{};
+  ribbon.Start = std::nextafter(0.5, 0.0);
+  ribbon.End = ribbon.Start;
+  CheckEqual("the start of the second piece, below it", 1, sm::FindEdgePiece(curve, ribbon, 0.0, 1.0));
+  ribbon.Start = ribbon.End = 0.5;
+  ribbon.EdgeStart = ribbon.EdgeEnd = 1.0;
+  CheckEqual("the end of the first piece, not below it", 0, sm::FindEdgePiece(curve, ribbon, 0.0, 1.0));
+  ribbon.Start = 0.2;
+  ribbon.End = 0.3;
+  ribbon.EdgeStart = 0.4;
+  ribbon.EdgeEnd = 0.6;
+  CheckEqual("a ribbon inside a piece", 0, sm::FindEdgePiece(curve, ribbon, 0.0, 1.0));
+}
+
 void CheckChoice()
 {
   const VariantSolid solid = MakeEllipsoid(false);
   std::string error;
-  const auto few = sm::VariantIntegrator::Make(solid.Shape, {}, error, sm::VariantMethod::Automatic, 1);
+  sm::VariantSettings settings(sm::VariantMethod::Automatic, sm::VariantBackend::CPU);
+  settings.Expected = 1;
+  const auto few = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
   CheckTrue(
     "one variant at frozen points", few && few->GetMethod() == sm::VariantMethod::Points, few->GetReason());
-  const auto many =
-    sm::VariantIntegrator::Make(solid.Shape, {}, error, sm::VariantMethod::Automatic, 1000000000);
+  settings.Expected = 1000000000;
+  const auto many = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
   CheckTrue("a billion as polynomials", many && many->GetMethod() == sm::VariantMethod::Polynomial,
     many->GetReason());
 }
@@ -162,5 +187,6 @@ int TestVariantIntegrator(int, char*[])
     CheckFullPath(solid);
   }
   CheckChoice();
+  CheckEdgePieces();
   return Finish();
 }

@@ -2,8 +2,10 @@
 // refused.
 #include "smTesting.h"
 #include "smVariantSolids.h"
+#include "vtkComputeContext.h"
 #include "vtkVariantMoments.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
 
 #include <cmath>
@@ -110,6 +112,41 @@ void CheckNets()
   Check("its centre", 3.0, reference[2] + values->GetValue(3) / values->GetValue(0), 1e-11, "1e4 roundings");
 }
 
+void CheckBackendAndProgress()
+{
+  BoxBody body;
+  body.Add({ { 0.0, 0.0, 0.0 }, { 2.0, 3.0, 5.0 } });
+  const vtkSmartPointer<vtkNURBSDataSet> leaf = body.Make();
+  vtkNew<vtkComputeContext> none;
+  none->SetSource(vtkComputeContext::WINDOW);
+  vtkNew<vtkVariantMoments> moments;
+  moments->SetComputeContext(none);
+  moments->SetBase(leaf->GetModel());
+  moments->SetMethod(vtkVariantMoments::POINTS);
+  moments->SetBackend(vtkVariantMoments::OPENGL);
+  moments->AddNormalOffset(0, 1.0);
+  std::vector<double> seen;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&seen);
+  observer->SetCallback([](vtkObject*, unsigned long, void* to, void* fraction)
+    { static_cast<std::vector<double>*>(to)->push_back(*static_cast<double*>(fraction)); });
+  const unsigned long tag = moments->AddObserver(vtkCommand::ProgressEvent, observer);
+  CheckTrue("built without a context", moments->Build(), moments->GetMessage());
+  CheckEqual(
+    "the CPU without a context", static_cast<int>(vtkVariantMoments::CPU), moments->GetUsedBackend());
+  CheckTrue("the reason", moments->GetReason().find("no OpenGL") != std::string::npos, moments->GetReason());
+  CheckTrue("progress", !seen.empty());
+  moments->RemoveObserver(tag);
+  observer->SetClientData(moments);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* to, void*) { static_cast<vtkVariantMoments*>(to)->StopBuild(); });
+  moments->AddObserver(vtkCommand::ProgressEvent, observer);
+  CheckTrue("stopped", !moments->Build(), moments->GetMessage());
+  CheckTrue("stopped: the reason", moments->GetMessage().find("stopped") != std::string::npos);
+  vtkNew<vtkDoubleArray> values;
+  CheckTrue("nothing is evaluated", !moments->Evaluate(MakeArray(1, { 0.0 }), values, nullptr));
+}
+
 void CheckRefusals()
 {
   vtkNew<vtkVariantMoments> moments;
@@ -138,6 +175,7 @@ int TestVariantMoments(int, char*[])
   CheckOffsetsOfBox();
   CheckOffsetsOfRoundFaces();
   CheckNets();
+  CheckBackendAndProgress();
   CheckRefusals();
   return Finish();
 }

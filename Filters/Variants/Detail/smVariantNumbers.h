@@ -1,0 +1,31 @@
+/**
+ * @file smVariantNumbers.h
+ * @brief The numbers c of variants on their way to a device
+ */
+#ifndef smVariantNumbers_h
+#define smVariantNumbers_h
+
+#include "smComputeBuffer.h"
+
+#include <cstddef>
+
+namespace sm
+{
+/// The largest |c|, whose powers are far from an overflow.
+constexpr double MaximumNumber = 1e30;
+/// Returns true if all numbers are finite, and at most MaximumNumber.
+bool IsInRange(const double* c, std::size_t directions);
+
+/// Copies c[count][directions] to the device, [direction][variant]. Variants that are not in the range are 0.
+bool UploadVariables(ComputeBuffer& to, const double* c, std::size_t count, std::size_t directions);
+
+// Invocations of a work group, as in the shaders.
+constexpr unsigned int VariantsOfGroup = 32;
+// Variants of a batch on a GPU, and bytes of its largest buffer: a GPU's memory is shared with others.
+constexpr std::size_t DeviceBatch = 131072;
+constexpr std::size_t MaximumBufferBytes = std::size_t{ 256 } << 20;
+// Mesa's llvmpipe ends all loops of an invocation, without an error, after 65,535 iterations together.
+constexpr std::size_t SoftwareSteps = 60000;
+}
+
+#endif

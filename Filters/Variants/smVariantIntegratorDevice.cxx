@@ -1,0 +1,289 @@
+#include "Detail/smVariantIntegratorInternals.h"
+#include "Detail/smVariantNumbers.h"
+#include "smFormat.h"
+#include "smUnitRoundoff.h"
+
+#include "vtkSMPTools.h"
+
+#include <cmath>
+
+namespace sm
+{
+namespace
+{
+// Below this time of the CPU, in seconds, starting a context and building shaders does not pay.
+constexpr double DevicePays = 1.0;
+// Variants that device and CPU compare.
+constexpr std::size_t ComparedVariants = 3;
+
+double GetThreads()
+{
+  return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+}
+
+/// Where no bound is known, half of the digits count.
+bool AreClose(double value, double right, double bound)
+{
+  return std::abs(value - right) <= (std::isnan(bound) ? 1e-8 * std::abs(right) : bound);
+}
+
+std::string DescribeDifference(std::size_t moment, double value, double right)
+{
+  return "computes a variant wrong: moment " + std::to_string(moment) + " is " + FormatDigits(value, 17) +
+    " for " + FormatDigits(right, 17);
+}
+}
+
+void VariantIntegrator::Internals::LeaveDevice(std::string reason)
+{
+  this->Device = nullptr;
+  this->FormDevice = nullptr;
+  this->AddReason("no OpenGL, the CPU evaluates: " + reason);
+}
+
+/// Starts the context, and compares the device with the CPU, as a driver may compile an operation that the
+/// start-up probe tests rightly there and wrongly elsewhere.
+template <typename AnyDevice>
+bool VariantIntegrator::Internals::Prepare(
+  std::unique_ptr<AnyDevice>& device, std::string (Internals::*findDifference)())
+{
+  if (!device->Prepare())
+  {
+    this->LeaveDevice(device->GetError());
+    return false;
+  }
+  const std::string difference = (this->*findDifference)();
+  if (!difference.empty())
+  {
+    this->LeaveDevice(device->GetContext()->GetRenderer() + " " + difference);
+    return false;
+  }
+  return true;
+}
+
+/// c of the variants that are compared: the base, and two in the ranges.
+std::vector<double> VariantIntegrator::Internals::MakeSamples() const
+{
+  const std::size_t directions = this->GetDirections();
+  std::vector<double> c(ComparedVariants * directions, 0.0);
+  for (std::size_t k = 0; k < directions; ++k)
+  {
+    c[directions + k] = 0.61 * this->Ranges[k];
+    c[2 * directions + k] = (k % 3 == 0 ? 1.0 : -0.83) * this->Ranges[k] / static_cast<double>(1 + k % 5);
+  }
+  return c;
+}
+
+/// Returns a sentence about the first moment or bound of three variants in which device and CPU differ by
+/// more than both bounds; empty if they do not.
+std::string VariantIntegrator::Internals::FindDeviceDifference()
+{
+  constexpr std::size_t n = ComparedVariants;
+  const std::size_t directions = this->GetDirections();
+  const std::vector<double> c = this->MakeSamples();
+  std::array<std::array<double, n * NumberOfMoments>, 2> values{};
+  std::array<std::array<double, n * NumberOfMoments>, 2> bounds{};
+  this->EvaluatePoints(c.data(), n, values[0].data(), bounds[0].data());
+  if (!this->Device->Evaluate(c.data(), n, values[1].data(), bounds[1].data()))
+  {
+    return this->Device->GetError();
+  }
+  const DevicePoints& points = this->Device->GetPoints();
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    std::array<double, NumberOfMoments> expected = points.ConstantBound;
+    AddErrors(points.Errors, c.data() + i * directions, sizes, expected);
+    for (std::size_t m = 0; m < NumberOfMoments; ++m)
+    {
+      const std::size_t at = i * NumberOfMoments + m;
+      const double bound = bounds[1][at];
+      const double known =
+        expected[m] + 4.0 * UnitRoundoff * (std::abs(values[1][at]) + std::abs(points.Constant[m]));
+      const bool isBound = points.HasBounds ? std::abs(bound - known) <= 1e-9 * known : std::isnan(bound);
+      if (!isBound || !AreClose(values[1][at], values[0][at], bound + bounds[0][at]))
+      {
+        return DescribeDifference(m, values[1][at], values[0][at]) + ", and its bound " +
+          FormatDigits(bound, 5) + " for " + FormatDigits(known, 5);
+      }
+    }
+  }
+  return "";
+}
+
+/// The same for polynomials, whose bounds are the CPU's, and for their gradients.
+std::string VariantIntegrator::Internals::FindFormDifference()
+{
+  constexpr std::size_t n = ComparedVariants;
+  const std::size_t all = n * NumberOfMoments;
+  const std::size_t directions = this->GetDirections();
+  const std::vector<double> c = this->MakeSamples();
+  std::vector<double> values[2] = { std::vector<double>(all), std::vector<double>(all) };
+  std::vector<double> bounds(all);
+  std::vector<double> gradients[2] = { std::vector<double>(all * directions),
+    std::vector<double>(all * directions) };
+  std::vector<double> gradientBounds(all * directions);
+  for (const bool hasGradients : { false, true })
+  {
+    this->Polynomial->Evaluate(c.data(), n, values[0].data(), bounds.data(),
+      hasGradients ? gradients[0].data() : nullptr, gradientBounds.data());
+    if (!this->FormDevice->Evaluate(
+          c.data(), n, values[1].data(), hasGradients ? gradients[1].data() : nullptr))
+    {
+      return this->FormDevice->GetError();
+    }
+    for (std::size_t i = 0; i < all; ++i)
+    {
+      if (!AreClose(values[1][i], values[0][i], 2.0 * bounds[i]))
+      {
+        return DescribeDifference(i % NumberOfMoments, values[1][i], values[0][i]);
+      }
+    }
+    for (std::size_t i = 0; hasGradients && i < all * directions; ++i)
+    {
+      if (!AreClose(gradients[1][i], gradients[0][i], 2.0 * gradientBounds[i]))
+      {
+        return DescribeDifference(i / directions % NumberOfMoments, gradients[1][i], gradients[0][i]) +
+          ", as a derivative";
+      }
+    }
+  }
+  return "";
+}
+
+bool VariantIntegrator::Internals::EvaluateOnDevice(
+  const double* c, std::size_t n, double* values, double* bounds)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (!this->Device ||
+    (!this->Device->IsReady() && !this->Prepare(this->Device, &Internals::FindDeviceDifference)))
+  {
+    return false;
+  }
+  if (!this->Device->Evaluate(c, n, values, bounds))
+  {
+    this->LeaveDevice(this->Device->GetError());
+    return false;
+  }
+  const std::size_t directions = this->GetDirections();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (!IsInRange(c + i * directions, directions))
+    {
+      this->EvaluatePoints(
+        c + i * directions, 1, values + i * NumberOfMoments, bounds ? bounds + i * NumberOfMoments : nullptr);
+    }
+  }
+  return true;
+}
+
+bool VariantIntegrator::Internals::EvaluateFormsOnDevice(
+  const double* c, std::size_t n, double* values, double* gradients)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (!this->FormDevice ||
+    (!this->FormDevice->IsReady() && !this->Prepare(this->FormDevice, &Internals::FindFormDifference)))
+  {
+    return false;
+  }
+  if (!this->FormDevice->Evaluate(c, n, values, gradients))
+  {
+    this->LeaveDevice(this->FormDevice->GetError());
+    return false;
+  }
+  const std::size_t directions = this->GetDirections();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (!IsInRange(c + i * directions, directions))
+    {
+      this->Polynomial->Evaluate(c + i * directions, 1, values + i * NumberOfMoments, nullptr,
+        gradients ? gradients + i * NumberOfMoments * directions : nullptr);
+    }
+  }
+  return true;
+}
+
+/// Returns false, with the reason, where OpenGL is not wanted, does not pay, or has no GPU.
+bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings, double onProcessor)
+{
+  const bool isForced = settings.Backend == VariantBackend::OpenGL;
+  if (settings.Backend == VariantBackend::CPU ||
+    (!isForced && onProcessor * static_cast<double>(settings.Expected) < DevicePays))
+  {
+    return false;
+  }
+  if (!this->Context)
+  {
+    this->Context = settings.Context;
+    if (!this->Context)
+    {
+      this->Context = vtkSmartPointer<vtkComputeContext>::New();
+    }
+    if (!isForced && !this->Context->StartOnGPU())
+    {
+      // A machine without a GPU is nothing to report; a GPU that cannot be used is.
+      this->AddReason(this->Context->GetStatus() <= vtkComputeContext::NO_CONTEXT
+          ? "no GPU"
+          : "no usable GPU: " + this->Context->GetReason());
+    }
+  }
+  return isForced || this->Context->StartOnGPU();
+}
+
+/// Returns the seconds of a variant at frozen points, by OpenGL or on the CPU.
+double VariantIntegrator::Internals::ChooseDevice(
+  const VariantSettings& settings, DevicePoints points, double onProcessor)
+{
+  const double onAll = onProcessor / GetThreads();
+  if (!this->StartContext(settings, onAll))
+  {
+    return onProcessor;
+  }
+  this->Device = std::make_unique<VariantDevice>(this->Context, std::move(points), this->GetDirections());
+  if (!this->Prepare(this->Device, &Internals::FindDeviceDifference))
+  {
+    return onProcessor;
+  }
+  const std::size_t n = this->Context->IsSoftware() ? 64 : 65536;
+  const std::vector<double> c(n * this->GetDirections(), 0.0);
+  std::vector<double> values(n * NumberOfMoments);
+  const double seconds =
+    MeasureVariants(n, [&]() { this->Device->Evaluate(c.data(), n, values.data(), nullptr); });
+  this->AddReason(FormatMicroseconds(seconds) + " there by OpenGL on " + this->Context->GetRenderer());
+  if (settings.Backend != VariantBackend::OpenGL && seconds >= onAll)
+  {
+    this->Device = nullptr;
+    return onProcessor;
+  }
+  return seconds;
+}
+
+/// The same as a polynomial, which becomes that of the integrator.
+double VariantIntegrator::Internals::ChooseFormDevice(const VariantSettings& settings,
+  const std::shared_ptr<const VariantPolynomial>& polynomial, double onProcessor)
+{
+  this->Polynomial = polynomial;
+  const double onAll = onProcessor / GetThreads();
+  if (!this->StartContext(settings, onAll))
+  {
+    return onProcessor;
+  }
+  this->FormDevice = std::make_unique<VariantFormDevice>(this->Context, polynomial);
+  if (!this->Prepare(this->FormDevice, &Internals::FindFormDifference))
+  {
+    return onProcessor;
+  }
+  const std::size_t n = this->Context->IsSoftware() ? 1024 : 131072;
+  const std::vector<double> c(n * this->GetDirections(), 0.0);
+  std::vector<double> values(n * NumberOfMoments);
+  const double seconds =
+    MeasureVariants(n, [&]() { this->FormDevice->Evaluate(c.data(), n, values.data(), nullptr); });
+  this->AddReason(FormatMicroseconds(seconds) + " as one by OpenGL on " + this->Context->GetRenderer());
+  if (settings.Backend != VariantBackend::OpenGL && seconds >= onAll)
+  {
+    this->FormDevice = nullptr;
+    return onProcessor;
+  }
+  return seconds;
+}
+}
