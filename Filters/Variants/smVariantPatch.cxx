@@ -161,16 +161,17 @@ void VariantPatch::Sample(
  *
  *     |x| <= max|H| / W_low,   |x_s| <= (max|H_s| + |x| max|w_s|) / W_low,
  *
- * where H_s, w_s are the steps of the nets times the degree. Every sum has fewer than 4 (p + q) + 10
- * roundings of each term, and a quotient as many of its parts together, so that 16 (p + q) + 40 unit
- * roundoffs of these bounds bound the rounding (Higham, Accuracy and Stability of Numerical Algorithms, 3.1).
+ * where H_s, w_s are the steps of the nets times the degree. Every sum has fewer than
+ * n = (p + 1) (q + 1) + 4 (p + q) + 10 roundings of each term, and a quotient as many of its parts together,
+ * so that 4 n unit roundoffs of these bounds bound the rounding (Higham, Accuracy and Stability of Numerical
+ * Algorithms, 3.1).
  */
 TangentForms<ErrorBound> BoundSamples(const VariantPatch& patch, const double outside[2], bool withCenter)
 {
   const int p = patch.Degree[0];
   const int q = patch.Degree[1];
   const double growth = std::pow(1.0 + 2.0 * outside[0], p) * std::pow(1.0 + 2.0 * outside[1], q);
-  const double roundings = (16.0 * (p + q) + 40.0) * UnitRoundoff;
+  const double roundings = 4.0 * ((p + 1.0) * (q + 1.0) + 4.0 * (p + q) + 10.0) * UnitRoundoff;
   const auto [lightest, heaviest] = std::minmax_element(patch.Weights.begin(), patch.Weights.end());
   // sum B_i w_i with sum B_i = 1: what is negative takes (growth - 1) / 2 of the heaviest at most.
   const double low = *lightest - 0.5 * (growth - 1.0) * (*heaviest - *lightest);
