@@ -268,6 +268,7 @@ def check_step(model, file, part):
     writer.SetInputDataObject(data)
     writer.SetFileName(file)
     writer.Write()
+    window.RemoveRenderer(renderer)
     read = solidmoments.mass_properties(file, density=DENSITY, backend="cpu")
     off = numpy.array(read.center_of_mass) - WANTED
     print(f"{file}: {read.status}, mass {read.mass:.9f} kg, {read.volume / part.volume - 1.0:.1e} of it off; centre off by {abs(off).max():.1e} mm")
@@ -280,7 +281,8 @@ def draw(shapes, file):
     from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
     from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
     from vtkmodules.vtkIOImage import vtkPNGWriter
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+    from solidmoments.smRenderingCompute import vtkComputeContext
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkRenderer, vtkWindowToImageFilter
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
     renderer = vtkRenderer()
@@ -325,8 +327,11 @@ def draw(shapes, file):
     ball.SetThetaResolution(24)
     ball.Update()
     add(ball.GetOutput(), (0.1, 0.65, 0.2))
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
+    context = vtkComputeContext()  # its window needs no display
+    if context.Start() != vtkComputeContext.READY:
+        raise SystemExit(f"{file} was not drawn: {context.GetReason()}")
+    window = context.GetRenderWindow()
+    window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
     window.SetSize(800, 400)
     window.AddRenderer(renderer)
@@ -338,6 +343,7 @@ def draw(shapes, file):
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
+    image.ReadFrontBufferOff()
     writer = vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(file)

@@ -6,7 +6,7 @@ so that a few steps of Newton's method on the conditions meet them to rounding. 
 
   PYTHONPATH=PREFIX/lib/python3.11/site-packages python3 match_inertia.py [--png FILE]
 
-PREFIX: where SolidMoments is installed, or its build folder. --png: a picture of the block before and after, which needs a display.
+PREFIX: where SolidMoments is installed, or its build folder. --png: a picture of the block before and after.
 Exit status: 0 when the tensor is met to 1e-9 of its trace and the way is the shortest to 1e-6 (the residual of the conditions of
 Karush, Kuhn and Tucker), 1 for wrong usage, 3 otherwise.
 """
@@ -103,7 +103,8 @@ def draw(start, lattice, file):
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
     from vtkmodules.vtkIOImage import vtkPNGWriter
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+    from solidmoments.smRenderingCompute import vtkComputeContext
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkRenderer, vtkWindowToImageFilter
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
     renderer = vtkRenderer()
@@ -126,8 +127,11 @@ def draw(start, lattice, file):
                 actor.GetProperty().SetColor(0.1, 0.1, 0.1)
                 actor.GetProperty().SetLineWidth(2.0)
             renderer.AddActor(actor)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
+    context = vtkComputeContext()  # its window needs no display
+    if context.Start() != vtkComputeContext.READY:
+        raise SystemExit(f"{file} was not drawn: {context.GetReason()}")
+    window = context.GetRenderWindow()
+    window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
     window.SetSize(600, 400)
     window.AddRenderer(renderer)
@@ -139,10 +143,12 @@ def draw(start, lattice, file):
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
+    image.ReadFrontBufferOff()
     writer = vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(file)
     writer.Write()
+    window.RemoveRenderer(renderer)
 
 
 def main():

@@ -10,18 +10,21 @@ import time
 import numpy
 import solidmoments
 from solidmoments.smReadersSTEP import vtkSTEPReader
+from solidmoments.smRenderingCompute import vtkComputeContext
 
 MAXIMUM_DIRECTIONS = 10
 
 
 def read_model(path):
-    """The vtkTrimmedNURBSModel of the first solid."""
+    """The vtkTrimmedNURBSModel of the only solid of a file."""
     reader = vtkSTEPReader()
     reader.SetFileName(path)
     reader.Update()
     parts = reader.GetOutputDataObject(0)
     if not parts or parts.GetNumberOfPartitionedDataSets() == 0:
         sys.exit(f"{path} holds no solid")
+    if parts.GetNumberOfPartitionedDataSets() > 1:
+        sys.exit(f"{path} holds {parts.GetNumberOfPartitionedDataSets()} solids: export one of them")
     return parts.GetPartition(0, 0).GetModel()
 
 
@@ -69,7 +72,11 @@ def draw(path, volumes, mean, deviation):
         plot.SetWidth(2.0)
     chart.GetAxis(1).SetTitle("volume, mm^3")
     chart.GetAxis(0).SetTitle("parts")
+    context = vtkComputeContext()  # its window needs no display
+    if context.Start() != vtkComputeContext.READY:
+        raise SystemExit(f"{path} was not drawn: {context.GetReason()}")
     view = vtkContextView()
+    view.SetRenderWindow(context.GetRenderWindow())
     view.GetRenderer().SetBackground(1.0, 1.0, 1.0)
     view.GetRenderWindow().SetSize(640, 420)
     view.GetRenderWindow().SetMultiSamples(0)
@@ -78,6 +85,7 @@ def draw(path, volumes, mean, deviation):
     view.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(view.GetRenderWindow())
+    image.ReadFrontBufferOff()
     writer = vtkPNGWriter()
     writer.SetFileName(path)
     writer.SetInputConnection(image.GetOutputPort())
@@ -91,8 +99,12 @@ def main():
     parser.add_argument("--sigma", type=float, default=0.02, help="standard deviation of each offset (default: 0.02)")
     parser.add_argument("--png", metavar="FILE", help="draw the histogram")
     options = parser.parse_args()
+    if options.parts < 1 or not options.sigma > 0.0:
+        parser.error("--parts and --sigma have to be positive")
     model = read_model(options.file)
     faces = choose_faces(model, options.sigma)
+    if not faces:
+        sys.exit(f"{options.file}: no face can be moved")
     variants = solidmoments.Variants(model, faces, [5.0 * options.sigma] * len(faces), method="polynomial", expected=options.parts)
     print(f"{len(faces)} of {model.GetNumberOfFaces()} faces; {variants.reason}")
     base, bounds, slopes = (part[0] for part in variants.evaluate(numpy.zeros(len(faces)), gradients=True))

@@ -196,8 +196,8 @@ std::string FormatRange(const ToleranceRange& range, const std::string& unit)
   // The minimum is rounded down, the maximum up.
   const double width = range.Maximum - range.Minimum;
   return std::isnan(width) ? std::string("not known")
-                           : FormatValue(std::max(range.Minimum - 0.005 * width, 0.0), 0.02 * width) +
-      " to " + FormatValue(range.Maximum + 0.005 * width, 0.02 * width) + " " + unit + ", deviation " +
+                           : FormatValue(std::max(range.Minimum - 5e-5 * width, 0.0), 2e-4 * width) + " to " +
+      FormatValue(range.Maximum + 5e-5 * width, 2e-4 * width) + " " + unit + ", deviation " +
       Short(range.Deviation);
 }
 
@@ -386,14 +386,23 @@ void ToleranceAnalysis::Run(const AnalysisRun& run) const
     solids.push_back(ReadTolerance(columns, static_cast<vtkIdType>(i)));
   }
   vtkTable* faces = vtkTable::SafeDownCast(filter->GetOutputDataObject(3));
+  long long exact = 0;
   for (vtkIdType row = 0; row < faces->GetNumberOfRows(); ++row)
   {
     const ToleranceEntry entry = ReadFace(faces->GetRowData(), row);
+    exact += entry.Lower == 0.0 && entry.Upper == 0.0 ? 1 : 0;
     const auto solid = static_cast<std::size_t>(GetCount(faces->GetRowData(), row, names::Solid));
     if (std::isfinite(entry.Volume) && entry.Volume > 0.0)
     {
       solids.at(solid)->Faces.push_back(entry);
     }
+  }
+  if (exact > 0)
+  {
+    run.Messages.AddEcho(std::to_string(exact) + " of " +
+      FormatCount(
+        faces->GetNumberOfRows(), "face has no tolerance and counts", "faces have no tolerance and count") +
+      " as exact; --face-tolerance T is for all faces without one");
   }
   AddMassShares(solids, *total, run.File);
   for (std::size_t i = 0; i < solids.size(); ++i)

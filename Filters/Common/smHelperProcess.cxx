@@ -19,6 +19,7 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -47,22 +48,7 @@ bool Send(int descriptor, const void* from, std::size_t size)
   return true;
 }
 
-/// Makes a nameless file in memory with these bytes, positioned at its start, which no other program
-/// inherits. Returns -1, with errno, if that fails.
-int MakeInput(const std::string& bytes)
-{
-  const int file = memfd_create("solidmoments", MFD_CLOEXEC);
-  if (file >= 0 && (!Send(file, bytes.data(), bytes.size()) || lseek(file, 0, SEEK_SET) != 0))
-  {
-    const int error = errno;
-    close(file);
-    errno = error;
-    return -1;
-  }
-  return file;
-}
-
-/// Starts the program and returns errno; 0 if it runs. Its standard input is `input`, or empty if that is -1.
+/// Starts the program and returns errno; 0 if it runs.
 int Spawn(
   const std::string& program, const std::vector<std::string>& arguments, int input, int output, pid_t& id)
 {
@@ -74,14 +60,7 @@ int Spawn(
   words.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  if (input >= 0)
-  {
-    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  }
-  else
-  {
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  }
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   const int error = posix_spawn(&id, program.c_str(), &actions, nullptr, words.data(), environ);
@@ -215,44 +194,27 @@ HelperProcess::~HelperProcess()
   }
 }
 
-std::string HelperProcess::Run(
-  const std::string& program, const std::vector<std::string>& arguments, int input)
+std::string HelperProcess::Start(const std::string& program, const std::vector<std::string>& arguments)
 {
-  int ends[2];
-  int error = pipe2(ends, O_CLOEXEC) != 0 ? errno : 0;
+  // A socket, because a write to a pipe whose reader has ended raises a signal.
+  int requests[2];
+  int messages[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, requests) != 0)
+  {
+    return std::string("could not be started: ") + std::strerror(errno);
+  }
+  this->Requests = requests[0];
+  int error = pipe2(messages, O_CLOEXEC) != 0 ? errno : 0;
   if (error == 0)
   {
     this->MemoryKills = CountMemoryKills();
     this->Parent = getpid();
-    error = Spawn(program, arguments, input, ends[1], this->Id);
-    close(ends[1]);
-    this->Pipe = error == 0 ? ends[0] : (close(ends[0]), -1);
+    error = Spawn(program, arguments, requests[1], messages[1], this->Id);
+    close(messages[1]);
+    this->Pipe = error == 0 ? messages[0] : (close(messages[0]), -1);
   }
-  if (input >= 0)
-  {
-    close(input);
-  }
+  close(requests[1]);
   return error == 0 ? "" : std::string("could not be started: ") + std::strerror(error);
-}
-
-std::string HelperProcess::Start(
-  const std::string& program, const std::vector<std::string>& arguments, const std::string* input)
-{
-  const int file = input ? MakeInput(*input) : -1;
-  return input && file < 0 ? std::string("could not be given the content: ") + std::strerror(errno)
-                           : this->Run(program, arguments, file);
-}
-
-std::string HelperProcess::StartServer(const std::string& program, const std::vector<std::string>& arguments)
-{
-  // A socket, because a write to a pipe whose reader has ended raises a signal.
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-  {
-    return std::string("could not be started: ") + std::strerror(errno);
-  }
-  this->Requests = ends[0];
-  return this->Run(program, arguments, ends[1]);
 }
 
 bool HelperProcess::Send(char kind, const Bytes& content, const std::function<bool()>& watch)
@@ -314,6 +276,7 @@ std::string HelperProcess::Fork(const std::function<void(int descriptor)>& work)
     dup2(ends[1], STDOUT_FILENO);
     close(ends[0]);
     close(ends[1]);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int messages = OpenMessages();
     if (messages < 0 || getppid() != this->Parent)
     {
@@ -449,10 +412,25 @@ std::string FindProgram(const std::string& name)
   return {};
 }
 
+void EndWithInput()
+{
+  std::thread(
+    []()
+    {
+      struct pollfd input = { STDIN_FILENO, POLLRDHUP, 0 };
+      while ((input.revents & (POLLRDHUP | POLLHUP | POLLERR | POLLNVAL)) == 0)
+      {
+        poll(&input, 1, -1);
+      }
+      _exit(1);
+    })
+    .detach();
+}
+
 int OpenMessages()
 {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const int messages = dup(STDOUT_FILENO);
+  // Not inherited: a program that this process starts would keep the other one waiting for its end.
+  const int messages = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
   const int null = open("/dev/null", O_WRONLY);
   if (messages >= 0 && null >= 0)
   {

@@ -3,8 +3,9 @@
  * @brief Child processes, a program or a function of this one, that send messages through a pipe; not
  * installed
  *
- * A message is its kind, one byte, the number of bytes that follow, and these bytes. A child ends with the
- * thread that started it, and its other output to the standard output is discarded.
+ * A message is its kind, one byte, the number of bytes that follow, and these bytes. A function of this
+ * process ends with the thread that started it, a program with this process. Other output of a child to the
+ * standard output is discarded.
  */
 #ifndef smHelperProcess_h
 #define smHelperProcess_h
@@ -50,14 +51,11 @@ public:
   HelperProcess(const HelperProcess&) = delete;
   HelperProcess& operator=(const HelperProcess&) = delete;
 
-  /// Starts a program, with `input`, unless it is null, as its standard input; its standard error is
-  /// discarded. Returns the predicate of a sentence about the program, "could not be started: ..."; empty if
-  /// it runs.
-  std::string Start(
-    const std::string& program, const std::vector<std::string>& arguments, const std::string* input);
-  /// Starts a program likewise, whose standard input gets the messages of Send().
-  std::string StartServer(const std::string& program, const std::vector<std::string>& arguments);
-  /// Sends a message to the program of StartServer(). `watch` is called about ten times a second as long as
+  /// Starts a program whose standard input gets the messages of Send(), and ends with this process; its
+  /// standard error is discarded. Returns the predicate of a sentence about the program, "could not be
+  /// started: ..."; empty if it runs.
+  std::string Start(const std::string& program, const std::vector<std::string>& arguments);
+  /// Sends a message to the program of Start(). `watch` is called about ten times a second as long as
   /// the program does not take the bytes, and returns false to stop. Returns false if that or the time of
   /// SetSecondsLeft() stopped it, or if the program has ended.
   bool Send(char kind, const Bytes& content, const std::function<bool()>& watch);
@@ -79,7 +77,6 @@ public:
   const ProcessEnd& GetEnd() const { return this->End; }
 
 private:
-  std::string Run(const std::string& program, const std::vector<std::string>& arguments, int input);
   void Receive();
   void TakeMessages();
   void TakeEnd();
@@ -101,9 +98,12 @@ private:
 /// it; empty if it is not there.
 SMFILTERSCOMMON_EXPORT std::string FindProgram(const std::string& name);
 
-/// For a program that a HelperProcess started: returns the descriptor for its messages, -1 if there is none.
-/// The standard output is /dev/null afterwards. The process ends with the one that started it.
+/// For a process that a HelperProcess started: returns the descriptor for its messages, -1 if there is none.
+/// The standard output is /dev/null afterwards.
 SMFILTERSCOMMON_EXPORT int OpenMessages();
+/// For a program that HelperProcess::Start() started: ends it as soon as its standard input is closed, also
+/// while it works.
+SMFILTERSCOMMON_EXPORT void EndWithInput();
 /// Sends a message to the other process; returns false if it has ended.
 SMFILTERSCOMMON_EXPORT bool SendMessage(int descriptor, char kind, const void* bytes, std::size_t size);
 /// Waits for the next message of Send(); returns false if the other process has ended.

@@ -145,8 +145,11 @@ void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part, bool w
   this->ExpandTrim(panel, part);
   const PatchSeries& series = this->GetSeries(panel, part, true);
   PatchTraits traits = series.Traits;
-  traits.PolynomialLength = traits.PolynomialLength && withForm;
-  traits.ConstantDirection = traits.ConstantDirection && withForm;
+  // What is known of |m| was found on the box of the patch's series, and nothing is known beyond.
+  const bool hasForm = withForm && IsInside(this->Box, series.Box);
+  traits.PolynomialLength = traits.PolynomialLength && hasForm;
+  traits.ConstantDirection = traits.ConstantDirection && hasForm;
+  traits.SquareDeviation = hasForm ? traits.SquareDeviation : 0.0;
   const Patch& patch = this->Panels.Patches[panel.Patch];
   this->OfPart.Expand(series.Points.data(), patch.Degree[0], patch.Degree[1], traits, this->Box,
     GetOrigin(patch, this->Request));

@@ -16,7 +16,7 @@ namespace
 // and leaves the patch by at most the margin.
 constexpr double BoxStep = 1.0 / 1024.0;
 constexpr double Margin = 1.0 / 32.0;
-// The room that is left for the series of a trim piece beyond its coefficients, relative to their range.
+// The room that is left for the series of a part of a panel beyond the panel's, relative to their range.
 constexpr double SeriesRoom = 1.0 / 64.0;
 // An edge whose control points are this close together, relative to the patch, is nearly, or certainly, one
 // point.
@@ -34,24 +34,18 @@ int CountSamples(const Patch& patch)
   return (3 * patch.Degree[0] - 1) * (3 * patch.Degree[1] - 1);
 }
 
-/// Raises the ranges of s and r, [0] to [1], to those of the coefficients of a panel's trim piece, and of s
-/// times xi in [0, 1]. A series of the piece is at most a little wider.
-void AddPanel(const FacePanels& panels, const Panel& panel, std::array<double, 2> (&ranges)[2])
+/// Raises the ranges of s and r, [0] to [1], to those of a panel.
+void AddPanel(
+  const FacePanels& panels, const Panel& panel, TrimSeries& trim, std::array<double, 2> (&ranges)[2])
 {
-  const Patch& patch = panels.Patches[panel.Patch];
+  trim.Expand(panels.Coefficients.data() + panel.Trim, panel.TrimDegree, panels.Patches[panel.Patch],
+    panel.Start, panel.End);
+  const ParameterBox box = trim.GetBox(0.0, 1.0);
   for (int d = 0; d < 2; ++d)
   {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (int i = 0; i <= panel.TrimDegree; ++i)
-    {
-      const double local = (panels.Coefficients[panel.Trim + 2 * i + d] - patch.Start[d]) / patch.Width[d];
-      low = std::min(low, local);
-      high = std::max(high, local);
-    }
-    const double room = SeriesRoom * (high - low);
-    ranges[d][0] = std::min(ranges[d][0], d == 0 ? std::min(0.0, low - room) : low - room);
-    ranges[d][1] = std::max(ranges[d][1], d == 0 ? std::max(0.0, high + room) : high + room);
+    const double room = (1.0 + SeriesRoom) * box.Half[d];
+    ranges[d][0] = std::min(ranges[d][0], box.Middle[d] - room);
+    ranges[d][1] = std::max(ranges[d][1], box.Middle[d] + room);
   }
 }
 
@@ -171,9 +165,10 @@ FaceSeries::FaceSeries(const FacePanels& panels, const PlanRequest& request)
       range = { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
     }
   }
+  TrimSeries trim;
   for (const Panel& panel : panels.Panels)
   {
-    AddPanel(panels, panel, this->Entries[panel.Patch].Ranges);
+    AddPanel(panels, panel, trim, this->Entries[panel.Patch].Ranges);
   }
 }
 

@@ -4,8 +4,6 @@
 #include "smKernelProcess.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <unordered_map>
 #include <utility>
 
 namespace sm

@@ -35,7 +35,8 @@ public:
   std::string Start()
   {
     const std::string program = FindProgram(kernel::ProgramName);
-    return program.empty() ? "was not found" : this->Process.StartServer(program, {});
+    return program.empty() ? "was not found: install it in the folder bin next to the libraries"
+                           : this->Process.Start(program, {});
   }
 
   KernelAnswer Ask(char kind, const Bytes& request, const ProgressCallback& progress,
@@ -44,6 +45,7 @@ public:
     const double seconds = MinSeconds + SecondsPerByte * static_cast<double>(request.size());
     this->Process.SetSecondsLeft(seconds);
     this->OnContent = &take;
+    this->IsContentTaken = false;
     const auto watch = [&]
     {
       this->IsStopped = this->IsStopped || !progress(this->Fraction);
@@ -87,8 +89,21 @@ public:
   }
 
   /// Returns true if the program waits for the next request of this process, and not of a copy of it.
-  bool IsReady() const { return this->Process.IsRunning() && !this->IsStopped && this->Owner == getpid(); }
-  bool HasContent() const { return this->IsContentTaken; }
+  bool IsReady()
+  {
+    if (this->Process.IsRunning() && this->Owner == getpid())
+    {
+      this->Process.SetSecondsLeft(MinSeconds);
+      HelperProcess::Wait({ &this->Process }, 0.0);
+    }
+    return this->Process.IsRunning() && !this->IsStopped && this->Owner == getpid();
+  }
+  /// Returns true if the program ended, though not because its time was over, before it sent a part of the
+  /// answer.
+  bool MayBeAskedAgain() const
+  {
+    return !this->Process.IsRunning() && !this->IsContentTaken && !this->Process.GetEnd().IsTimeOver;
+  }
 
 private:
   std::string DescribeEnd(double seconds) const
@@ -96,6 +111,7 @@ private:
     const ProcessEnd& end = this->Process.GetEnd();
     const std::string words = end.Describe();
     return this->IsOther ? "its program solidmoments-kernel is not of version " SOLIDMOMENTS_VERSION
+                           ": install it together with the libraries"
       : end.IsTimeOver
       ? "its process did not answer within " + std::to_string(static_cast<long>(seconds)) + " s"
       : "its process " + (words.empty() ? "ended without a result" : words);
@@ -174,13 +190,13 @@ KernelAnswer AskKernel(char kind, const Bytes& request, const ProgressCallback& 
       }
     }
     KernelAnswer answer = server->Ask(kind, request, progress, take);
-    const bool mayHaveEnded = isUsed && !server->HasContent();
+    // A process that has waited may end just before the request, for a reason that is not in it.
+    const bool isLost = isUsed && !answer.Problem.empty() && server->MayBeAskedAgain();
     if (server->IsReady())
     {
       IdleServer::Get().Exchange(std::move(server));
     }
-    // A process ends with the thread that started it, which may have been another one.
-    if (answer.Problem.empty() || !mayHaveEnded)
+    if (!isLost)
     {
       return answer;
     }

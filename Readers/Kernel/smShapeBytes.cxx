@@ -79,6 +79,12 @@ public:
     std::visit([this](const auto& alternative) { (*this)(alternative); }, value);
   }
 
+  template <class Object>
+  void Require(const std::shared_ptr<Object>& object)
+  {
+    (*this)(object);
+  }
+
 private:
   ByteWriter& To;
   ShapeTable::Content& Table;
@@ -107,6 +113,14 @@ public:
   void operator()(std::variant<Types...>& value)
   {
     this->ReadAlternative(value, this->From.Get<std::uint64_t>(), std::index_sequence_for<Types...>());
+  }
+
+  /// Refuses a null pointer.
+  template <class Object>
+  void Require(std::shared_ptr<Object>& object)
+  {
+    (*this)(object);
+    this->Good = object && this->Good;
   }
 
 private:
@@ -165,7 +179,7 @@ void VisitMembers(Visit& visit, SplineCurve<Dimension>& curve)
 template <class Visit, int Dimension>
 void VisitMembers(Visit& visit, OffsetCurve<Dimension>& curve)
 {
-  visit(curve.Basis);
+  visit.Require(curve.Basis);
   visit(curve.Distance);
   visit(curve.Reference);
 }
@@ -173,7 +187,7 @@ void VisitMembers(Visit& visit, OffsetCurve<Dimension>& curve)
 template <class Visit, int Dimension>
 void VisitMembers(Visit& visit, CurveSegment<Dimension>& segment)
 {
-  visit(segment.Curve);
+  visit.Require(segment.Curve);
   visit(segment.First);
   visit(segment.Last);
   visit(segment.Length);
@@ -188,8 +202,8 @@ void VisitMembers(Visit& visit, CompositeCurve<Dimension>& curve)
 template <class Visit>
 void VisitMembers(Visit& visit, CurveOnSurface& curve)
 {
-  visit(curve.Surface);
-  visit(curve.Curve);
+  visit.Require(curve.Surface);
+  visit.Require(curve.Curve);
 }
 
 template <class Visit>
@@ -206,7 +220,7 @@ void VisitMembers(Visit& visit, ElementarySurface& surface)
 template <class Visit>
 void VisitMembers(Visit& visit, ExtrudedSurface& surface)
 {
-  visit(surface.Profile);
+  visit.Require(surface.Profile);
   visit(surface.Range);
   visit(surface.Direction);
 }
@@ -214,7 +228,7 @@ void VisitMembers(Visit& visit, ExtrudedSurface& surface)
 template <class Visit>
 void VisitMembers(Visit& visit, RevolvedSurface& surface)
 {
-  visit(surface.Profile);
+  visit.Require(surface.Profile);
   visit(surface.Range);
   visit(surface.Origin);
   visit(surface.Axis);
@@ -232,7 +246,7 @@ void VisitMembers(Visit& visit, SplineSurface& surface)
 template <class Visit>
 void VisitMembers(Visit& visit, OffsetSurface& surface)
 {
-  visit(surface.Basis);
+  visit.Require(surface.Basis);
   visit(surface.Distance);
 }
 
@@ -268,7 +282,7 @@ void VisitMembers(Visit& visit, EdgeShape& edge)
 template <class Visit>
 void VisitMembers(Visit& visit, CoedgeShape& coedge)
 {
-  visit(coedge.Edge);
+  visit.Require(coedge.Edge);
   visit(coedge.Reversed);
   visit(coedge.Trim);
   visit(coedge.First);
@@ -299,7 +313,7 @@ void VisitMembers(Visit& visit, FaceShape& face)
 template <class Visit>
 void VisitMembers(Visit& visit, FaceUse& use)
 {
-  visit(use.Face);
+  visit.Require(use.Face);
   visit(use.Reversed);
 }
 
@@ -316,7 +330,7 @@ void VisitMembers(Visit& visit, ShellShape& shell)
 template <class Visit>
 void VisitMembers(Visit& visit, ShellUse& use)
 {
-  visit(use.Shell);
+  visit.Require(use.Shell);
   visit(use.Reversed);
   visit(use.Location);
 }
@@ -331,7 +345,7 @@ void VisitMembers(Visit& visit, SolidShape& solid)
 template <class Visit>
 void VisitMembers(Visit& visit, SolidUse& use)
 {
-  visit(use.Solid);
+  visit.Require(use.Solid);
   visit(use.Reversed);
   visit(use.Location);
 }
@@ -376,6 +390,18 @@ template <>
 constexpr bool IsPlain<VertexShape> = true;
 template <>
 constexpr bool IsPlain<Placement> = true;
+
+/// The last enumerator.
+template <class Type>
+constexpr Type LastOf = Type();
+template <>
+constexpr ConicCurve<2>::Type LastOf<ConicCurve<2>::Type> = ConicCurve<2>::Type::Hyperbola;
+template <>
+constexpr ConicCurve<3>::Type LastOf<ConicCurve<3>::Type> = ConicCurve<3>::Type::Hyperbola;
+template <>
+constexpr ElementarySurface::Type LastOf<ElementarySurface::Type> = ElementarySurface::Type::Torus;
+template <>
+constexpr ElementarySurface::Part LastOf<ElementarySurface::Part> = ElementarySurface::Part::Inner;
 
 template <class Object>
 constexpr bool IsGeometry = std::is_const_v<Object>;
@@ -436,7 +462,17 @@ void Packing::operator()(const std::shared_ptr<Object>& object)
 template <class Type>
 void Unpacking::operator()(Type& value)
 {
-  if constexpr (IsPlain<Type>)
+  if constexpr (std::is_same_v<Type, bool>)
+  {
+    value = this->From.Get<unsigned char>() != 0;
+  }
+  else if constexpr (std::is_enum_v<Type>)
+  {
+    const auto number = this->From.Get<std::underlying_type_t<Type>>();
+    this->Good = number <= static_cast<std::underlying_type_t<Type>>(LastOf<Type>) && this->Good;
+    value = this->IsGood() ? static_cast<Type>(number) : Type();
+  }
+  else if constexpr (IsPlain<Type>)
   {
     value = this->From.Get<Type>();
   }
@@ -455,11 +491,15 @@ void Unpacking::operator()(std::vector<Type>& values)
   }
   else
   {
-    values.resize(this->From.GetCount(1));
+    // An element begins with a count or the number of an object.
+    values.resize(this->Depth < MaxShapeDepth ? this->From.GetCount(sizeof(std::uint64_t)) : 0);
+    this->Good = this->Depth < MaxShapeDepth && this->Good;
+    ++this->Depth;
     for (std::size_t i = 0; i < values.size() && this->IsGood(); ++i)
     {
       (*this)(values[i]);
     }
+    --this->Depth;
   }
 }
 

@@ -18,7 +18,7 @@
 
 namespace sm
 {
-/// Largest depth of pointers between shapes, curves and surfaces.
+/// Largest depth of pointers and lists in shapes, curves, surfaces and nodes.
 constexpr int MaxShapeDepth = 4000;
 
 /// A part of a file without product structure, or an assembly of such nodes.

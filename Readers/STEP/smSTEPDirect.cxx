@@ -183,13 +183,29 @@ private:
           return RepairFaces(whole, faces, limits, watch, repaired);
         });
     }
+    std::string failure;
     if (!isSound)
     {
-      const std::string failure = CallRepair(repair, original, data, limits, watch, result);
+      failure = CallRepair(repair, original, data, limits, watch, result);
       if (failure.empty())
       {
         return;
       }
+      if (repair == RepairMode::Always)
+      {
+        // A body that needs no repair is taken as it is.
+        isSound = IsSoundBody(body, this->Log,
+          [](const BodyShape& whole, const std::vector<const FaceShape*>&, std::vector<const FaceShape*>&)
+          { return whole; });
+        if (isSound)
+        {
+          this->Result.Messages.push_back(GetLabel(original, data) +
+            " of the file was not repaired: " + failure + ". It needs no repair and is taken as it is.");
+        }
+      }
+    }
+    if (!isSound)
+    {
       // The body was counted as a repaired one.
       const std::string reason =
         this->Log.Reasons.size() > reasons ? " (" + this->Log.Reasons.back() + ")" : std::string();

@@ -2,8 +2,9 @@
  * @file smPanelBounds.h
  * @brief Bounds of the integrands on a part of a panel, along its trim curve and across, see Bounds.md
  *
- * A part can be bounded by two sets of series: those of its patch, which all panels of the patch share at no
- * further cost, and those of its own box, which give smaller bounds.
+ * A part can be bounded by three sets of series: those of its patch, which all panels of the patch share at
+ * no further cost, those of a strip of it, which some share, and those of its own box, which give the
+ * smallest bounds.
  */
 #ifndef smPanelBounds_h
 #define smPanelBounds_h

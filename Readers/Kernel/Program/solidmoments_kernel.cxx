@@ -2,7 +2,7 @@
  * @file solidmoments_kernel.cxx
  * @brief solidmoments-kernel: the only program that links OpenCASCADE; takes requests (smKernelMessages.h)
  *
- * It ends with its standard input, and with the thread that started it.
+ * It ends with its standard input, and so with the process that started it.
  */
 #include "smExportBytes.h"
 #include "smHelperProcess.h"
@@ -16,6 +16,7 @@
 #include "smOCCTMakeShape.h"
 #include "smOCCTReadBREP.h"
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -224,6 +225,9 @@ bool Answer(char kind, const sm::Bytes& request, int messages)
 
 void Serve()
 {
+  // An interrupt of the program that started this one does not end a server that it may still need.
+  std::signal(SIGINT, SIG_IGN);
+  sm::EndWithInput();
   const int messages = sm::OpenMessages();
   const std::string version = SOLIDMOMENTS_VERSION;
   sm::SetUpKernel();

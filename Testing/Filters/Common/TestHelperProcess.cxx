@@ -129,19 +129,34 @@ void CheckPart()
   CheckEqual("whole messages", 1, static_cast<int>(outcome.Messages.size()));
 }
 
+/// A program gets requests, whose bytes cat sends back; one that has ended takes none.
 void CheckProgram()
 {
+  const auto goOn = []() { return true; };
   sm::Bytes received;
   sm::HelperProcess helper([&received](char, sm::Bytes content) { received = std::move(content); });
-  const std::string input = std::string("k") + '\2' + std::string(7, '\0') + "ab";
-  CheckEqual("start", "", helper.Start("/bin/cat", {}, &input));
+  CheckEqual("start", "", helper.Start("/bin/cat", {}));
+  const sm::Bytes request = MakeBytes(300);
+  CheckTrue("send", helper.Send(Kind, request, goOn));
+  while (received.empty() && helper.IsRunning())
+  {
+    sm::HelperProcess::Wait({ &helper }, 1.0);
+  }
+  CheckTrue("cat sends it back", received == request);
+  helper.Kill();
   while (helper.IsRunning())
   {
     sm::HelperProcess::Wait({ &helper }, 1.0);
   }
-  CheckTrue("cat sends its input", received == sm::Bytes({ 'a', 'b' }));
+  CheckTrue("a program that has ended takes nothing", !helper.Send(Kind, request, goOn));
+  sm::HelperProcess deaf([](char, const sm::Bytes&) {});
+  CheckEqual("start", "", deaf.Start("/bin/sleep", { "600" }));
+  int calls = 0;
+  CheckTrue("one that does not read is stopped",
+    !deaf.Send(Kind, MakeBytes(5000000), [&calls]() { return ++calls < 3; }));
+  CheckEqual("calls", 3, calls);
   sm::HelperProcess none([](char, const sm::Bytes&) {});
-  const std::string problem = none.Start("/bin/there is none", {}, nullptr);
+  const std::string problem = none.Start("/bin/there is none", {});
   CheckTrue("no program", problem.rfind("could not be started: ", 0) == 0, problem);
   CheckTrue("does not run", !none.IsRunning());
 }

@@ -1,9 +1,13 @@
-// TestKernelProcess SOLIDS FILE: what OpenCASCADE does in its process arrives here whatever becomes of the
+// TestKernelProcess FILE OUTPUT: what OpenCASCADE does in its process arrives here whatever becomes of the
 // process: killed between requests, stopped, killed by another request, used by several threads, by a request
 // within another one, and by a copy of this process. OpenCASCADE is never loaded here.
 #include "smBodyCapture.h"
 #include "smKernel.h"
 #include "smTesting.h"
+
+#include <vtkNew.h>
+#include <vtkSTEPReader.h>
+#include <vtkSTEPWriter.h>
 
 #include <cerrno>
 #include <csignal>
@@ -139,7 +143,6 @@ void CheckUsers(const sm::BodyShape& body)
   {
     CheckEqual("a thread", "", failure);
   }
-  // The process of a thread ends with it.
   CheckEqual("after the threads", "", Repair(body));
   const pid_t child = GetChild();
   kill(child, SIGSTOP);
@@ -163,6 +166,37 @@ void CheckUsers(const sm::BodyShape& body)
   waitpid(copy, &status, 0);
   CheckEqual("a copy of this process", 0, status);
   CheckEqual("and this process", "", Repair(body));
+}
+
+/// Writes the part; returns true if that worked.
+bool Write(vtkSTEPReader* reader, const std::string& path)
+{
+  vtkNew<vtkSTEPWriter> writer;
+  writer->SetInputDataObject(reader->GetOutput());
+  writer->SetFileName(path.c_str());
+  return writer->Write() == 1;
+}
+
+/// After a write, too, a request does not depend on the thread and the process of the one before.
+void CheckWrites(const sm::BodyShape& body, const std::string& file, const std::string& output)
+{
+  vtkNew<vtkSTEPReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  const std::string path = output + "/kernel_process.step";
+  for (int i = 0; i < 4; ++i)
+  {
+    bool isWritten = false;
+    std::thread([&] { isWritten = Write(reader, path); }).join();
+    CheckTrue("a write in a thread of its own", isWritten);
+  }
+  kill(GetChild(), SIGINT);
+  CheckTrue("a write after an interrupt", Write(reader, path));
+  kill(GetChild(), SIGKILL);
+  CheckEqual("a repair after a write whose process was killed", "", Repair(body));
+  CheckTrue("a write", Write(reader, path));
+  kill(GetChild(), SIGKILL);
+  CheckTrue("a write after one whose process was killed", Write(reader, path));
 }
 
 void CheckBREP()
@@ -194,10 +228,11 @@ int TestKernelProcess(int argc, char* argv[])
   {
     return 1;
   }
-  const sm::BodyShape body = CaptureBodies(argv[2]).at(0);
+  const sm::BodyShape body = CaptureBodies(argv[1]).at(0);
   CheckRepairs(body);
   CheckEnds(body);
   CheckUsers(body);
+  CheckWrites(body, argv[1], argv[2]);
   CheckBREP();
   CheckNotLoaded();
   return Finish();

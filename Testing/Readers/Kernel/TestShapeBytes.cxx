@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <random>
 #include <set>
+#include <utility>
 
 namespace
 {
@@ -156,6 +157,37 @@ void CheckDepth()
   };
   CheckTrue("100 levels", nest(100));
   CheckTrue("more levels than the limit", !nest(sm::MaxShapeDepth));
+  sm::ShapeNode node;
+  for (int i = 0; i < 2 * sm::MaxShapeDepth; ++i)
+  {
+    sm::ShapeNode parent;
+    parent.Children.push_back(std::move(node));
+    node = std::move(parent);
+  }
+  sm::ByteWriter to;
+  sm::ShapeTable table;
+  sm::ShapeWriter(to, table).Put(node);
+  sm::ByteReader from(to.GetBytes());
+  sm::ShapeNode copy;
+  CheckTrue("a tree with more levels", !sm::ShapeReader(from, table).Get(copy));
+}
+
+/// Uses of nothing are refused.
+void CheckNull()
+{
+  sm::ShapeGroup groups[3];
+  groups[0].Solids.resize(1);
+  groups[1].Shells.resize(1);
+  groups[2].Faces.resize(1);
+  for (const sm::ShapeGroup& group : groups)
+  {
+    sm::ByteWriter to;
+    sm::ShapeTable table;
+    sm::ShapeWriter(to, table).Put(group);
+    sm::ByteReader from(to.GetBytes());
+    sm::ShapeGroup copy;
+    CheckTrue("a null pointer", !sm::ShapeReader(from, table).Get(copy));
+  }
 }
 }
 
@@ -188,5 +220,6 @@ int TestShapeBytes(int argc, char* argv[])
   CheckReply(part);
   CheckDamage(part);
   CheckDepth();
+  CheckNull();
   return Finish();
 }
