@@ -268,7 +268,6 @@ def check_step(model, file, part):
     writer.SetInputDataObject(data)
     writer.SetFileName(file)
     writer.Write()
-    window.RemoveRenderer(renderer)
     read = solidmoments.mass_properties(file, density=DENSITY, backend="cpu")
     off = numpy.array(read.center_of_mass) - WANTED
     print(f"{file}: {read.status}, mass {read.mass:.9f} kg, {read.volume / part.volume - 1.0:.1e} of it off; centre off by {abs(off).max():.1e} mm")
@@ -348,6 +347,7 @@ def draw(shapes, file):
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(file)
     writer.Write()
+    window.RemoveRenderer(renderer)
 
 
 def to_curve(row):

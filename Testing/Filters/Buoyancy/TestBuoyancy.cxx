@@ -49,7 +49,7 @@ void CheckPlanes(const std::string& what, Scene& scene, const std::vector<Plane>
       // 20: the volume's scale is rounded down to a power of two; rounding is 1e-12 of the box at most.
       CheckRange(name + ", bound", 0.0, bound,
         2.0 * tolerance * static_cast<double>(whole.Volume) + roundings * area +
-          3e-13 * static_cast<double>(size * size * size));
+          7e-13 * static_cast<double>(size * size * size));
       double center[3];
       scene.Filter->GetCenterOfBuoyancy(center);
       const double centerBound = scene.Filter->GetCenterOfBuoyancyBound();
