@@ -3,8 +3,6 @@
 #include "smFormat.h"
 #include "smUnitRoundoff.h"
 
-#include "vtkSMPTools.h"
-
 #include <cmath>
 
 namespace sm
@@ -15,11 +13,6 @@ namespace
 constexpr double DevicePays = 1.0;
 // Variants that device and CPU compare.
 constexpr std::size_t ComparedVariants = 3;
-
-double GetThreads()
-{
-  return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-}
 
 /// Where no bound is known, half of the digits count.
 bool AreClose(double value, double right, double bound)
@@ -34,11 +27,19 @@ std::string DescribeDifference(std::size_t moment, double value, double right)
 }
 }
 
-void VariantIntegrator::Internals::LeaveDevice(std::string reason)
+// Reasons are copies, as errors are the device's.
+void VariantIntegrator::Internals::LeaveDevice(
+  std::unique_ptr<VariantDevice>& device, std::string reason)
 {
-  this->Device = nullptr;
-  this->FormDevice = nullptr;
-  this->AddReason("no OpenGL, the CPU evaluates: " + reason);
+  device = nullptr;
+  this->AddReason("no OpenGL at frozen points, the CPU evaluates these: " + reason);
+}
+
+void VariantIntegrator::Internals::LeaveDevice(
+  std::unique_ptr<VariantFormDevice>& device, std::string reason)
+{
+  device = nullptr;
+  this->AddReason("no OpenGL for polynomials, the CPU evaluates these: " + reason);
 }
 
 /// Starts the context, and compares the device with the CPU, as a driver may compile an operation that the
@@ -49,13 +50,13 @@ bool VariantIntegrator::Internals::Prepare(
 {
   if (!device->Prepare())
   {
-    this->LeaveDevice(device->GetError());
+    this->LeaveDevice(device, device->GetError());
     return false;
   }
   const std::string difference = (this->*findDifference)();
   if (!difference.empty())
   {
-    this->LeaveDevice(device->GetContext()->GetRenderer() + " " + difference);
+    this->LeaveDevice(device, device->GetContext()->GetRenderer() + " " + difference);
     return false;
   }
   return true;
@@ -162,7 +163,7 @@ bool VariantIntegrator::Internals::EvaluateOnDevice(
   }
   if (!this->Device->Evaluate(c, n, values, bounds))
   {
-    this->LeaveDevice(this->Device->GetError());
+    this->LeaveDevice(this->Device, this->Device->GetError());
     return false;
   }
   const std::size_t directions = this->GetDirections();
@@ -188,7 +189,7 @@ bool VariantIntegrator::Internals::EvaluateFormsOnDevice(
   }
   if (!this->FormDevice->Evaluate(c, n, values, gradients))
   {
-    this->LeaveDevice(this->FormDevice->GetError());
+    this->LeaveDevice(this->FormDevice, this->FormDevice->GetError());
     return false;
   }
   const std::size_t directions = this->GetDirections();
@@ -204,11 +205,11 @@ bool VariantIntegrator::Internals::EvaluateFormsOnDevice(
 }
 
 /// Returns false, with the reason, where OpenGL is not wanted, does not pay, or has no GPU.
-bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings, double onProcessor)
+bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings, double onAll)
 {
   const bool isForced = settings.Backend == VariantBackend::OpenGL;
   if (settings.Backend == VariantBackend::CPU ||
-    (!isForced && onProcessor * static_cast<double>(settings.Expected) < DevicePays))
+    (!isForced && onAll * static_cast<double>(settings.Expected) < DevicePays))
   {
     return false;
   }
@@ -230,60 +231,58 @@ bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings,
   return isForced || this->Context->StartOnGPU();
 }
 
-/// Returns the seconds of a variant at frozen points, by OpenGL or on the CPU.
-double VariantIntegrator::Internals::ChooseDevice(
-  const VariantSettings& settings, DevicePoints points, double onProcessor)
+/// Returns the seconds of a variant by `evaluate(c, values)` of a device, or leaves the device and returns
+/// `onAll` where it fails, or is slower though it is not forced.
+template <typename AnyDevice, typename Work>
+double VariantIntegrator::Internals::MeasureDevice(const VariantSettings& settings,
+  std::unique_ptr<AnyDevice>& device, const char* what, double onAll, std::size_t n, const Work& evaluate)
 {
-  const double onAll = onProcessor / GetThreads();
-  if (!this->StartContext(settings, onAll))
-  {
-    return onProcessor;
-  }
-  this->Device = std::make_unique<VariantDevice>(this->Context, std::move(points), this->GetDirections());
-  if (!this->Prepare(this->Device, &Internals::FindDeviceDifference))
-  {
-    return onProcessor;
-  }
-  const std::size_t n = this->Context->IsSoftware() ? 64 : 65536;
   const std::vector<double> c(n * this->GetDirections(), 0.0);
   std::vector<double> values(n * NumberOfMoments);
-  const double seconds =
-    MeasureVariants(n, [&]() { this->Device->Evaluate(c.data(), n, values.data(), nullptr); });
-  this->AddReason(FormatMicroseconds(seconds) + " there by OpenGL on " + this->Context->GetRenderer());
+  const double seconds = MeasureVariants(n, [&]() { return evaluate(c.data(), values.data()); });
+  if (std::isnan(seconds))
+  {
+    this->LeaveDevice(device, device->GetError());
+    return onAll;
+  }
+  this->AddReason(FormatMicroseconds(seconds) + what + this->Context->GetRenderer());
   if (settings.Backend != VariantBackend::OpenGL && seconds >= onAll)
   {
-    this->Device = nullptr;
-    return onProcessor;
+    device = nullptr;
+    return onAll;
   }
   return seconds;
 }
 
+double VariantIntegrator::Internals::ChooseDevice(
+  const VariantSettings& settings, DevicePoints points, double onAll)
+{
+  this->Device = std::make_unique<VariantDevice>(this->Context, std::move(points), this->GetDirections());
+  if (!this->Prepare(this->Device, &Internals::FindDeviceDifference))
+  {
+    return onAll;
+  }
+  const std::size_t n = this->Context->IsSoftware() ? 64 : 65536;
+  return this->MeasureDevice(settings, this->Device, " there by OpenGL on ", onAll, n,
+    [&](const double* c, double* values) { return this->Device->Evaluate(c, n, values, nullptr); });
+}
+
 /// The same as a polynomial, which becomes that of the integrator.
 double VariantIntegrator::Internals::ChooseFormDevice(const VariantSettings& settings,
-  const std::shared_ptr<const VariantPolynomial>& polynomial, double onProcessor)
+  const std::shared_ptr<const VariantPolynomial>& polynomial, double onAll)
 {
   this->Polynomial = polynomial;
-  const double onAll = onProcessor / GetThreads();
   if (!this->StartContext(settings, onAll))
   {
-    return onProcessor;
+    return onAll;
   }
   this->FormDevice = std::make_unique<VariantFormDevice>(this->Context, polynomial);
   if (!this->Prepare(this->FormDevice, &Internals::FindFormDifference))
   {
-    return onProcessor;
+    return onAll;
   }
   const std::size_t n = this->Context->IsSoftware() ? 1024 : 131072;
-  const std::vector<double> c(n * this->GetDirections(), 0.0);
-  std::vector<double> values(n * NumberOfMoments);
-  const double seconds =
-    MeasureVariants(n, [&]() { this->FormDevice->Evaluate(c.data(), n, values.data(), nullptr); });
-  this->AddReason(FormatMicroseconds(seconds) + " as one by OpenGL on " + this->Context->GetRenderer());
-  if (settings.Backend != VariantBackend::OpenGL && seconds >= onAll)
-  {
-    this->FormDevice = nullptr;
-    return onProcessor;
-  }
-  return seconds;
+  return this->MeasureDevice(settings, this->FormDevice, " as one by OpenGL on ", onAll, n,
+    [&](const double* c, double* values) { return this->FormDevice->Evaluate(c, n, values, nullptr); });
 }
 }

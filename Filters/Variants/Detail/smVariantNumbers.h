@@ -5,6 +5,8 @@
 #ifndef smVariantNumbers_h
 #define smVariantNumbers_h
 
+#include "smFiltersVariantsModule.h"
+
 #include "smComputeBuffer.h"
 
 #include <cstddef>
@@ -15,6 +17,10 @@ namespace sm
 constexpr double MaximumNumber = 1e30;
 /// Returns true if all numbers are finite, and at most MaximumNumber.
 bool IsInRange(const double* c, std::size_t directions);
+
+/// The number of variants above which UploadVariables() fails as without memory, for tests of what guards
+/// against that; none by default. Not thread safe.
+SMFILTERSVARIANTS_EXPORT std::size_t& GetFailingBatch();
 
 /// Copies c[count][directions] to the device, [direction][variant]. Variants that are not in the range are 0.
 bool UploadVariables(ComputeBuffer& to, const double* c, std::size_t count, std::size_t directions);

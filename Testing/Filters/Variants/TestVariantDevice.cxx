@@ -1,5 +1,6 @@
 // Variants at frozen points by compute shaders: against closed forms and the CPU, for any number of variants,
 // with bits that repeat; and what happens without a context, with a wrong one, or with one that ends.
+#include "Detail/smVariantNumbers.h"
 #include "smShaderFault.h"
 #include "smTesting.h"
 #include "smVariantIntegrator.h"
@@ -327,6 +328,47 @@ void CheckFallbacks()
   CheckFallback("a wrong shader in a new context", lost, "computes a variant wrong");
 }
 
+/// A device that compares three variants rightly, and has no memory for the batch that is timed.
+void CheckNoMemory(vtkComputeContext* context)
+{
+  const VariantSolid solid = MakeTorusOfRadii();
+  sm::GetFailingBatch() = 3;
+  CheckFallback("no memory", MakePoints(solid, sm::VariantBackend::OpenGL, context), "does not fit");
+  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::VariantBackend::OpenGL);
+  settings.Context = context;
+  std::string error;
+  const Integrator forms = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
+  sm::GetFailingBatch() = std::numeric_limits<std::size_t>::max();
+  CheckTrue("no memory for polynomials",
+    forms && forms->GetBackend() == sm::VariantBackend::CPU &&
+      forms->GetReason().find("no OpenGL for polynomials") != std::string::npos,
+    forms ? forms->GetReason() : error);
+}
+
+/// Polynomials that fail leave points on the device.
+void CheckOneFails(vtkComputeContext* context)
+{
+  sm::VariantSettings settings(sm::VariantMethod::Automatic, sm::VariantBackend::OpenGL);
+  settings.Context = context;
+  settings.Expected = 1000000000;
+  std::string error;
+  // Timed are at points 64 or 65,536 variants, and twice or more as polynomials.
+  sm::GetFailingBatch() = context->IsSoftware() ? 64 : 65536;
+  const Integrator variants = sm::VariantIntegrator::Make(MakeTorusOfRadii().Shape, {}, error, settings);
+  sm::GetFailingBatch() = std::numeric_limits<std::size_t>::max();
+  if (!CheckTrue("memory for points only", variants != nullptr, error))
+  {
+    return;
+  }
+  const std::string reason = variants->GetReason();
+  const bool arePoints = variants->GetMethod() == sm::VariantMethod::Points;
+  CheckTrue("polynomials are left, not points",
+    reason.find("no OpenGL for polynomials") != std::string::npos &&
+      reason.find("there by OpenGL") != std::string::npos &&
+      arePoints == (variants->GetBackend() == sm::VariantBackend::OpenGL),
+    reason);
+}
+
 /// Automatic takes a GPU alone, and only where the CPU needs more than a second.
 void CheckAutomatic(vtkComputeContext* context)
 {
@@ -432,6 +474,8 @@ int TestVariantDevice(int, char*[])
   CheckBatches(context);
   CheckNotFinite(context);
   CheckFallbacks();
+  CheckNoMemory(context);
+  CheckOneFails(context);
   CheckAutomatic(context);
   CheckLostContext();
   CheckProgress();
