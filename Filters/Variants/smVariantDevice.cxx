@@ -100,7 +100,7 @@ struct VariantDevice::Internals
   {
     std::string errors;
     for (const ComputeBuffer* buffer : { &this->Words, &this->Numbers, &this->Variables, &this->Sums,
-           &this->Nets, &this->Values, &this->Bounds })
+           &this->BoundSums, &this->Nets, &this->Values, &this->Bounds })
     {
       errors += buffer->GetError();
     }
@@ -341,7 +341,7 @@ bool VariantDevice::Evaluate(const double* c, std::size_t n, double* values, dou
       continue;
     }
     // The result, its quotient and its sum with the constant are rounded.
-    const double bound = PointsRounding * (points.ConstantBound[m] + bounds[i] / divisor) +
+    const double bound = GetSumRounding(points.Terms) * (points.ConstantBound[m] + bounds[i] / divisor) +
       4.0 * UnitRoundoff * (std::abs(values[i]) + std::abs(points.Constant[m]));
     bounds[i] = points.HasBounds && std::isfinite(bound) ? bound : std::numeric_limits<double>::quiet_NaN();
   }

@@ -321,6 +321,7 @@ void DevicePointsWriter::AddCap(const VariantFaceChain& chain, const VariantCap&
 void DevicePointsWriter::AddErrorsOf(const VariantFaceChain& chain)
 {
   PointsErrors errors{ chain.Directions, chain.Errors };
+  this->Result.Terms += errors.Terms.size();
   for (VariantError& term : errors.Terms)
   {
     for (int c = 0; term.Patch >= 0 && c < 3; ++c)

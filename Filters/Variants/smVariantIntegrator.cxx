@@ -39,6 +39,7 @@ void VariantIntegrator::Internals::AddFaces(std::vector<VariantFaceChain>& chain
   {
     PointsErrors errors{ chain.Directions, {} };
     errors.Terms = isNeededAgain ? chain.Errors : std::move(chain.Errors);
+    this->Terms += errors.Terms.size();
     if (!chain.Directions.empty())
     {
       this->Samples += CountSamples(chain);
@@ -97,7 +98,7 @@ void VariantIntegrator::Internals::EvaluatePoints(
           for (int m = 0; m < NumberOfMoments; ++m)
           {
             const double value = values[(first + lane) * NumberOfMoments + m];
-            const double bound = PointsRounding * total[m] +
+            const double bound = GetSumRounding(this->Terms) * total[m] +
               4.0 * UnitRoundoff * (std::abs(value) + std::abs(this->Constant[m]));
             bounds[(first + lane) * NumberOfMoments + m] =
               std::isfinite(bound) ? bound : std::numeric_limits<double>::quiet_NaN();

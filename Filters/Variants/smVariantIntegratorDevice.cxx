@@ -14,10 +14,30 @@ constexpr double DevicePays = 1.0;
 // Variants that device and CPU compare.
 constexpr std::size_t ComparedVariants = 3;
 
-/// Where no bound is known, half of the digits count.
-bool AreClose(double value, double right, double bound)
+/// Where no bound is known, half of the digits count, or 10 of the `scale`, as a number may vanish by symmetry.
+bool AreClose(double value, double right, double bound, double scale)
 {
-  return std::abs(value - right) <= (std::isnan(bound) ? 1e-8 * std::abs(right) : bound);
+  const double apart = std::abs(value - right);
+  return apart <= (std::isnan(bound) ? std::max(1e-8 * std::abs(right), 1e-10 * scale) : bound);
+}
+
+/// Returns scales of the moments of some variants: the largest volume V and the largest second moment S, and
+/// the root of V S, which no first moment exceeds.
+std::array<double, NumberOfMoments> FindScales(const double* values, std::size_t n)
+{
+  double volume = 0.0;
+  double second = 0.0;
+  for (std::size_t i = 0; i < n * NumberOfMoments; ++i)
+  {
+    const std::size_t m = i % NumberOfMoments;
+    volume = m == 0 ? std::max(volume, std::abs(values[i])) : volume;
+    second = m > 3 ? std::max(second, std::abs(values[i])) : second;
+  }
+  std::array<double, NumberOfMoments> scales;
+  scales.fill(second);
+  scales[0] = volume;
+  std::fill_n(scales.begin() + 1, 3, std::sqrt(volume) * std::sqrt(second));
+  return scales;
 }
 
 std::string DescribeDifference(std::size_t moment, double value, double right)
@@ -90,6 +110,7 @@ std::string VariantIntegrator::Internals::FindDeviceDifference()
     return this->Device->GetError();
   }
   const DevicePoints& points = this->Device->GetPoints();
+  const std::array<double, NumberOfMoments> scales = FindScales(values[0].data(), n);
   std::vector<double> sizes;
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -99,10 +120,11 @@ std::string VariantIntegrator::Internals::FindDeviceDifference()
     {
       const std::size_t at = i * NumberOfMoments + m;
       const double bound = bounds[1][at];
-      const double known =
-        expected[m] + 4.0 * UnitRoundoff * (std::abs(values[1][at]) + std::abs(points.Constant[m]));
-      const bool isBound = points.HasBounds ? std::abs(bound - known) <= 1e-9 * known : std::isnan(bound);
-      if (!isBound || !AreClose(values[1][at], values[0][at], bound + bounds[0][at]))
+      const double known = GetSumRounding(points.Terms) * expected[m] +
+        4.0 * UnitRoundoff * (std::abs(values[1][at]) + std::abs(points.Constant[m]));
+      const bool isBound = points.HasBounds && std::isfinite(known) ? std::abs(bound - known) <= 1e-9 * known
+                                                                    : std::isnan(bound);
+      if (!isBound || !AreClose(values[1][at], values[0][at], bound + bounds[0][at], scales[m]))
       {
         return DescribeDifference(m, values[1][at], values[0][at]) + ", and its bound " +
           FormatDigits(bound, 5) + " for " + FormatDigits(known, 5);
@@ -133,18 +155,21 @@ std::string VariantIntegrator::Internals::FindFormDifference()
     {
       return this->FormDevice->GetError();
     }
+    const std::array<double, NumberOfMoments> scales = FindScales(values[0].data(), n);
     for (std::size_t i = 0; i < all; ++i)
     {
-      if (!AreClose(values[1][i], values[0][i], 2.0 * bounds[i]))
+      if (!AreClose(values[1][i], values[0][i], 2.0 * bounds[i], scales[i % NumberOfMoments]))
       {
         return DescribeDifference(i % NumberOfMoments, values[1][i], values[0][i]);
       }
     }
     for (std::size_t i = 0; hasGradients && i < all * directions; ++i)
     {
-      if (!AreClose(gradients[1][i], gradients[0][i], 2.0 * gradientBounds[i]))
+      const std::size_t m = i / directions % NumberOfMoments;
+      const double scale = scales[m] / this->Ranges[i % directions];
+      if (!AreClose(gradients[1][i], gradients[0][i], 2.0 * gradientBounds[i], scale))
       {
-        return DescribeDifference(i / directions % NumberOfMoments, gradients[1][i], gradients[0][i]) +
+        return DescribeDifference(m, gradients[1][i], gradients[0][i]) +
           ", as a derivative";
       }
     }

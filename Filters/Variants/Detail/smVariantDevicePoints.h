@@ -61,6 +61,8 @@ struct DevicePoints
   std::array<double, NumberOfMoments> ConstantBound{};
   /// Errors of the faces that move, with what the device's way of evaluation adds.
   std::vector<PointsErrors> Errors;
+  /// Errors of all faces.
+  std::size_t Terms = 0;
 };
 
 /**

@@ -51,6 +51,8 @@ struct VariantIntegrator::Internals
   std::vector<double> Ranges;
   std::vector<PointsFace> Faces;
   std::vector<PointsErrors> Errors;
+  /// Errors of all faces.
+  std::size_t Terms = 0;
   /// Of the faces that nothing moves.
   std::array<double, NumberOfMoments> Constant{};
   std::array<double, NumberOfMoments> ConstantBound{};

@@ -200,6 +200,54 @@ void CheckForms(const VariantSolid& solid, vtkComputeContext* context, double po
     solid.Name + ": the bits of a polynomial alone", AreSame(again.data(), values[0].data() + 70, 10));
 }
 
+/// A cube about the origin, one plane of which has weights that fall to `weight`: its first moments vanish.
+std::shared_ptr<const sm::VariantShape> MakeWeightedCube(double weight)
+{
+  const auto make = [weight](double x)
+  {
+    BoxBody body;
+    body.Add({ { -1.0, -1.0, -1.0 }, { 1.0 + x, 1.0, 1.0 } });
+    vtkSmartPointer<vtkTrimmedNURBSModel> model = body.Make()->GetModel();
+    std::vector<sm::FacePointer> faces = model->GetFaces();
+    auto face = std::make_shared<sm::Face>(*faces[0]);
+    face->Id = sm::NewId();
+    const int* count = face->Surface.NumberOfControlPoints;
+    for (int i = 0; i < count[0]; ++i)
+    {
+      for (double& number : face->Surface.ControlPoints[i])
+      {
+        number *= weight;
+      }
+    }
+    faces[0] = face;
+    model->SetFaces(faces);
+    return model;
+  };
+  return MakeShape(make(0.0), { { make(0.25), 0.25 } });
+}
+
+/// Where a bound is infinite, moments that vanish by symmetry are compared with the scale of the others.
+void CheckWithoutBounds(vtkComputeContext* context)
+{
+  const std::shared_ptr<const sm::VariantShape> shape = MakeWeightedCube(1e-40);
+  for (const sm::VariantMethod method : { sm::VariantMethod::Points, sm::VariantMethod::Polynomial })
+  {
+    sm::VariantSettings settings(method, sm::VariantBackend::OpenGL);
+    settings.Context = context;
+    std::string error;
+    const Integrator device = sm::VariantIntegrator::Make(shape, {}, error, settings);
+    if (!CheckTrue("a cube without bounds", device != nullptr, error))
+    {
+      continue;
+    }
+    const double c = 0.0;
+    const Results own = Evaluate(*device, &c, 1);
+    CheckTrue("it has no bounds", std::isnan(own.Bounds[0]));
+    CheckRange("a moment that vanishes", -1e-14, own.Values[2], 1e-14, "roundings");
+    CheckTrue("OpenGL evaluates it", device->GetBackend() == sm::VariantBackend::OpenGL, device->GetReason());
+  }
+}
+
 void CheckFormFallback()
 {
   const VariantSolid solid = MakeBoxOfSides();
@@ -470,6 +518,7 @@ int TestVariantDevice(int, char*[])
   CheckForms(MakeBlock({ 3, 3, 2 }, true, 10), context, 2e-15);
   // More monomials than loops of llvmpipe may have.
   CheckForms(MakeBlock({ 1, 1, 1 }, false, 20), context, 2e-15);
+  CheckWithoutBounds(context);
   CheckFormFallback();
   CheckBatches(context);
   CheckNotFinite(context);
