@@ -216,7 +216,7 @@ void DevicePointsWriter::AddPatch(
       variables.size() * (3 * static_cast<std::size_t>(patch.GetNumberOfPoints()) + 2);
     std::size_t steps = 0;
     std::size_t end = begin;
-    for (; end < panels.size() && cost < MaximumItemCost && steps < MaximumItemSteps; ++end)
+    for (; end < panels.size() && CountWork(cost, steps) < MaximumItemWork; ++end)
     {
       const std::size_t along = panels[end]->Along;
       const std::size_t across = panels[end]->Across;
