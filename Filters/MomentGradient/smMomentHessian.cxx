@@ -124,8 +124,8 @@ FacePointer MoveFace(const Face& source, const Displacements& moves, double fact
   return moved;
 }
 
-/// Moves tied points by the displacement of the first one, as they are one variable. Returns the first face of
-/// which a point moves unlike one that it is tied to, by more than `tolerance`; -1 if there is none.
+/// Moves tied points by the displacement of the first one, as they are one variable. Returns the first face
+/// of which a point moves unlike one that it is tied to, by more than `tolerance`; -1 if there is none.
 int JoinMoves(std::vector<Displacements>& moves, const TiedVariables& tied, double tolerance)
 {
   std::map<int, std::array<double, 3>> first;
@@ -200,7 +200,8 @@ bool HessianRun::FindMoves(
   if (largest != 0.0 && !(largest >= SmallestMove && largest <= LargestMove))
   {
     error = "the largest displacement of solid " + std::to_string(this->Mass.Indices[body]) + " is " +
-      FormatDigits(largest, 6) + ", so that the product may overflow or underflow; scale the direction to 1e-200 "
+      FormatDigits(largest, 6) +
+      ", so that the product may overflow or underflow; scale the direction to 1e-200 "
       "to 1e200, as the product is linear in it";
     return false;
   }

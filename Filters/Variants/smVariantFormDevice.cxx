@@ -20,8 +20,8 @@ namespace sm
 {
 namespace
 {
-// Variants times coefficients of a batch on a software renderer, and multiply-adds of a dispatch: some 100 ms on
-// two CPU cores.
+// Variants times coefficients of a batch on a software renderer, and multiply-adds of a dispatch: some 100 ms
+// on two CPU cores.
 constexpr std::size_t SoftwareTerms = 20000000;
 // Multiply-adds of an iteration.
 constexpr std::size_t WorkOfStep = 4;
@@ -198,7 +198,8 @@ std::size_t VariantFormDevice::Internals::GetBatchSize(bool hasGradients) const
   return std::min(fitting, wanted) / VariantsOfGroup * VariantsOfGroup;
 }
 
-/// Blocks of four forms follow each other in the entries and columns, so that a dispatch may have some of them.
+/// Blocks of four forms follow each other in the entries and columns, so that a dispatch may have some of
+/// them.
 bool VariantFormDevice::Internals::RunRange(const FormTables& tables, const VariantMatrix& matrix,
   const FormRange& range, std::uint32_t firstEntry, std::uint32_t firstColumn, std::uint32_t count)
 {

@@ -113,7 +113,7 @@ double VariantIntegrator::Internals::MeasurePoints() const
   const std::size_t n = 4 * static_cast<std::size_t>(GetVariantLanes());
   const std::vector<double> c(n * this->GetDirections(), 0.0);
   std::vector<double> values(n * NumberOfMoments);
-  return MeasureVariants(n, 
+  return MeasureVariants(n,
     [&]()
     {
       this->EvaluatePoints(c.data(), n, values.data(), nullptr);
@@ -160,7 +160,7 @@ bool VariantIntegrator::Internals::TryPolynomial(
   const std::size_t n = 16 * static_cast<std::size_t>(GetVariantLanes());
   const std::vector<double> c(n * this->GetDirections(), 0.0);
   std::vector<double> values(n * NumberOfMoments);
-  const double seconds = MeasureVariants(n, 
+  const double seconds = MeasureVariants(n,
     [&]()
     {
       polynomial->Evaluate(c.data(), n, values.data());

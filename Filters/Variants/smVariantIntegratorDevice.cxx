@@ -14,7 +14,8 @@ constexpr double DevicePays = 1.0;
 // Variants that device and CPU compare.
 constexpr std::size_t ComparedVariants = 3;
 
-/// Where no bound is known, half of the digits count, or 10 of the `scale`, as a number may vanish by symmetry.
+/// Where no bound is known, half of the digits count, or 10 of the `scale`, as a number may vanish by
+/// symmetry.
 bool AreClose(double value, double right, double bound, double scale)
 {
   const double apart = std::abs(value - right);
@@ -48,15 +49,13 @@ std::string DescribeDifference(std::size_t moment, double value, double right)
 }
 
 // Reasons are copies, as errors are the device's.
-void VariantIntegrator::Internals::LeaveDevice(
-  std::unique_ptr<VariantDevice>& device, std::string reason)
+void VariantIntegrator::Internals::LeaveDevice(std::unique_ptr<VariantDevice>& device, std::string reason)
 {
   device = nullptr;
   this->AddReason("no OpenGL at frozen points, the CPU evaluates these: " + reason);
 }
 
-void VariantIntegrator::Internals::LeaveDevice(
-  std::unique_ptr<VariantFormDevice>& device, std::string reason)
+void VariantIntegrator::Internals::LeaveDevice(std::unique_ptr<VariantFormDevice>& device, std::string reason)
 {
   device = nullptr;
   this->AddReason("no OpenGL for polynomials, the CPU evaluates these: " + reason);
@@ -169,8 +168,7 @@ std::string VariantIntegrator::Internals::FindFormDifference()
       const double scale = scales[m] / this->Ranges[i % directions];
       if (!AreClose(gradients[1][i], gradients[0][i], 2.0 * gradientBounds[i], scale))
       {
-        return DescribeDifference(m, gradients[1][i], gradients[0][i]) +
-          ", as a derivative";
+        return DescribeDifference(m, gradients[1][i], gradients[0][i]) + ", as a derivative";
       }
     }
   }
@@ -293,8 +291,8 @@ double VariantIntegrator::Internals::ChooseDevice(
 }
 
 /// The same as a polynomial, which becomes that of the integrator.
-double VariantIntegrator::Internals::ChooseFormDevice(const VariantSettings& settings,
-  const std::shared_ptr<const VariantPolynomial>& polynomial, double onAll)
+double VariantIntegrator::Internals::ChooseFormDevice(
+  const VariantSettings& settings, const std::shared_ptr<const VariantPolynomial>& polynomial, double onAll)
 {
   this->Polynomial = polynomial;
   if (!this->StartContext(settings, onAll))

@@ -39,8 +39,8 @@ struct DeviceGroup
   std::vector<std::uint32_t> Steps;
 };
 
-/// Returns about the multiply-adds by which an invocation evaluates an item: the flux of a sample, and what an
-/// iteration multiplies.
+/// Returns about the multiply-adds by which an invocation evaluates an item: the flux of a sample, and what
+/// an iteration multiplies.
 inline std::uint64_t CountWork(std::uint64_t samples, std::uint64_t steps)
 {
   return 40 * samples + 9 * steps;

@@ -85,8 +85,8 @@ struct VariantIntegrator::Internals
   bool MakePoints(
     const VariantSettings& settings, const VariantChainOptions& options, double& seconds, std::string& error);
   template <typename AnyDevice, typename Work>
-  double MeasureDevice(const VariantSettings& settings, std::unique_ptr<AnyDevice>& device,
-    const char* what, double onAll, std::size_t n, const Work& evaluate);
+  double MeasureDevice(const VariantSettings& settings, std::unique_ptr<AnyDevice>& device, const char* what,
+    double onAll, std::size_t n, const Work& evaluate);
   /// Return the seconds of a variant by OpenGL, or `onAll`, those on all threads of the CPU.
   double ChooseDevice(const VariantSettings& settings, DevicePoints points, double onAll);
   double ChooseFormDevice(const VariantSettings& settings,

@@ -31,8 +31,8 @@ constexpr unsigned int VariantsOfGroup = 32;
 // Variants of a batch on a GPU, and bytes of its largest buffer: a GPU's memory is shared with others.
 constexpr std::size_t DeviceBatch = 131072;
 constexpr std::size_t MaximumBufferBytes = std::size_t{ 256 } << 20;
-// Multiply-adds of a dispatch on a GPU: less than 0.2 s where it makes 50 billion of doubles a second, far from
-// the 2 s after which watchdogs end a program.
+// Multiply-adds of a dispatch on a GPU: less than 0.2 s where it makes 50 billion of doubles a second, far
+// from the 2 s after which watchdogs end a program.
 constexpr std::uint64_t DeviceWork = 10000000000;
 // Mesa's llvmpipe ends all loops of an invocation, without an error, after 65,535 iterations together.
 constexpr std::size_t SoftwareSteps = 60000;
