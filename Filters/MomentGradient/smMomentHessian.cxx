@@ -33,6 +33,9 @@ constexpr double VolumeFactors[4] = { 0.0, -6.0, 6.0, 0.0 };
 constexpr double Reach = 0.5;
 // Differences of the displacements of tied points, relative to the largest one.
 constexpr double EqualMoves = 1e-12;
+// The largest displacement of a body that moves: products and bounds stay far from overflow and underflow.
+constexpr double SmallestMove = 1e-200;
+constexpr double LargestMove = 1e200;
 // Distance of a trim curve from the border of the domain, relative to it: rounding of what was read.
 constexpr double OnBorder = 1e-9;
 constexpr double ProductGrowth = 1.0 + 1e-10;
@@ -121,9 +124,9 @@ FacePointer MoveFace(const Face& source, const Displacements& moves, double fact
   return moved;
 }
 
-/// Returns the first face of which a point moves unlike one that it is tied to, by more than `tolerance`; -1
-/// if there is none.
-int FindTornFace(const std::vector<Displacements>& moves, const TiedVariables& tied, double tolerance)
+/// Moves tied points by the displacement of the first one, as they are one variable. Returns the first face
+/// of which a point moves unlike one that it is tied to, by more than `tolerance`; -1 if there is none.
+int JoinMoves(std::vector<Displacements>& moves, const TiedVariables& tied, double tolerance)
 {
   std::map<int, std::array<double, 3>> first;
   for (std::size_t f = 0; f < moves.size(); ++f)
@@ -135,6 +138,11 @@ int FindTornFace(const std::vector<Displacements>& moves, const TiedVariables& t
       if (!(std::hypot(by[0] - other[0], by[1] - other[1], by[2] - other[2]) <= tolerance))
       {
         return static_cast<int>(f);
+      }
+      if (by != other)
+      {
+        moves[f].resize(tied.Points[f].size());
+        moves[f][i] = other;
       }
     }
   }
@@ -189,7 +197,15 @@ bool HessianRun::FindMoves(
       }
     }
   }
-  const int torn = this->Options.Tied ? FindTornFace(moves, tied, EqualMoves * largest) : -1;
+  if (largest != 0.0 && !(largest >= SmallestMove && largest <= LargestMove))
+  {
+    error = "the largest displacement of solid " + std::to_string(this->Mass.Indices[body]) + " is " +
+      FormatDigits(largest, 6) +
+      ", so that the product may overflow or underflow; scale the direction to 1e-200 "
+      "to 1e200, as the product is linear in it";
+    return false;
+  }
+  const int torn = this->Options.Tied ? JoinMoves(moves, tied, EqualMoves * largest) : -1;
   if (torn >= 0)
   {
     error = "tied points move apart at face " + std::to_string(torn) + " of solid " +

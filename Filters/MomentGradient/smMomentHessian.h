@@ -31,7 +31,8 @@ class vtkDataObject;
 
 namespace sm
 {
-/// Displacements of the control points of a face, in world coordinates: point (i,j) at i Count[1] + j.
+/// Displacements of the control points of a face, in world coordinates: point (i,j) at i Count[1] + j. The
+/// largest one of a solid is 0, or 1e-200 to 1e200 long.
 struct NetDirection
 {
   int Solid = 0;
@@ -42,7 +43,7 @@ struct NetDirection
 struct MomentHessianOptions
 {
   /// True: coinciding points are one variable, as in MomentGradientOptions. Their displacements have to
-  /// agree.
+  /// agree, to 1e-12 of the largest one; those of the first point count.
   bool Tied = true;
   /// As in MomentGradientOptions. In (0, 1]; values below 1e-15 count as that.
   double RelativeTolerance = 1e-9;

@@ -25,11 +25,9 @@ namespace sm
 {
 namespace
 {
-// Variants of a batch of a software renderer, and samples of a dispatch: for a software renderer some 50 ms
-// on two CPU cores.
+// Variants of a batch of a software renderer, and work of a dispatch: some 50 ms on two CPU cores.
 constexpr std::size_t SoftwareBatch = 1024;
-constexpr std::uint64_t SoftwareCost = 4000000;
-constexpr std::uint64_t DeviceCost = 400000000;
+constexpr std::uint64_t SoftwareWork = 400000000;
 
 struct GroupProgram
 {
@@ -100,7 +98,7 @@ struct VariantDevice::Internals
   {
     std::string errors;
     for (const ComputeBuffer* buffer : { &this->Words, &this->Numbers, &this->Variables, &this->Sums,
-           &this->Nets, &this->Values, &this->Bounds })
+           &this->BoundSums, &this->Nets, &this->Values, &this->Bounds })
     {
       errors += buffer->GetError();
     }
@@ -183,27 +181,41 @@ std::size_t VariantDevice::Internals::GetBatchSize() const
   const std::size_t block =
     std::min(static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize()), MaximumBufferBytes);
   const std::size_t fitting = block / row / VariantsOfGroup * VariantsOfGroup;
-  return std::min(fitting, this->Context->IsSoftware() ? SoftwareBatch : DeviceBatch);
+  if (this->Context->IsSoftware())
+  {
+    return std::min(fitting, SoftwareBatch);
+  }
+  // A patch of a high degree is one item.
+  std::uint64_t largest = 1;
+  for (const DeviceGroup& group : this->Points.Groups)
+  {
+    for (std::size_t i = 0; i < group.Costs.size(); ++i)
+    {
+      largest = std::max(largest, CountWork(group.Costs[i], group.Steps[i]));
+    }
+  }
+  const std::uint64_t allowed = std::max<std::uint64_t>(DeviceWork / largest, VariantsOfGroup);
+  return std::min({ fitting, DeviceBatch, allowed / VariantsOfGroup * VariantsOfGroup });
 }
 
 bool VariantDevice::Internals::RunGroup(GroupProgram& own, std::uint32_t count)
 {
   const DeviceGroup& group = *own.Group;
   ComputeProgram& program = own.Program;
-  const std::uint64_t limit = this->Context->IsSoftware() ? SoftwareCost : DeviceCost;
+  const std::uint64_t limit = this->Context->IsSoftware() ? SoftwareWork : DeviceWork;
   const std::uint64_t limitOfSteps = this->GetMaximumSteps();
   for (std::size_t begin = 0; begin < group.Costs.size();)
   {
-    std::uint64_t cost = 0;
+    const auto getWork = [&](std::size_t i) { return CountWork(group.Costs[i], group.Steps[i]) * count; };
+    std::uint64_t work = 0;
     std::uint64_t steps = 0;
     std::size_t end = begin;
     do
     {
-      cost += static_cast<std::uint64_t>(group.Costs[end]) * count;
+      work += getWork(end);
       steps += group.Steps[end] + 1;
       ++end;
-    } while (end < group.Costs.size() &&
-      cost + static_cast<std::uint64_t>(group.Costs[end]) * count <= limit &&
+    } while (end < group.Costs.size() && work + getWork(end) <= limit &&
       steps + group.Steps[end] + 1 <= limitOfSteps);
     const bool hasDegrees = !group.IsNetInBuffer ||
       (program.SetUniform("smDegreeS", group.Degree[0]) && program.SetUniform("smDegreeR", group.Degree[1]));
@@ -341,7 +353,7 @@ bool VariantDevice::Evaluate(const double* c, std::size_t n, double* values, dou
       continue;
     }
     // The result, its quotient and its sum with the constant are rounded.
-    const double bound = PointsRounding * (points.ConstantBound[m] + bounds[i] / divisor) +
+    const double bound = GetSumRounding(points.Terms) * (points.ConstantBound[m] + bounds[i] / divisor) +
       4.0 * UnitRoundoff * (std::abs(values[i]) + std::abs(points.Constant[m]));
     bounds[i] = points.HasBounds && std::isfinite(bound) ? bound : std::numeric_limits<double>::quiet_NaN();
   }

@@ -216,7 +216,7 @@ void DevicePointsWriter::AddPatch(
       variables.size() * (3 * static_cast<std::size_t>(patch.GetNumberOfPoints()) + 2);
     std::size_t steps = 0;
     std::size_t end = begin;
-    for (; end < panels.size() && cost < MaximumItemCost && steps < MaximumItemSteps; ++end)
+    for (; end < panels.size() && CountWork(cost, steps) < MaximumItemWork; ++end)
     {
       const std::size_t along = panels[end]->Along;
       const std::size_t across = panels[end]->Across;
@@ -321,6 +321,7 @@ void DevicePointsWriter::AddCap(const VariantFaceChain& chain, const VariantCap&
 void DevicePointsWriter::AddErrorsOf(const VariantFaceChain& chain)
 {
   PointsErrors errors{ chain.Directions, chain.Errors };
+  this->Result.Terms += errors.Terms.size();
   for (VariantError& term : errors.Terms)
   {
     for (int c = 0; term.Patch >= 0 && c < 3; ++c)

@@ -13,20 +13,24 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <limits>
+#include <cstdint>
 #include <map>
 
 namespace sm
 {
 namespace
 {
-// Variants times coefficients of a batch on a software renderer: some 100 ms on two CPU cores.
+// Variants times coefficients of a batch on a software renderer, and multiply-adds of a dispatch: some 100 ms
+// on two CPU cores.
 constexpr std::size_t SoftwareTerms = 20000000;
+// Multiply-adds of an iteration.
+constexpr std::size_t WorkOfStep = 4;
 
-/// Monomials whose last variable is in a range, which one dispatch sums up.
+/// Monomials whose last variable is in a range, which one dispatch sums up by so many iterations.
 struct FormRange
 {
   std::uint32_t First, End, FirstMonomial;
+  std::size_t Steps;
 };
 
 /// Iterations of the loops of a sum of this degree over the variables up to `last`.
@@ -58,7 +62,7 @@ std::vector<FormRange> DivideForms(const VariantForms& forms, int degree, std::s
       steps += 1 + CountSteps(degree - 1, end);
       ++end;
     } while (end < variables && steps + 1 + CountSteps(degree - 1, end) <= limit);
-    ranges.push_back({ first, end, static_cast<std::uint32_t>(counts[first]) });
+    ranges.push_back({ first, end, static_cast<std::uint32_t>(counts[first]), steps });
     first = end;
   }
   return ranges;
@@ -101,13 +105,23 @@ struct VariantFormDevice::Internals
     return this->Entries[0].GetError() + this->Entries[1].GetError() + this->Variables.GetError() +
       this->Columns.GetError() + this->Values.GetError() + this->Gradients.GetError();
   }
+  /// The same for all batches, as the bits of a variant depend on how forms are divided.
   std::size_t GetMaximumSteps() const
   {
-    return this->Context->IsSoftware() ? SoftwareSteps : std::numeric_limits<std::size_t>::max();
+    return this->Context->IsSoftware() ? SoftwareSteps : DeviceWork / (WorkOfStep * DeviceBatch);
+  }
+  /// Returns the blocks of forms that a dispatch of `count` variants may have.
+  std::uint32_t GetBlocksAtOnce(std::size_t steps, std::uint32_t blocks, std::uint32_t count) const
+  {
+    const std::uint64_t limit = this->Context->IsSoftware() ? SoftwareTerms : DeviceWork;
+    const std::uint64_t allowed = limit / (WorkOfStep * steps * count);
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(allowed, 1, blocks));
   }
   bool Build();
   bool Upload();
   std::size_t GetBatchSize(bool hasGradients) const;
+  bool RunRange(const FormTables& tables, const VariantMatrix& matrix, const FormRange& range,
+    std::uint32_t firstEntry, std::uint32_t firstColumn, std::uint32_t count);
   bool RunMatrix(const FormTables& tables, std::size_t index, std::uint32_t firstEntry,
     std::uint32_t firstColumn, std::uint32_t count);
   bool RunResults(const FormTables& tables, bool hasGradients, std::uint32_t count);
@@ -184,27 +198,42 @@ std::size_t VariantFormDevice::Internals::GetBatchSize(bool hasGradients) const
   return std::min(fitting, wanted) / VariantsOfGroup * VariantsOfGroup;
 }
 
-bool VariantFormDevice::Internals::RunMatrix(const FormTables& tables, std::size_t index,
-  std::uint32_t firstEntry, std::uint32_t firstColumn, std::uint32_t count)
+/// Blocks of four forms follow each other in the entries and columns, so that a dispatch may have some of
+/// them.
+bool VariantFormDevice::Internals::RunRange(const FormTables& tables, const VariantMatrix& matrix,
+  const FormRange& range, std::uint32_t firstEntry, std::uint32_t firstColumn, std::uint32_t count)
 {
-  const VariantMatrix& matrix = tables.Matrices[index];
-  const auto blocks = static_cast<std::uint32_t>(matrix.Columns / 4);
   ComputeProgram& program = this->Programs.at(matrix.Degree);
-  for (const FormRange& range : DivideForms(tables.Forms, matrix.Degree, this->GetMaximumSteps()))
+  const auto blocks = static_cast<std::uint32_t>(matrix.Columns / 4);
+  const auto rows = static_cast<std::uint32_t>(matrix.Rows);
+  const std::uint32_t atOnce = this->GetBlocksAtOnce(range.Steps, blocks, count);
+  for (std::uint32_t block = 0; block < blocks; block += atOnce)
   {
+    const std::uint32_t own = std::min(atOnce, blocks - block);
     if (!program.SetUniform("smVariantCount", count) ||
       !program.SetUniform("smVariableCount", static_cast<unsigned int>(tables.Forms.Variables)) ||
-      !program.SetUniform("smBlockCount", blocks) || !program.SetUniform("smFirstEntry", firstEntry) ||
-      !program.SetUniform("smMonomialCount", static_cast<unsigned int>(matrix.Rows)) ||
-      !program.SetUniform("smFirstColumn", firstColumn) || !program.SetUniform("smFirst", range.First) ||
-      !program.SetUniform("smEnd", range.End) ||
+      !program.SetUniform("smBlockCount", own) ||
+      !program.SetUniform("smFirstEntry", firstEntry + block * rows) ||
+      !program.SetUniform("smMonomialCount", rows) ||
+      !program.SetUniform("smFirstColumn", firstColumn + 4 * block) ||
+      !program.SetUniform("smFirst", range.First) || !program.SetUniform("smEnd", range.End) ||
       !program.SetUniform("smFirstMonomial", range.FirstMonomial) ||
-      !program.Dispatch(blocks * count, VariantsOfGroup))
+      !program.Dispatch(own * count, VariantsOfGroup))
     {
       return this->Fail("a dispatch failed: " + program.GetError());
     }
   }
   return true;
+}
+
+bool VariantFormDevice::Internals::RunMatrix(const FormTables& tables, std::size_t index,
+  std::uint32_t firstEntry, std::uint32_t firstColumn, std::uint32_t count)
+{
+  const VariantMatrix& matrix = tables.Matrices[index];
+  const std::vector<FormRange> ranges = DivideForms(tables.Forms, matrix.Degree, this->GetMaximumSteps());
+  return std::all_of(ranges.begin(), ranges.end(),
+    [&](const FormRange& range)
+    { return this->RunRange(tables, matrix, range, firstEntry, firstColumn, count); });
 }
 
 bool VariantFormDevice::Internals::RunResults(

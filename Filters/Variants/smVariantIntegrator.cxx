@@ -9,28 +9,37 @@
 #include "smParallelFor.h"
 #include "smUnitRoundoff.h"
 
+#include "vtkSMPTools.h"
+
 #include <cmath>
 #include <exception>
 
 namespace sm
 {
+namespace
+{
+/// Times of the CPU are measured on one thread; calls use all.
+double GetThreads()
+{
+  return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+}
+}
+
 std::string FormatMicroseconds(double seconds)
 {
   return FormatDigits(1e6 * seconds, 4) + " us";
 }
 
-void VariantIntegrator::Internals::AddFaces(std::vector<VariantFaceChain>& chains, DevicePointsWriter* writer)
+void VariantIntegrator::Internals::AddFaces(std::vector<VariantFaceChain>& chains, bool isNeededAgain)
 {
   const VariantMonomials one(1);
   VariantTotals totals(one);
   const VariantMap map(one, {}, one);
   for (VariantFaceChain& chain : chains)
   {
-    if (writer)
-    {
-      writer->AddFace(chain);
-    }
-    PointsErrors errors{ chain.Directions, std::move(chain.Errors) };
+    PointsErrors errors{ chain.Directions, {} };
+    errors.Terms = isNeededAgain ? chain.Errors : std::move(chain.Errors);
+    this->Terms += errors.Terms.size();
     if (!chain.Directions.empty())
     {
       this->Samples += CountSamples(chain);
@@ -89,7 +98,7 @@ void VariantIntegrator::Internals::EvaluatePoints(
           for (int m = 0; m < NumberOfMoments; ++m)
           {
             const double value = values[(first + lane) * NumberOfMoments + m];
-            const double bound = PointsRounding * total[m] +
+            const double bound = GetSumRounding(this->Terms) * total[m] +
               4.0 * UnitRoundoff * (std::abs(value) + std::abs(this->Constant[m]));
             bounds[(first + lane) * NumberOfMoments + m] =
               std::isfinite(bound) ? bound : std::numeric_limits<double>::quiet_NaN();
@@ -104,7 +113,12 @@ double VariantIntegrator::Internals::MeasurePoints() const
   const std::size_t n = 4 * static_cast<std::size_t>(GetVariantLanes());
   const std::vector<double> c(n * this->GetDirections(), 0.0);
   std::vector<double> values(n * NumberOfMoments);
-  return MeasureVariants(n, [&]() { this->EvaluatePoints(c.data(), n, values.data(), nullptr); });
+  return MeasureVariants(n,
+    [&]()
+    {
+      this->EvaluatePoints(c.data(), n, values.data(), nullptr);
+      return true;
+    });
 }
 
 bool VariantIntegrator::Internals::MakePoints(
@@ -116,14 +130,18 @@ bool VariantIntegrator::Internals::MakePoints(
     return false;
   }
   this->Gaps = FindGaps(chains, this->Shape->GetNumberOfDirections());
-  DevicePointsWriter writer;
-  const bool isForDevice = settings.Backend != VariantBackend::CPU;
-  this->AddFaces(chains, isForDevice ? &writer : nullptr);
-  seconds = this->MeasurePoints();
+  this->AddFaces(chains, settings.Backend != VariantBackend::CPU);
+  const double onThread = this->MeasurePoints();
   this->Reason =
-    "a variant takes " + FormatMicroseconds(seconds) + " at frozen points on a thread of the CPU";
-  if (isForDevice)
+    "a variant takes " + FormatMicroseconds(onThread) + " at frozen points on a thread of the CPU";
+  seconds = onThread / GetThreads();
+  if (this->StartContext(settings, seconds))
   {
+    DevicePointsWriter writer;
+    for (const VariantFaceChain& chain : chains)
+    {
+      writer.AddFace(chain);
+    }
     seconds = this->ChooseDevice(settings, writer.Finish(), seconds);
   }
   return true;
@@ -142,10 +160,15 @@ bool VariantIntegrator::Internals::TryPolynomial(
   const std::size_t n = 16 * static_cast<std::size_t>(GetVariantLanes());
   const std::vector<double> c(n * this->GetDirections(), 0.0);
   std::vector<double> values(n * NumberOfMoments);
-  const double seconds = MeasureVariants(n, [&]() { polynomial->Evaluate(c.data(), n, values.data()); });
+  const double seconds = MeasureVariants(n,
+    [&]()
+    {
+      polynomial->Evaluate(c.data(), n, values.data());
+      return true;
+    });
   this->AddReason((this->Reason.empty() ? "a variant takes " : "") + FormatMicroseconds(seconds) +
     " as a polynomial, which took " + FormatDigits(polynomial->GetSeconds(), 4) + " s to make");
-  if (this->ChooseFormDevice(settings, polynomial, seconds) < ofPoints || isOnly)
+  if (this->ChooseFormDevice(settings, polynomial, seconds / GetThreads()) < ofPoints || isOnly)
   {
     this->Gaps = polynomial->GetGaps();
     this->Samples = 0;

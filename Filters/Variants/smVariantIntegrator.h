@@ -39,8 +39,8 @@ enum class VariantMethod
 /// The device that evaluates variants.
 enum class VariantBackend
 {
-  /// OpenGL if the context is that of a GPU, the expected number of variants takes the CPU more than a
-  /// second, and OpenGL is measured to be faster; else the CPU.
+  /// OpenGL if the context is that of a GPU, the expected number of variants takes all threads of the CPU
+  /// more than a second, and OpenGL is measured to be faster than these; else the CPU.
   Automatic,
   CPU,
   /// OpenGL, also of a software renderer; the CPU where there is no context, no double precision, or a wrong

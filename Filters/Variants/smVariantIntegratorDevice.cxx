@@ -3,8 +3,6 @@
 #include "smFormat.h"
 #include "smUnitRoundoff.h"
 
-#include "vtkSMPTools.h"
-
 #include <cmath>
 
 namespace sm
@@ -16,15 +14,31 @@ constexpr double DevicePays = 1.0;
 // Variants that device and CPU compare.
 constexpr std::size_t ComparedVariants = 3;
 
-double GetThreads()
+/// Where no bound is known, half of the digits count, or 10 of the `scale`, as a number may vanish by
+/// symmetry.
+bool AreClose(double value, double right, double bound, double scale)
 {
-  return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  const double apart = std::abs(value - right);
+  return apart <= (std::isnan(bound) ? std::max(1e-8 * std::abs(right), 1e-10 * scale) : bound);
 }
 
-/// Where no bound is known, half of the digits count.
-bool AreClose(double value, double right, double bound)
+/// Returns scales of the moments of some variants: the largest volume V and the largest second moment S, and
+/// the root of V S, which no first moment exceeds.
+std::array<double, NumberOfMoments> FindScales(const double* values, std::size_t n)
 {
-  return std::abs(value - right) <= (std::isnan(bound) ? 1e-8 * std::abs(right) : bound);
+  double volume = 0.0;
+  double second = 0.0;
+  for (std::size_t i = 0; i < n * NumberOfMoments; ++i)
+  {
+    const std::size_t m = i % NumberOfMoments;
+    volume = m == 0 ? std::max(volume, std::abs(values[i])) : volume;
+    second = m > 3 ? std::max(second, std::abs(values[i])) : second;
+  }
+  std::array<double, NumberOfMoments> scales;
+  scales.fill(second);
+  scales[0] = volume;
+  std::fill_n(scales.begin() + 1, 3, std::sqrt(volume) * std::sqrt(second));
+  return scales;
 }
 
 std::string DescribeDifference(std::size_t moment, double value, double right)
@@ -34,11 +48,17 @@ std::string DescribeDifference(std::size_t moment, double value, double right)
 }
 }
 
-void VariantIntegrator::Internals::LeaveDevice(std::string reason)
+// Reasons are copies, as errors are the device's.
+void VariantIntegrator::Internals::LeaveDevice(std::unique_ptr<VariantDevice>& device, std::string reason)
 {
-  this->Device = nullptr;
-  this->FormDevice = nullptr;
-  this->AddReason("no OpenGL, the CPU evaluates: " + reason);
+  device = nullptr;
+  this->AddReason("no OpenGL at frozen points, the CPU evaluates these: " + reason);
+}
+
+void VariantIntegrator::Internals::LeaveDevice(std::unique_ptr<VariantFormDevice>& device, std::string reason)
+{
+  device = nullptr;
+  this->AddReason("no OpenGL for polynomials, the CPU evaluates these: " + reason);
 }
 
 /// Starts the context, and compares the device with the CPU, as a driver may compile an operation that the
@@ -49,13 +69,13 @@ bool VariantIntegrator::Internals::Prepare(
 {
   if (!device->Prepare())
   {
-    this->LeaveDevice(device->GetError());
+    this->LeaveDevice(device, device->GetError());
     return false;
   }
   const std::string difference = (this->*findDifference)();
   if (!difference.empty())
   {
-    this->LeaveDevice(device->GetContext()->GetRenderer() + " " + difference);
+    this->LeaveDevice(device, device->GetContext()->GetRenderer() + " " + difference);
     return false;
   }
   return true;
@@ -89,6 +109,7 @@ std::string VariantIntegrator::Internals::FindDeviceDifference()
     return this->Device->GetError();
   }
   const DevicePoints& points = this->Device->GetPoints();
+  const std::array<double, NumberOfMoments> scales = FindScales(values[0].data(), n);
   std::vector<double> sizes;
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -98,10 +119,11 @@ std::string VariantIntegrator::Internals::FindDeviceDifference()
     {
       const std::size_t at = i * NumberOfMoments + m;
       const double bound = bounds[1][at];
-      const double known =
-        expected[m] + 4.0 * UnitRoundoff * (std::abs(values[1][at]) + std::abs(points.Constant[m]));
-      const bool isBound = points.HasBounds ? std::abs(bound - known) <= 1e-9 * known : std::isnan(bound);
-      if (!isBound || !AreClose(values[1][at], values[0][at], bound + bounds[0][at]))
+      const double known = GetSumRounding(points.Terms) * expected[m] +
+        4.0 * UnitRoundoff * (std::abs(values[1][at]) + std::abs(points.Constant[m]));
+      const bool isBound = points.HasBounds && std::isfinite(known) ? std::abs(bound - known) <= 1e-9 * known
+                                                                    : std::isnan(bound);
+      if (!isBound || !AreClose(values[1][at], values[0][at], bound + bounds[0][at], scales[m]))
       {
         return DescribeDifference(m, values[1][at], values[0][at]) + ", and its bound " +
           FormatDigits(bound, 5) + " for " + FormatDigits(known, 5);
@@ -132,19 +154,21 @@ std::string VariantIntegrator::Internals::FindFormDifference()
     {
       return this->FormDevice->GetError();
     }
+    const std::array<double, NumberOfMoments> scales = FindScales(values[0].data(), n);
     for (std::size_t i = 0; i < all; ++i)
     {
-      if (!AreClose(values[1][i], values[0][i], 2.0 * bounds[i]))
+      if (!AreClose(values[1][i], values[0][i], 2.0 * bounds[i], scales[i % NumberOfMoments]))
       {
         return DescribeDifference(i % NumberOfMoments, values[1][i], values[0][i]);
       }
     }
     for (std::size_t i = 0; hasGradients && i < all * directions; ++i)
     {
-      if (!AreClose(gradients[1][i], gradients[0][i], 2.0 * gradientBounds[i]))
+      const std::size_t m = i / directions % NumberOfMoments;
+      const double scale = scales[m] / this->Ranges[i % directions];
+      if (!AreClose(gradients[1][i], gradients[0][i], 2.0 * gradientBounds[i], scale))
       {
-        return DescribeDifference(i / directions % NumberOfMoments, gradients[1][i], gradients[0][i]) +
-          ", as a derivative";
+        return DescribeDifference(m, gradients[1][i], gradients[0][i]) + ", as a derivative";
       }
     }
   }
@@ -162,7 +186,7 @@ bool VariantIntegrator::Internals::EvaluateOnDevice(
   }
   if (!this->Device->Evaluate(c, n, values, bounds))
   {
-    this->LeaveDevice(this->Device->GetError());
+    this->LeaveDevice(this->Device, this->Device->GetError());
     return false;
   }
   const std::size_t directions = this->GetDirections();
@@ -188,7 +212,7 @@ bool VariantIntegrator::Internals::EvaluateFormsOnDevice(
   }
   if (!this->FormDevice->Evaluate(c, n, values, gradients))
   {
-    this->LeaveDevice(this->FormDevice->GetError());
+    this->LeaveDevice(this->FormDevice, this->FormDevice->GetError());
     return false;
   }
   const std::size_t directions = this->GetDirections();
@@ -204,11 +228,11 @@ bool VariantIntegrator::Internals::EvaluateFormsOnDevice(
 }
 
 /// Returns false, with the reason, where OpenGL is not wanted, does not pay, or has no GPU.
-bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings, double onProcessor)
+bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings, double onAll)
 {
   const bool isForced = settings.Backend == VariantBackend::OpenGL;
   if (settings.Backend == VariantBackend::CPU ||
-    (!isForced && onProcessor * static_cast<double>(settings.Expected) < DevicePays))
+    (!isForced && onAll * static_cast<double>(settings.Expected) < DevicePays))
   {
     return false;
   }
@@ -230,60 +254,58 @@ bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings,
   return isForced || this->Context->StartOnGPU();
 }
 
-/// Returns the seconds of a variant at frozen points, by OpenGL or on the CPU.
-double VariantIntegrator::Internals::ChooseDevice(
-  const VariantSettings& settings, DevicePoints points, double onProcessor)
+/// Returns the seconds of a variant by `evaluate(c, values)` of a device, or leaves the device and returns
+/// `onAll` where it fails, or is slower though it is not forced.
+template <typename AnyDevice, typename Work>
+double VariantIntegrator::Internals::MeasureDevice(const VariantSettings& settings,
+  std::unique_ptr<AnyDevice>& device, const char* what, double onAll, std::size_t n, const Work& evaluate)
 {
-  const double onAll = onProcessor / GetThreads();
-  if (!this->StartContext(settings, onAll))
-  {
-    return onProcessor;
-  }
-  this->Device = std::make_unique<VariantDevice>(this->Context, std::move(points), this->GetDirections());
-  if (!this->Prepare(this->Device, &Internals::FindDeviceDifference))
-  {
-    return onProcessor;
-  }
-  const std::size_t n = this->Context->IsSoftware() ? 64 : 65536;
   const std::vector<double> c(n * this->GetDirections(), 0.0);
   std::vector<double> values(n * NumberOfMoments);
-  const double seconds =
-    MeasureVariants(n, [&]() { this->Device->Evaluate(c.data(), n, values.data(), nullptr); });
-  this->AddReason(FormatMicroseconds(seconds) + " there by OpenGL on " + this->Context->GetRenderer());
+  const double seconds = MeasureVariants(n, [&]() { return evaluate(c.data(), values.data()); });
+  if (std::isnan(seconds))
+  {
+    this->LeaveDevice(device, device->GetError());
+    return onAll;
+  }
+  this->AddReason(FormatMicroseconds(seconds) + what + this->Context->GetRenderer());
   if (settings.Backend != VariantBackend::OpenGL && seconds >= onAll)
   {
-    this->Device = nullptr;
-    return onProcessor;
+    device = nullptr;
+    return onAll;
   }
   return seconds;
 }
 
+double VariantIntegrator::Internals::ChooseDevice(
+  const VariantSettings& settings, DevicePoints points, double onAll)
+{
+  this->Device = std::make_unique<VariantDevice>(this->Context, std::move(points), this->GetDirections());
+  if (!this->Prepare(this->Device, &Internals::FindDeviceDifference))
+  {
+    return onAll;
+  }
+  const std::size_t n = this->Context->IsSoftware() ? 64 : 65536;
+  return this->MeasureDevice(settings, this->Device, " there by OpenGL on ", onAll, n,
+    [&](const double* c, double* values) { return this->Device->Evaluate(c, n, values, nullptr); });
+}
+
 /// The same as a polynomial, which becomes that of the integrator.
-double VariantIntegrator::Internals::ChooseFormDevice(const VariantSettings& settings,
-  const std::shared_ptr<const VariantPolynomial>& polynomial, double onProcessor)
+double VariantIntegrator::Internals::ChooseFormDevice(
+  const VariantSettings& settings, const std::shared_ptr<const VariantPolynomial>& polynomial, double onAll)
 {
   this->Polynomial = polynomial;
-  const double onAll = onProcessor / GetThreads();
   if (!this->StartContext(settings, onAll))
   {
-    return onProcessor;
+    return onAll;
   }
   this->FormDevice = std::make_unique<VariantFormDevice>(this->Context, polynomial);
   if (!this->Prepare(this->FormDevice, &Internals::FindFormDifference))
   {
-    return onProcessor;
+    return onAll;
   }
   const std::size_t n = this->Context->IsSoftware() ? 1024 : 131072;
-  const std::vector<double> c(n * this->GetDirections(), 0.0);
-  std::vector<double> values(n * NumberOfMoments);
-  const double seconds =
-    MeasureVariants(n, [&]() { this->FormDevice->Evaluate(c.data(), n, values.data(), nullptr); });
-  this->AddReason(FormatMicroseconds(seconds) + " as one by OpenGL on " + this->Context->GetRenderer());
-  if (settings.Backend != VariantBackend::OpenGL && seconds >= onAll)
-  {
-    this->FormDevice = nullptr;
-    return onProcessor;
-  }
-  return seconds;
+  return this->MeasureDevice(settings, this->FormDevice, " as one by OpenGL on ", onAll, n,
+    [&](const double* c, double* values) { return this->FormDevice->Evaluate(c, n, values, nullptr); });
 }
 }

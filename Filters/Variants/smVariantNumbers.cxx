@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace sm
@@ -11,8 +12,18 @@ bool IsInRange(const double* c, std::size_t directions)
   return std::all_of(c, c + directions, [](double number) { return std::abs(number) <= MaximumNumber; });
 }
 
+std::size_t& GetFailingBatch()
+{
+  static std::size_t largest = std::numeric_limits<std::size_t>::max();
+  return largest;
+}
+
 bool UploadVariables(ComputeBuffer& to, const double* c, std::size_t count, std::size_t directions)
 {
+  if (count > GetFailingBatch())
+  {
+    return false;
+  }
   std::vector<char> isUsable(count);
   for (std::size_t i = 0; i < count; ++i)
   {

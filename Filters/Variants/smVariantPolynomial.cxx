@@ -1,5 +1,6 @@
 #include "smVariantPolynomial.h"
 
+#include "Detail/smVariantErrors.h"
 #include "Detail/smVariantFormTables.h"
 #include "Detail/smVariantKernels.h"
 #include "Detail/smVariantScales.h"
@@ -34,7 +35,6 @@ struct BoundTable
 };
 
 constexpr std::size_t FacesAtOnce = 16;
-constexpr double BoundRounding = 1.0 + 1e-11;
 constexpr std::size_t FirstOfGroup[3] = { 0, 1, 4 };
 constexpr std::size_t SizeOfGroup[3] = { 1, 3, 6 };
 
@@ -72,6 +72,8 @@ struct VariantPolynomial::Internals
   FormTables Plain;
   FormTables Derivatives;
   std::array<BoundTable, NumberOfMoments> BoundTables;
+  /// Covers the rounding of the bounds: sums of all errors and of all monomials.
+  double BoundRounding = 1.0;
   std::vector<VariantGap> Gaps;
   std::int64_t Samples = 0;
   double Seconds = 0.0;
@@ -143,8 +145,10 @@ bool VariantPolynomial::Internals::AddFaces(
 
 void VariantPolynomial::Internals::AddErrors(const std::vector<VariantFaceChain>& chains)
 {
+  std::size_t terms = this->Monomials.GetCount(MaximumFormDegree) + chains.size();
   for (const VariantFaceChain& chain : chains)
   {
+    terms += chain.Errors.size();
     const VariantMonomials monomials(chain.GetNumberOfVariables());
     const VariantMap map(monomials, chain.Directions, this->Monomials);
     for (const VariantError& error : chain.Errors)
@@ -157,11 +161,12 @@ void VariantPolynomial::Internals::AddErrors(const std::vector<VariantFaceChain>
         for (std::size_t i = 0; i < sums[m].size(); ++i)
         {
           this->Bounds[m][map.Get(degree, i)] +=
-            BoundRounding * (error.ValueFactor * sums[m][i].Value + error.ErrorFactor * sums[m][i].Error);
+            PointsRounding * (error.ValueFactor * sums[m][i].Value + error.ErrorFactor * sums[m][i].Error);
         }
       }
     }
   }
+  this->BoundRounding = GetSumRounding(terms);
 }
 
 void VariantPolynomial::Internals::MakeTables()
@@ -298,7 +303,7 @@ void VariantPolynomial::Internals::EvaluateBounds(
       {
         bound += table.Linear[k] * std::abs(c[k]);
       }
-      bounds[m] = BoundRounding * (bound + table.Constant);
+      bounds[m] = this->BoundRounding * (bound + table.Constant);
     }
     for (int k = 0; gradientBounds && k < this->Directions; ++k)
     {
@@ -307,7 +312,7 @@ void VariantPolynomial::Internals::EvaluateBounds(
       {
         bound = (bound + table.Slopes[k][j]) * theta;
       }
-      gradientBounds[m * this->Directions + k] = BoundRounding * (bound + table.Linear[k]);
+      gradientBounds[m * this->Directions + k] = this->BoundRounding * (bound + table.Linear[k]);
     }
   }
 }
@@ -396,7 +401,7 @@ double VariantPolynomial::GetCoefficient(int moment, std::size_t index) const
 
 double VariantPolynomial::GetCoefficientBound(int moment, std::size_t index) const
 {
-  const double bound = this->Implementation->Bounds[moment][index];
+  const double bound = this->Implementation->BoundRounding * this->Implementation->Bounds[moment][index];
   return std::isfinite(bound) ? bound : std::numeric_limits<double>::quiet_NaN();
 }
 

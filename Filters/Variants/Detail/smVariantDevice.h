@@ -17,8 +17,9 @@ namespace sm
 {
 /**
  * One invocation has a variant. Only c is uploaded, nets are made on the device, and only results are read
- * back, after all dispatches of a batch. Batches fit the context's largest storage block; a dispatch takes no
- * more items than some 50 ms allow. The bits of a variant do not depend on the others of the call.
+ * back, after all dispatches of a batch. Batches fit the context's largest storage block; a dispatch has
+ * some 1e10 multiply-adds on a GPU, or takes some 50 ms on a software renderer. The bits of a variant do not
+ * depend on the others of the call.
  *
  * What bounds rely on: the shaders add, subtract and multiply doubles, which GLSL (4.30, 4.7.1) rounds
  * correctly, in any order, fused or not; every count of roundings holds for all of these. Quotients, roots

@@ -39,11 +39,17 @@ struct DeviceGroup
   std::vector<std::uint32_t> Steps;
 };
 
+/// Returns about the multiply-adds by which an invocation evaluates an item: the flux of a sample, and what
+/// an iteration multiplies.
+inline std::uint64_t CountWork(std::uint64_t samples, std::uint64_t steps)
+{
+  return 40 * samples + 9 * steps;
+}
+
 /// Largest degree of patches whose nets are in registers.
 constexpr int MaximumRegisterDegree = 3;
-/// Samples and iterations after which an item of panels is divided, so that dispatches stay short.
-constexpr std::uint32_t MaximumItemCost = 2048;
-constexpr std::uint32_t MaximumItemSteps = 16384;
+/// Work after which an item of panels is divided, so that dispatches of whole batches stay short.
+constexpr std::uint64_t MaximumItemWork = 65536;
 
 struct DevicePoints
 {
@@ -61,6 +67,8 @@ struct DevicePoints
   std::array<double, NumberOfMoments> ConstantBound{};
   /// Errors of the faces that move, with what the device's way of evaluation adds.
   std::vector<PointsErrors> Errors;
+  /// Errors of all faces.
+  std::size_t Terms = 0;
 };
 
 /**

@@ -5,15 +5,24 @@
 #ifndef smVariantErrors_h
 #define smVariantErrors_h
 
+#include "smUnitRoundoff.h"
 #include "smVariantChain.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace sm
 {
-/// Covers the rounding of a bound, some thousand operations with positive numbers.
+/// Covers the rounding of a bound's term, some thousand operations with positive numbers.
 constexpr double PointsRounding = 1.0 + 1e-11;
+
+/// Covers that of a sum of so many positive terms, and of some more that go into the sum.
+inline double GetSumRounding(std::size_t terms)
+{
+  return std::max(PointsRounding, 1.0 + 2.0 * UnitRoundoff * (static_cast<double>(terms) + 64.0));
+}
 
 /// The errors of a face's items as forms in (1, c of Directions), for any |c|.
 struct PointsErrors

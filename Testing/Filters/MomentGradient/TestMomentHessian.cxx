@@ -325,6 +325,34 @@ void CheckOpen()
       [](const std::string& message) { return message.find("all values are NaN") != std::string::npos; }));
 }
 
+/// Displacements that differ by a rounding are those of one variable.
+void CheckNearlyTied()
+{
+  BoxBody body;
+  body.Add({ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } });
+  const auto leaf = body.Make();
+  const auto apply = [&](double off)
+  {
+    int calls = 0;
+    return Apply(leaf,
+      MakeDirection(GetGradient(leaf, true),
+        [&](const sm::FaceMomentGradient&, const std::array<double, 4>& p)
+        {
+          // Each corner has its first call at the first 2 faces, which are opposite.
+          return Vector{ 1.0 + p[1] + (calls++ < 8 ? 0.0 : off), 0.5 * p[0], 0.0 };
+        }),
+      true);
+  };
+  const sm::MomentHessianResult right = apply(0.0);
+  const sm::MomentHessianResult own = apply(1e-13);
+  bool isSame = own.Faces.size() == 6 && right.Faces.size() == 6;
+  for (std::size_t f = 0; isSame && f < 6; ++f)
+  {
+    isSame = own.Faces[f].Values == right.Faces[f].Values && own.Faces[f].Bounds == right.Faces[f].Bounds;
+  }
+  CheckTrue("tied points move by the first one's displacement", isSame);
+}
+
 void CheckFailures()
 {
   std::printf("--- failures\n");
@@ -346,6 +374,9 @@ void CheckFailures()
   refuse("there is no solid 3", leaf, { { 3, 0, ones } });
   refuse("has 4 control points", leaf, { { 0, 0, { ones[0] } } });
   refuse("not finite", leaf, { { 0, 0, { ones[0], ones[0], ones[0], { NAN, 0.0, 0.0 } } } });
+  const std::vector<Vector> tiny(4, { 1e-308, 0.0, 0.0 });
+  refuse("scale the direction", leaf, { { 0, 0, tiny } });
+  refuse("scale the direction", leaf, { { 0, 0, std::vector<Vector>(4, { 1e201, 0.0, 0.0 }) } });
   refuse("tied points move apart", leaf, { { 0, 0, ones } });
   refuse("without exact geometry", nullptr, { { 0, 0, ones } });
   sm::MomentHessianOptions options;
@@ -384,6 +415,7 @@ int TestMomentHessian(int argc, char* argv[])
     CheckVariation(leaf, face, 10, 1e-13);
   }
   CheckOpen();
+  CheckNearlyTied();
   CheckFailures();
   return Finish();
 }

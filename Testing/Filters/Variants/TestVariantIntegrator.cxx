@@ -1,6 +1,7 @@
 // Moments of variants at frozen points: against closed forms, polynomials, and the mass properties of each
 // variant.
 #include "Detail/smVariantChain.h"
+#include "Detail/smVariantErrors.h"
 #include "smComputeMassProperties.h"
 #include "smTesting.h"
 #include "smVariantIntegrator.h"
@@ -150,6 +151,19 @@ void CheckEdgePieces()
   CheckEqual("a ribbon inside a piece", 0, sm::FindEdgePiece(curve, ribbon, 0.0, 1.0));
 }
 
+/// A sum that loses almost half a unit in the last place at each of its terms.
+void CheckSumRounding()
+{
+  constexpr int terms = 1000000;
+  constexpr double term = 0.99 * sm::UnitRoundoff;
+  double sum = 1.0;
+  for (int i = 0; i < terms; ++i)
+  {
+    sum += term;
+  }
+  CheckTrue("a bound covers its own sum", sm::GetSumRounding(terms + 1) * sum >= 1.0 + terms * term);
+}
+
 void CheckChoice()
 {
   const VariantSolid solid = MakeEllipsoid(false);
@@ -188,5 +202,6 @@ int TestVariantIntegrator(int, char*[])
   }
   CheckChoice();
   CheckEdgePieces();
+  CheckSumRounding();
   return Finish();
 }
