@@ -77,8 +77,8 @@ std::pair<std::string, std::string> SplitMass(const std::string& text)
 std::string DescribeCase(const std::string& text)
 {
   const std::string unit = SplitMass(text).second;
-  const bool isKnown = std::any_of(std::begin(MassUnits), std::end(MassUnits),
-    [&unit](const auto& entry) { return entry.first == unit; });
+  const bool isKnown = std::any_of(
+    std::begin(MassUnits), std::end(MassUnits), [&unit](const auto& entry) { return entry.first == unit; });
   const bool isInOtherCase = std::any_of(std::begin(MassUnits), std::end(MassUnits),
     [&unit](const auto& entry) { return MatchesPattern(entry.first, unit); });
   return isKnown || !isInOtherCase
@@ -187,7 +187,9 @@ std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule)
     if (!(made.Material.Tolerance >= 0.0))
     {
       return texts.Tolerance + " is not a relative tolerance; give 0.01 or 1%, for example" +
-        (isMass ? ", or a mass with a unit that is not above the mass, for example 2 g" + DescribeCase(texts.Tolerance) : "");
+        (isMass ? ", or a mass with a unit that is not above the mass, for example 2 g" +
+              DescribeCase(texts.Tolerance)
+                : "");
     }
   }
   rule = made;
