@@ -97,7 +97,8 @@ std::string vtkProducts::CompareValidation(vtkMassPropertiesBase* filter, vtkTab
       sm::GetNumber(columns, row, "Area"), sm::GetPoint(columns, row, "Centroid") });
   }
   const sm::ProductTreeNode tree = sm::MakeProductTree(filter->GetInputDataObject(0, 0));
-  return WriteList(sm::CompareValidation(products, tree, sm::ReadProductResults(filter), limit),
+  return WriteList(sm::CompareValidation(products, tree, sm::ReadProductResults(filter), limit,
+                     sm::FindLeftOutNote(filter->GetInputDataObject(0, 0))),
     [](sm::Fields& fields, sm::ValidationEntry& entry) { entry.Visit(fields); });
 }
 
