@@ -49,7 +49,8 @@ SMFILTERSMASSPROPERTIES_EXPORT const std::vector<Material>& GetCommonMaterials()
 SMFILTERSMASSPROPERTIES_EXPORT const Material* FindCommonMaterial(const std::string& name);
 
 /// Reads a mass in kg: a number above 0, perhaps followed by a unit: kg, g, mg, t, lb or oz, with its case
-/// (also Kg, KG, Lb, LB, Oz, OZ; not Mg). Returns NaN for any other text. With `needsUnit` a number without a unit is not a mass.
+/// (also Kg, KG, Lb, LB, Oz, OZ; not Mg). Returns NaN for any other text. With `needsUnit` a number without a
+/// unit is not a mass.
 SMFILTERSMASSPROPERTIES_EXPORT double ParseMass(const std::string& text, bool needsUnit);
 
 /// Reads a fraction from 0 to 1, "0.01" or "1%"; returns a negative number for any other text.

@@ -89,7 +89,7 @@ std::int64_t FindId(const std::string& text, const EntityIds& ids)
   return 0;
 }
 
-/// Says of the defects of bodies that are left out that they are. The file stays in doubt.
+/// Adds to messages and defects of bodies that are left out that they are. The file stays in doubt.
 void NoteDefects(const std::vector<PartBody>& removed, Document& document)
 {
   EntityIds ids;
@@ -106,12 +106,15 @@ void NoteDefects(const std::vector<PartBody>& removed, Document& document)
   {
     ids.erase(id);
   }
-  for (std::string& defect : document.Defects)
+  for (std::vector<std::string>* texts : { &document.Defects, &document.Messages })
   {
-    const std::int64_t id = FindId(defect, ids);
-    defect += id == 0 ? std::string()
+    for (std::string& text : *texts)
+    {
+      const std::int64_t id = FindId(text, ids);
+      text += id == 0 ? std::string()
                       : " #" + std::to_string(id) +
-        " belongs to a body that is left out; the results of other bodies do not depend on it.";
+          " belongs to a body that is left out; the results of other bodies do not depend on it.";
+    }
   }
 }
 
