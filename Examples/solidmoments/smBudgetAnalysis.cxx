@@ -166,8 +166,8 @@ void BudgetAnalysis::Declare(CLI::App& app)
     .add_option("--budget", this->PictureName,
       "The mass in doubt as the sum of named lines (numerical, closing, density,\n"
       "overridden masses, and with --face-tolerance or --tolerances those of the\n"
-      "faces), in the "
-      "table, in JSON, and as bars in a picture, of one file with densities")
+      "faces), in the table, in JSON, and as bars in a picture, of one file with\n"
+      "densities")
     ->type_name("FILE.png")
     ->expected(1);
 }

@@ -330,7 +330,8 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   if (options.Validate)
   {
     file.Validation = sm::CompareValidation(sm::StatedFile(GetSource(options)).List(),
-      sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationLimit);
+      sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationLimit,
+      sm::FindLeftOutNote(reader->GetOutputDataObject(0)));
   }
   if (!options.ValidationTarget.empty())
   {

@@ -263,6 +263,12 @@ bool IsolatedJob::IsLeftOver() const
   return !this->Process->IsRunning() && this->Process->Error.empty() && this->Process->Current < this->Index;
 }
 
+bool IsolatedJob::IsInDoubt() const
+{
+  return !this->Process->IsRunning() && this->Process->Error.empty() && this->Index > 0 &&
+    this->Process->Current == this->Index && !this->Process->Said[this->Index].IsComplete;
+}
+
 ProcessEnd IsolatedJob::GetEnd() const
 {
   return this->Process->Current > this->Index ? ProcessEnd() : this->Process->Helper.GetEnd();

@@ -105,6 +105,9 @@ public:
   bool IsRunning() const { return this->Process->IsRunning() && this->Process->Current <= this->Index; }
   /// Returns true if the child has ended before it began with the job.
   bool IsLeftOver() const;
+  /// Returns true if the child has ended within the job, after it had worked on others, of which it may have
+  /// had the damage: the job is to be repeated in a process of its own.
+  bool IsInDoubt() const;
   /// Returns the outcome of a job that has ended; call it once.
   JobOutcome GetOutcome();
 

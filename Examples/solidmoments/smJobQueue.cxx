@@ -152,6 +152,13 @@ void JobQueue::StartProcess(const std::vector<std::size_t>& entries)
 
 void JobQueue::StartLeftOver()
 {
+  for (std::size_t i = 0; i < this->Started.size() && !IsInterrupted(); ++i)
+  {
+    if (this->Started[i].Job && this->Started[i].Job->IsInDoubt())
+    {
+      this->StartProcess({ i });
+    }
+  }
   for (std::size_t begin = 0; begin < this->Started.size() && !IsInterrupted();)
   {
     std::vector<std::size_t> entries;

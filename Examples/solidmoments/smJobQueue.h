@@ -41,7 +41,8 @@ private:
   void StartJobs();
   /// Starts a process for entries of Started that have an input.
   void StartProcess(const std::vector<std::size_t>& entries);
-  /// Starts processes for the jobs that one which has ended did not begin with.
+  /// Starts processes for the jobs that one which has ended did not begin with, and one for a job in which it
+  /// ended after it had worked on others.
   void StartLeftOver();
   /// Returns the processes that run.
   std::vector<JobProcess*> GetRunning() const;

@@ -61,11 +61,17 @@ constexpr const char* MaterialColumnNames[] = { "name", "material", "density", "
 /// The members of a row that the values of a line belong to.
 using MaterialHeader = std::vector<std::string MaterialTexts::*>;
 
-/// Returns true for a line that names the columns density or mass.
-bool IsHeader(const std::vector<std::string>& values)
+/// Returns true for a line that has the words density or mass after its first value.
+bool NamesColumns(const std::vector<std::string>& values)
 {
   return std::any_of(values.begin() + 1, values.end(),
     [](const std::string& value) { return LowerCase(value) == "density" || LowerCase(value) == "mass"; });
+}
+
+/// Returns true for a line that says which the columns are. A line such as "ballast,Mass" is that of a solid.
+bool IsHeader(const std::vector<std::string>& values)
+{
+  return LowerCase(values[0]) == "name" && NamesColumns(values);
 }
 
 /// Reads the columns of a header, the first of which is that of the names. Returns an error message; empty if
@@ -114,7 +120,10 @@ std::string ReadLine(
   {
     texts.*header[i] = values[i];
   }
-  return AddRule(texts, rules);
+  const std::string problem = AddRule(texts, rules);
+  return problem.empty() || !NamesColumns(values)
+    ? problem
+    : problem + "; if this line names the columns, write name as the first of them";
 }
 
 std::string ReadCsv(const std::string& text, std::vector<MaterialRule>& rules)

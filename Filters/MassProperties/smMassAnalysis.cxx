@@ -24,11 +24,9 @@ namespace sm
 {
 namespace
 {
-/// Two solids coincide if volume and centre of mass differ by no more, relative to the volume and to its cube
-/// root.
+/// Largest difference of coincident solids, relative to the volume and to its cube root.
 constexpr double CoincidenceLimit = 1e-9;
-/// Numbers of coincident pairs that a message names, and that are counted: n solids in one place are n (n -
-/// 1) / 2 pairs.
+/// Numbers of coincident pairs that a message names, and that are counted.
 constexpr std::size_t NamedPairs = 5;
 constexpr std::size_t MaxPairs = 100000;
 
@@ -556,8 +554,9 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
     analysis.TotalStatus = Status::ToleranceNotMet;
     const double far =
       std::isfinite(total.Properties.Center[0]) ? vtkMath::Norm(total.Properties.Center.data()) : 0.0;
-    analysis.Messages.push_back("bounds of the total above the tolerance, relative: " + unmet +
-      DescribeDistance(total, far, box.IsValid() ? box.GetDiagonalLength() : 0.0, analysis.Unit));
+    analysis.Messages.insert(analysis.Messages.begin(),
+      "bounds of the total above the tolerance, relative: " + unmet +
+        DescribeDistance(total, far, box.IsValid() ? box.GetDiagonalLength() : 0.0, analysis.Unit));
   }
   return analysis;
 }
@@ -586,12 +585,13 @@ MassAnalysis AnalyzeRun(std::vector<BodyIntegrals>& bodies, const MassAnalysisOp
   bool checkEdits, const IntegralLimits& limits, SelfCrossingCheck& crossings, RunReport& report)
 {
   MassAnalysisOptions completed = options;
-  const std::vector<std::string> twins = FindMirroredTwins(bodies, limits, report, completed);
+  const std::function<bool()> goesOn = MakeContinue(limits, report);
+  const std::vector<std::string> twins = FindMirroredTwins(bodies, limits, report, goesOn, completed);
   MassAnalysis analysis = AnalyzeMass(bodies, completed);
   analysis.Messages.insert(analysis.Messages.end(), twins.begin(), twins.end());
   if (options.HasBounds)
   {
-    crossings.Run(bodies, checkEdits, MakeContinue(limits, report));
+    crossings.Run(bodies, checkEdits, goesOn);
   }
   report.Status = std::max(report.Status, analysis.TotalStatus);
   report.Messages.insert(report.Messages.end(), analysis.Messages.begin(), analysis.Messages.end());

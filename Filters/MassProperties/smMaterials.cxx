@@ -57,17 +57,45 @@ const Material* FindCommonMaterial(const std::string& name)
   return found == materials.end() ? nullptr : &*found;
 }
 
+namespace
+{
+/// Units of mass in kg, with their case: Mg is a megagram by the SI, and mg a milligram.
+constexpr std::pair<const char*, double> MassUnits[] = { { "kg", 1.0 }, { "Kg", 1.0 }, { "KG", 1.0 },
+  { "g", 1e-3 }, { "mg", 1e-6 }, { "t", 1e3 }, { "lb", 0.45359237 }, { "Lb", 0.45359237 },
+  { "LB", 0.45359237 }, { "oz", 0.028349523125 }, { "Oz", 0.028349523125 }, { "OZ", 0.028349523125 } };
+
+/// Returns the number of a mass and its unit; both may be empty.
+std::pair<std::string, std::string> SplitMass(const std::string& text)
+{
+  const std::size_t end = text.find_last_of("0123456789.");
+  const std::size_t begin = end == std::string::npos ? end : text.find_first_not_of(' ', end + 1);
+  return { end == std::string::npos ? std::string() : text.substr(0, end + 1),
+    begin == std::string::npos ? std::string() : text.substr(begin) };
+}
+
+/// Returns a remedy for a text whose unit is one of mass in another case; empty for any other text.
+std::string DescribeCase(const std::string& text)
+{
+  const std::string unit = SplitMass(text).second;
+  const bool isKnown = std::any_of(
+    std::begin(MassUnits), std::end(MassUnits), [&unit](const auto& entry) { return entry.first == unit; });
+  const bool isInOtherCase = std::any_of(std::begin(MassUnits), std::end(MassUnits),
+    [&unit](const auto& entry) { return MatchesPattern(entry.first, unit); });
+  return isKnown || !isInOtherCase
+    ? std::string()
+    : "; the case of the unit " + unit + " counts: write t for 1000 kg, g for grams, mg for milligrams";
+}
+}
+
 double ParseMass(const std::string& text, bool needsUnit)
 {
-  static const std::pair<const char*, double> units[] = { { "kg", 1.0 }, { "g", 1e-3 }, { "mg", 1e-6 },
-    { "t", 1e3 }, { "lb", 0.45359237 }, { "oz", 0.028349523125 } };
-  const std::size_t end = text.find_last_of("0123456789.");
-  const std::string number = end == std::string::npos ? std::string() : text.substr(0, end + 1);
-  const std::size_t begin = end == std::string::npos ? end : text.find_first_not_of(' ', end + 1);
-  const std::string unit = begin == std::string::npos ? std::string() : text.substr(begin);
-  const auto* const known = std::find_if(std::begin(units), std::end(units),
-    [&unit](const auto& entry) { return MatchesPattern(entry.first, unit); });
-  const bool isKnown = known != std::end(units) || (unit.empty() && !needsUnit);
+  const auto [number, unit] = SplitMass(text);
+  const auto* known = std::begin(MassUnits);
+  while (known != std::end(MassUnits) && known->first != unit)
+  {
+    ++known;
+  }
+  const bool isKnown = known != std::end(MassUnits) || (unit.empty() && !needsUnit);
   const double mass = isKnown ? ReadDecimal(number) * (unit.empty() ? 1.0 : known->second) : 0.0;
   return mass > 0.0 && mass < 1e300 ? mass : std::numeric_limits<double>::quiet_NaN();
 }
@@ -81,6 +109,9 @@ double ParseShare(const std::string& text)
 
 namespace
 {
+constexpr const char* LeftOutProblem =
+  "a solid that is left out has neither density nor mass; remove them, or name a material";
+
 /// Returns the relative tolerance of a mass; negative if the text is none.
 double ParseMassTolerance(const std::string& text, double mass)
 {
@@ -103,7 +134,8 @@ std::string TakeMass(const MaterialTexts& texts, Material& material)
   if (!(material.Mass > 0.0))
   {
     return text +
-      " is not a mass; give a number above 0 in kg, or with one of the units kg, g, mg, t, lb, oz";
+      " is not a mass; give a number above 0 in kg, or with one of the units kg, g, mg, t, lb, oz" +
+      DescribeCase(text);
   }
   return {};
 }
@@ -120,7 +152,8 @@ std::string TakeDensity(const MaterialTexts& texts, Material& material)
   return texts.Density.empty()
     ? texts.Material + " is none of the materials of --list-materials: it needs a density"
     : texts.Density +
-      " is not a density; give kg/m^3, for example 7850, or a mass with a unit, for example 250 g";
+      " is not a density; give kg/m^3, for example 7850, or a mass with a unit, for example 250 g" +
+      DescribeCase(texts.Density);
 }
 }
 
@@ -136,7 +169,7 @@ std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule)
   {
     if (!(texts.Density + texts.Tolerance + texts.Mass).empty())
     {
-      return "a solid that is left out has neither density nor mass; remove them, or name a material";
+      return LeftOutProblem;
     }
     rule = made;
     return {};
@@ -154,7 +187,9 @@ std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule)
     if (!(made.Material.Tolerance >= 0.0))
     {
       return texts.Tolerance + " is not a relative tolerance; give 0.01 or 1%, for example" +
-        (isMass ? ", or a mass with a unit that is not above the mass, for example 2 g" : "");
+        (isMass ? ", or a mass with a unit that is not above the mass, for example 2 g" +
+              DescribeCase(texts.Tolerance)
+                : "");
     }
   }
   rule = made;
@@ -220,6 +255,10 @@ std::string FindRuleProblem(const MaterialRule& rule)
   if (rule.IsLeftOut)
   {
     return {};
+  }
+  if (MatchesPattern(LeftOutMaterial, material.Name))
+  {
+    return LeftOutProblem;
   }
   if (!(material.Tolerance <= 1.0))
   {

@@ -48,8 +48,9 @@ SMFILTERSMASSPROPERTIES_EXPORT const std::vector<Material>& GetCommonMaterials()
 /// Returns the common material of that name, whatever its case, or null.
 SMFILTERSMASSPROPERTIES_EXPORT const Material* FindCommonMaterial(const std::string& name);
 
-/// Reads a mass in kg: a number above 0, perhaps followed by a unit: kg, g, mg, t, lb or oz. Returns NaN for
-/// any other text. With `needsUnit` a number without a unit is not a mass.
+/// Reads a mass in kg: a number above 0, perhaps followed by a unit: kg, g, mg, t, lb or oz, with its case
+/// (also Kg, KG, Lb, LB, Oz, OZ; not Mg). Returns NaN for any other text. With `needsUnit` a number without a
+/// unit is not a mass.
 SMFILTERSMASSPROPERTIES_EXPORT double ParseMass(const std::string& text, bool needsUnit);
 
 /// Reads a fraction from 0 to 1, "0.01" or "1%"; returns a negative number for any other text.

@@ -444,18 +444,35 @@ void NoteUnusedRules(
   }
 }
 
+namespace
+{
+/// Says which of the masses that override others have no tolerance; empty if all have one.
+std::string DescribeExact(const CountedTexts& exact, std::size_t all)
+{
+  const std::size_t count = exact.GetTotal();
+  return count == 0 ? std::string()
+    : count == all  ? "; no tolerance is stated, so they count as exact"
+                    : "; " + std::to_string(count) + " of them " +
+      (count == 1 ? "has no tolerance and counts as exact: " : "have no tolerance and count as exact: ") +
+      exact.List();
+}
+}
+
 void NoteStatedMasses(
   const std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options, MassAnalysis& analysis)
 {
-  bool isExact = true;
   CountedTexts used;
+  CountedTexts exact;
   CountedTexts unused;
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     const Material material = ChooseMaterial(bodies[b], options);
     if (material.Mass > 0.0 && analysis.Rows[b].OverriddenMass > 0.0)
     {
-      isExact = isExact && material.Tolerance == 0.0;
+      if (material.Tolerance == 0.0)
+      {
+        exact.Add(GetLabel(bodies[b]));
+      }
       used.Add(GetLabel(bodies[b]) + " " + FormatDigits(material.Mass, 10) + " kg");
     }
     else if (material.Mass > 0.0)
@@ -467,7 +484,7 @@ void NoteStatedMasses(
   {
     analysis.Messages.push_back("the materials override the mass of " +
       FormatCount(used.GetTotal(), "solid", "solids") + ": " + used.List() +
-      (isExact ? "; no tolerance is stated, so they count as exact" : ""));
+      DescribeExact(exact, used.GetTotal()));
   }
   if (unused.GetTotal() > 0)
   {

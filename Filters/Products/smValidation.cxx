@@ -1,5 +1,6 @@
 #include "smValidation.h"
 
+#include "smFileState.h"
 #include "smIntegralNames.h"
 #include "smLengthUnits.h"
 #include "smProductResults.h"
@@ -17,6 +18,8 @@ namespace sm
 {
 namespace
 {
+constexpr const char* MissingProduct = "no product of this name was read";
+
 struct PlacedSolid
 {
   const SolidResults* Solid;
@@ -74,7 +77,7 @@ ComputedProduct Compute(const ProductTreeNode& node, bool isRoot, const SolidsBy
   std::vector<PlacedSolid> solids;
   if (!Collect(node, byId, solids) || solids.empty())
   {
-    sum.Reason = "not all of its solids were computed";
+    sum.Reason = "not all of its solids were computed, or some are left out";
     return sum;
   }
   const double cube = millimetres * millimetres * millimetres;
@@ -189,6 +192,28 @@ void AddEntry(const StatedProduct& product, const char* quantity, const std::vec
 }
 }
 
+namespace
+{
+/// Marks entries as not comparable whose product may have bodies that the reader left out.
+void ExcuseLeftOut(const std::string& leftOut, std::vector<ValidationEntry>& list)
+{
+  for (ValidationEntry& entry : list)
+  {
+    if (leftOut.empty() || (entry.Result != "fail" && entry.Reason != MissingProduct))
+    {
+      continue;
+    }
+    entry.Result = "not-comparable";
+    entry.Reason =
+      "the file states it with all bodies, and some, perhaps of this product, were left out; compare "
+      "with --hidden count. " +
+      leftOut;
+    entry.Computed.clear();
+    entry.Bound = entry.Difference = entry.Limit = Unknown;
+  }
+}
+}
+
 void ValidationEntry::Visit(Fields& fields)
 {
   const auto visit = [&](const char* key, std::vector<double>& values)
@@ -243,7 +268,7 @@ ComputedProduct ProductSums::Find(const std::string& name) const
   }
   else if (found == this->NodesByName.end())
   {
-    result.Reason = "no product of this name was read";
+    result.Reason = MissingProduct;
   }
   else
   {
@@ -259,8 +284,23 @@ bool IsFileSound(const ProductResults& results)
       [](const SolidResults& solid) { return !IsSound(solid.Status); });
 }
 
+std::string FindLeftOutNote(vtkDataObject* readerOutput)
+{
+  // As LeaveOutHidden() of the reader words it.
+  for (const std::string& note : GetFileState(readerOutput).Notes)
+  {
+    const bool isOfHidden = note.find(" that the file hides (INVISIBILITY) ") != std::string::npos ||
+      note.find(" that the file shows ") != std::string::npos;
+    if (isOfHidden && note.find(" left out: ") != std::string::npos)
+    {
+      return note;
+    }
+  }
+  return {};
+}
+
 std::vector<ValidationEntry> CompareValidation(const std::vector<StatedProduct>& products,
-  const ProductTreeNode& tree, const ProductResults& results, double limit)
+  const ProductTreeNode& tree, const ProductResults& results, double limit, const std::string& leftOut)
 {
   const ProductSums sums(products, tree, results);
   const double unit = sums.GetMillimetres() > 0.0 ? sums.GetMillimetres() : 1.0;
@@ -297,6 +337,7 @@ std::vector<ValidationEntry> CompareValidation(const std::vector<StatedProduct>&
         list);
     }
   }
+  ExcuseLeftOut(leftOut, list);
   return list;
 }
 }

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+class vtkDataObject;
+
 namespace sm
 {
 struct ProductResults;
@@ -93,11 +95,16 @@ struct SMFILTERSPRODUCTS_EXPORT ValidationEntry
 /**
  * Returns an entry for every property that is stated, also where the statement cannot be used. Volume and
  * area may differ by `limit` of the stated value, the centroid by `limit` of the cube root of the volume, and
- * all by their bounds.
+ * all by their bounds. `leftOut` is the reader's note about the bodies that it left out, empty if it left out
+ * none: then what differs, and a product that is missing, is not comparable.
  */
 SMFILTERSPRODUCTS_EXPORT std::vector<ValidationEntry> CompareValidation(
   const std::vector<StatedProduct>& products, const ProductTreeNode& tree, const ProductResults& results,
-  double limit);
+  double limit, const std::string& leftOut);
+
+/// Returns the note of a STEP reader about the bodies that it left out as hidden or shown; empty if there is
+/// none.
+SMFILTERSPRODUCTS_EXPORT std::string FindLeftOutNote(vtkDataObject* readerOutput);
 }
 
 #endif

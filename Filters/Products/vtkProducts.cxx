@@ -45,6 +45,27 @@ std::string vtkProducts::GetMaterials()
     });
 }
 
+std::string vtkProducts::AddMaterial(vtkMassPropertiesBase* filter, const std::string& pattern,
+  const std::string& material, const std::string& density, const std::string& tolerance,
+  const std::string& mass)
+{
+  sm::MaterialRule rule;
+  std::string problem = sm::MakeRule({ pattern, material, density, tolerance, mass }, rule);
+  if (problem.empty() && rule.IsLeftOut)
+  {
+    filter->AddLeftOut(pattern.c_str());
+  }
+  else if (problem.empty() && rule.Material.Mass > 0.0)
+  {
+    filter->AddMass(pattern.c_str(), material.c_str(), rule.Material.Mass, rule.Material.Tolerance);
+  }
+  else if (problem.empty())
+  {
+    filter->AddMaterial(pattern.c_str(), material.c_str(), rule.Material.Density, rule.Material.Tolerance);
+  }
+  return problem;
+}
+
 std::string vtkProducts::GetPartsList(vtkMassPropertiesBase* filter)
 {
   return WriteList(filter->GetPartsList(), sm::VisitPart);
@@ -76,7 +97,8 @@ std::string vtkProducts::CompareValidation(vtkMassPropertiesBase* filter, vtkTab
       sm::GetNumber(columns, row, "Area"), sm::GetPoint(columns, row, "Centroid") });
   }
   const sm::ProductTreeNode tree = sm::MakeProductTree(filter->GetInputDataObject(0, 0));
-  return WriteList(sm::CompareValidation(products, tree, sm::ReadProductResults(filter), limit),
+  return WriteList(sm::CompareValidation(products, tree, sm::ReadProductResults(filter), limit,
+                     sm::FindLeftOutNote(filter->GetInputDataObject(0, 0))),
     [](sm::Fields& fields, sm::ValidationEntry& entry) { entry.Visit(fields); });
 }
 

@@ -85,8 +85,8 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
     file: path. content: the bytes of a file, which are read in place of it; `file` only names them. density: of all solids in kg/m^3; None: those that the file gives. unit: length unit of the result, mm, cm, m, um, inch, ft,
     or file for that of the file. input_unit: that of a BREP file, which states none. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
     for `mass_uncertainty`. materials: rows (pattern of names, material, density or None), before
-    `density`; a row (pattern, material, None, mass in kg[, relative tolerance of the mass]) overrides the mass of each of these solids, and
-    the material "left out" leaves them out. backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
+    `density`; a row (pattern, material, None, mass in kg[, relative tolerance of the mass, from 0 to 1]) overrides the mass of each of these
+    solids, and the material "left out", without density and mass, leaves them out. Texts are read as by the program, "250 g" and "1%". backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
     repair: needed, OpenCASCADE repairs the solids and shells that are not sound as the file has them; always, all; or never.
     hidden: count, bodies that a STEP file hides (INVISIBILITY) count, with a message; skip, they are left out; or only, all others are.
 
@@ -114,19 +114,14 @@ def run_filter(file, density=None, *, content=None, unit="mm", input_unit="mm", 
 
 
 def _add_material(mass, pattern, material, density, stated=None, tolerance=None):
-    """Adds a row of `materials`."""
-    if density is not None and stated is not None:
-        raise ValueError(f"the solids {pattern!r} have the density {density} and the mass {stated}, which contradict each other; give one of them")
-    if stated is None and tolerance is not None:
+    """Adds a row of `materials`: a line of the program's table, so that both mean the same."""
+    from .smFiltersProducts import vtkProducts
+    if stated is None and tolerance is not None and not isinstance(density, str):
         raise ValueError(f"the solids {pattern!r} have the tolerance {tolerance} of a mass, which is missing; density_tolerance is that of densities")
-    before = mass.GetNumberOfMaterials()
-    if stated is None:
-        mass.AddMaterial(pattern, material, "" if density is None else float(density))
-    else:
-        mass.AddMass(pattern, material, float(stated), -1.0 if tolerance is None else float(tolerance))
-    if mass.GetNumberOfMaterials() == before:
-        raise ValueError(f"the material {material!r} is not known and needs a density above 0, or its density {density} is not one" if stated is None else
-                         f"the mass {stated} of {pattern!r} has to be above 0 and finite, in kg, and its tolerance {tolerance} from 0 to 1")
+    texts = ["" if value is None else value if isinstance(value, str) else repr(float(value)) for value in (density, tolerance, stated)]
+    problem = vtkProducts.AddMaterial(mass, pattern, material, *texts)
+    if problem:
+        raise ValueError(f"the solids {pattern!r}, material {material!r}: {problem}")
 
 
 def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=None, repair="needed", hidden="count"):

@@ -3,7 +3,10 @@
 #include "smFormat.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace sm
@@ -59,6 +62,62 @@ std::pair<bool, bool> RenumberInstances(const std::vector<int>& indices, Product
   return { had, has };
 }
 
+using EntityIds = std::set<std::int64_t>;
+
+/// Adds the entity numbers of a body, its shells and its faces.
+void CollectIds(const PartBody& body, EntityIds& ids)
+{
+  ids.insert(body.FileId);
+  for (const ShellUse& shell : body.Shape.Shells)
+  {
+    ids.insert(shell.Shell->Data.FileId);
+  }
+  body.Shape.VisitFaces([&ids](const FaceUse& use) { ids.insert(use.Face->Data.FileId); });
+}
+
+/// Returns the first entity number of a text that is among `ids`; 0 if there is none.
+std::int64_t FindId(const std::string& text, const EntityIds& ids)
+{
+  for (std::size_t at = text.find('#'); at != std::string::npos; at = text.find('#', at + 1))
+  {
+    const std::int64_t id = std::strtoll(text.c_str() + at + 1, nullptr, 10);
+    if (id > 0 && ids.count(id) > 0)
+    {
+      return id;
+    }
+  }
+  return 0;
+}
+
+/// Adds to messages and defects of bodies that are left out that they are. The file stays in doubt.
+void NoteDefects(const std::vector<PartBody>& removed, Document& document)
+{
+  EntityIds ids;
+  EntityIds kept;
+  for (const PartBody& body : removed)
+  {
+    CollectIds(body, ids);
+  }
+  for (const PartBody& body : document.Bodies)
+  {
+    CollectIds(body, kept);
+  }
+  for (const std::int64_t id : kept)
+  {
+    ids.erase(id);
+  }
+  for (std::vector<std::string>* texts : { &document.Defects, &document.Messages })
+  {
+    for (std::string& text : *texts)
+    {
+      const std::int64_t id = FindId(text, ids);
+      text += id == 0 ? std::string()
+                      : " #" + std::to_string(id) +
+          " belongs to a body that is left out; the results of other bodies do not depend on it.";
+    }
+  }
+}
+
 /// Removes the bodies without an instance.
 void RemoveUnusedBodies(Document& document)
 {
@@ -74,7 +133,16 @@ void RemoveUnusedBodies(Document& document)
     }
     instance.Body = index;
   }
+  std::vector<PartBody> removed;
+  for (std::size_t i = 0; i < indices.size(); ++i)
+  {
+    if (indices[i] < 0)
+    {
+      removed.push_back(std::move(document.Bodies[i]));
+    }
+  }
   document.Bodies = std::move(bodies);
+  NoteDefects(removed, document);
 }
 }
 

@@ -361,6 +361,20 @@ def validation():
                                              for more in ((), ("--require", "validation"), ("--require", "validation", "--validation-limit", "0.02"))])
     check_equal("all together", 4, len({e["result"] + e["quantity"] for e in run_json("--validate", "--validation-limit", "0.02", path)["validation"]}))
 
+    # Bodies that the file hides count in what it states: without them nothing is wrong.
+    with open(path, encoding="ascii") as file:
+        text = file.read()
+    solid = re.search(r"ADVANCED_BREP_SHAPE_REPRESENTATION\('plate',\((.*?)\)", text).group(1).split(",")[1]
+    hides = ("#9001=PRESENTATION_STYLE_ASSIGNMENT((NULL_STYLE(.NULL.)));\n#9002=STYLED_ITEM('',(#9001)," + solid + ");\n"
+             "#9003=INVISIBILITY((#9002));\nENDSEC;\nEND-ISO")
+    hiding = os.path.join(folder, "validation_hidden.step")
+    with open(hiding, "w", encoding="ascii") as file:
+        file.write(text.replace("ENDSEC;\nEND-ISO", hides))
+    for hidden, expected in (("count", ("fail", "fail", "pass")), ("skip", ("not-comparable", "not-comparable", "pass"))):
+        found = {(e["product"], e["quantity"]): e for e in run_json("--validate", "--hidden", hidden, hiding)["validation"]}
+        check_equal(f"--hidden {hidden}", expected, tuple(found[key]["result"] for key in (("plate", "volume"), ("rail", "centroid"), ("bolt", "area"))))
+    check_true("the reason", "compare with --hidden count" in found["plate", "area"]["reason"] and "plate" in found["plate", "area"]["reason"], str(found))
+
     # Written: the text stays as it is except for what is added, the file can be read, and states what was
     # computed.
     plain = Assembly("plain", [(Part("bolt", [((1, 2, 3), (2, 2, 10))], None), (40, 5, 0), QUARTER),

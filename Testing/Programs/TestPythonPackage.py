@@ -183,6 +183,20 @@ def check_texts():
     check_equal("in doubt by its tolerance", 0.025, stated.mass_uncertainty[4])
     scale = 2.5 / stated.volume
     check_true("the inertia is scaled to it", abs(stated.mass_inertia[0][0] - scale * stated.inertia[0][0]) <= stated.mass_inertia_bound)
+    stated, _ = quietly(sample, materials=[("*", "", None, "250 g", "5 g")])
+    check_equal("a mass as a text", (0.25, 0.25), (stated.mass, stated.overridden_mass))
+    check("its tolerance", 0.005, stated.mass_uncertainty[4], 1e-17)
+    check_equal("a mass in place of the density", 0.25, quietly(sample, materials=[("*", "", "250 g")])[0].mass)
+    check_equal("a density as a text", 700.0, quietly(sample, materials=[("*", "oak", "700")])[0].solids[0].density)
+    for row, said in ((("*", "left out", 7850), "neither density nor mass"), (("*", "left out", None, 2.0), "neither density nor mass"),
+                      (("*", "", None, "250 Mg"), "write t for 1000 kg"), (("*", "", None, 2.0, -0.5), "not a relative tolerance"),
+                      (("*", "", None, 2.0, -1.0), "not a relative tolerance"), (("*", "", 7850, 2.0), "contradict each other"),
+                      (("*", "", None, -2.0), "not a mass"), (("*", "unobtainium", None), "needs a density")):
+        try:
+            solidmoments.mass_properties(sample, materials=[row])
+            check_true(f"{row} is refused", False)
+        except ValueError as error:
+            check_true(f"{row} is refused", said in str(error), str(error))
     hidden, _ = quietly(sample, hidden="skip")
     check_equal("nothing is hidden", result.volume, hidden.volume)
 

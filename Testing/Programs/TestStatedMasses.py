@@ -98,6 +98,16 @@ def stated():
     check_equal("no tolerance", 0.0, file["total"]["mass_uncertainty"]["overridden"])
     check_true("said", any("no tolerance is stated, so they count as exact" in m for m in file["messages"]), str(file["messages"]))
 
+    table = write_table("partly_exact.csv", "name,mass,tolerance\n*,2,1%\nrail,3,\n")
+    file = run_json("--materials", table, path)
+    check_true("one of them is exact", any("; 1 of them has no tolerance and counts as exact: rail" in m for m in file["messages"]), str(file["messages"]))
+    table = write_table("all_stated.csv", "name,mass,tolerance\n*,2,1%\n")
+    check_true("none of them is", not any("exact" in m for m in run_json("--materials", table, path)["messages"]))
+
+    # A note about materials is not the reason for a status.
+    result = run("--scheme", "midpoint", "-q", "--materials", table, path)
+    check_true("the reason for the status", "is tolerance-not-met: " in result.stderr and "is tolerance-not-met: the materials" not in result.stderr, result.stderr)
+
     # Left out: bolts by a pattern, except where a line of their own comes first.
     table = write_table("left.csv", "bolt*,left out\nrail,brass\n")
     file = run_json("--materials", table, "--bom", path)
@@ -114,7 +124,8 @@ def stated():
 
     # Refusals name the line and the remedy.
     for text, said in (("name,density,mass\na,7850,2\n", "line 2: it has the density 7850 and the mass 2"), ("a,,,,-2\n", "-2 is not a mass"),
-                       ("a,,,,2 stone\n", "with one of the units kg, g, mg, t, lb, oz"), ("name,mass,colour\n", "there is no column colour"),
+                       ("bolt,steel,7850\nballast,Mass\nrail,7.8\n", "line 2: Mass is none of the materials"), ("ballast,Mass\nrail,7.8\n", "write name as the first"),
+                       ("part,material,density\n", "line 1: density is not a density"), ("a,,,,250 Mg\n", "write t for 1000 kg"), ("a,,,,2 stone\n", "with one of the units kg, g, mg, t, lb, oz"), ("name,mass,colour\n", "there is no column colour"),
                        ("name,mass,mass\n", "there is no column mass twice"), ("a,left out,7850\n", "neither density nor mass"),
                        ("a,b,1,2,3,4\n", "line 1: write NAME"), ('[{"name":"a","density":1,"mass":2}]', "entry 1: it has the density 1 and the mass 2")):
         result = run("--materials", write_table("wrong.csv", text), path)
@@ -187,6 +198,19 @@ def hidden():
         check(f"{name}, only", 40.0 * bolts, file["total"]["volume"], 1e-9)
         check_equal(f"{name}, only: status", "ok", file["status"])
         check_true(f"{name}, only: said", any("the file shows" in m and "rail" in m for m in file["messages"]), str(file["messages"]))
+    # A defect of a body that is left out says that it is.
+    damaged = write("hidden_damaged", by_style)
+    with open(damaged, encoding="ascii") as file:
+        text = file.read()
+    shell = re.search(r"CLOSED_SHELL\('',\((#\d+,)", text)
+    with open(damaged, "w", encoding="ascii") as file:
+        file.write(text[:shell.start(1)] + text[shell.end(1):])
+    solid = re.search(r"ADVANCED_BREP_SHAPE_REPRESENTATION\('bolt',\((.*?)\)", text).group(1).split(",")[1]
+    for hidden, count in (("count", 0), ("skip", 1), ("only", 0)):
+        file = run_json("--hidden", hidden, damaged, status=3)
+        said = [m for m in file["messages"] if f"{solid} is not closed. {solid} belongs to a body that is left out" in m]
+        check_equal(f"a damaged body that is hidden, --hidden {hidden}", count, len(said))
+
     # Where nothing is left there is no result, and the reason says what to do.
     nothing = write("hidden_nothing", lambda text: "")
     result = run("--hidden", "only", nothing)

@@ -153,7 +153,8 @@ std::string LeaveOut(
       {
         return false;
       }
-      names += ++count > maxNames ? "" : (count > 1 ? ", " : "") + body.Name;
+      const std::string label = body.Name.empty() ? "solid " + body.Id : body.Name;
+      names += ++count > maxNames ? "" : (count > 1 ? ", " : "") + label;
       return true;
     });
   bodies.erase(end, bodies.end());

@@ -173,6 +173,14 @@ void RunReport::AddMessages(const std::vector<BodyIntegrals>& bodies)
   {
     this->Messages.push_back(this->Note);
   }
+  // Notes about materials, for example, come behind the reason for the status.
+  const auto reason = this->Status == sm::Status::Ok
+    ? this->Messages.end()
+    : std::find(this->Messages.begin(), this->Messages.end(), this->FindReason(bodies));
+  if (reason != this->Messages.end())
+  {
+    std::rotate(this->Messages.begin(), reason, reason + 1);
+  }
 }
 
 std::vector<std::string> RunReport::ListNotes(const std::vector<BodyIntegrals>& bodies) const

@@ -403,6 +403,26 @@ void CheckTwins()
   mass->Update();
   Check("a line of its own", 700.0, getDensity(1), 0.0);
   CheckTrue("no twin", !Says(mass, "mirror image"), GetMessages(mass));
+  // More places of the mirror image are found with it.
+  for (unsigned int i = 4; i < 6; ++i)
+  {
+    auto* leaf = vtkNURBSDataSet::SafeDownCast(input->GetPartition(1, 0));
+    vtkNew<vtkNURBSDataSet> placed;
+    placed->ShallowCopy(leaf);
+    vtkNew<vtkMatrix4x4> placement;
+    placement->SetElement(0, 3, 20.0 * i);
+    placed->SetPlacement(placement);
+    input->SetPartition(i, 0, placed);
+    input->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), "more");
+  }
+  input->Modified();
+  mass->ClearMaterials();
+  mass->AddMaterial("left", "steel", 7850.0);
+  mass->Update();
+  Check("another place of the mirror image", 7850.0, getDensity(5), 0.0);
+  CheckTrue("all in one message",
+    Says(mass, "right and 2 more solids of its shape have no line of their own in the materials"),
+    GetMessages(mass));
   mass->ClearMaterials();
   mass->AddMass("left", "", 3.0);
   mass->Update();
@@ -414,15 +434,15 @@ void CheckTexts()
 {
   std::printf("--- texts of rules\n");
   const std::pair<const char*, double> masses[] = { { "2.5", 2.5 }, { "2.5 kg", 2.5 }, { "250 g", 0.25 },
-    { "250g", 0.25 }, { "3 MG", 3e-6 }, { "1.5 t", 1500.0 }, { "2 lb", 0.90718474 },
-    { "1 oz", 0.028349523125 }, { "1e-3 kg", 1e-3 } };
+    { "250g", 0.25 }, { "3 mg", 3e-6 }, { "3 KG", 3.0 }, { "2 LB", 0.90718474 }, { "1.5 t", 1500.0 },
+    { "2 lb", 0.90718474 }, { "1 oz", 0.028349523125 }, { "1e-3 kg", 1e-3 } };
   for (const auto& [text, mass] : masses)
   {
     Check(std::string("the mass ") + text, mass, sm::ParseMass(text, false), 1e-15 * mass);
   }
   CheckTrue("a unit is needed", std::isnan(sm::ParseMass("2.5", true)));
-  for (const char* text :
-    { "", "kg", "2,5 kg", "-1 kg", "0", "nan", "inf kg", "1 stone", "1 kg kg", "1e400" })
+  for (const char* text : { "", "kg", "2,5 kg", "-1 kg", "0", "nan", "inf kg", "1 stone", "1 kg kg", "1e400",
+         "250 Mg", "3 MG", "1 G", "1 T", "1 kG" })
   {
     CheckTrue(std::string("no mass: ") + text, std::isnan(sm::ParseMass(text, false)));
   }
@@ -436,6 +456,9 @@ void CheckTexts()
     { { "a", "", "", "3 g", "2 g" }, "3 g is not a relative tolerance" },
     { { "a", "", "7850", "3 g", "" }, "3 g is not a relative tolerance" },
     { { "a", "left out", "7850", "", "" }, "neither density nor mass" },
+    { { "a", "", "250 Mg", "", "" }, "the case of the unit Mg counts" },
+    { { "a", "", "", "", "250 Mg" }, "the case of the unit Mg counts" },
+    { { "a", "", "", "5 Mg", "2 t" }, "the case of the unit Mg counts" },
     { { "a", "", "2 stone", "", "" }, "2 stone is not a density" },
     { { "", "steel", "", "", "" }, "name is empty" } };
   for (const auto& entry : wrong)
@@ -465,6 +488,8 @@ void CheckErrors()
   mass->AddMass("*", "", -1.0);
   mass->AddMass("*", "", std::numeric_limits<double>::infinity());
   mass->AddMass("*", "", 1.0, 1.5);
+  mass->AddMaterial("*", "left out", 7850.0);
+  mass->AddMass("*", "Left Out", 2.0);
   mass->SetDensityTolerance(-0.1);
   mass->SetDensityTolerance(5.0);
   mass->SetDensityTolerance(std::numeric_limits<double>::quiet_NaN());
@@ -474,7 +499,7 @@ void CheckErrors()
   const double parallel[3] = { 0.0, 0.0, -5.0 };
   mass->SetReferenceFrame(origin, z, parallel);
   mass->SetReferenceFrame(origin, origin, z);
-  CheckEqual("errors", 14, trap.NumberOfErrors);
+  CheckEqual("errors", 16, trap.NumberOfErrors);
   CheckEqual("no material", 0, mass->GetNumberOfMaterials());
   CheckTrue("no frame", !mass->HasReferenceFrame());
 }
