@@ -306,7 +306,7 @@ def check_chosen_picture():
     check_true("both are drawn otherwise", pictures[0] != pictures[2])
     os.remove(path)
     result = run("-q", "--only", "nothing", "--png", path, product)
-    check_true("nothing is not drawn", result.returncode == 3 and "no solid is chosen" in result.stderr and not os.path.exists(path), result.stderr)
+    check_true("nothing is not drawn", result.returncode == 3 and "names no solid" in result.stderr and not os.path.exists(path), result.stderr)
 
 
 def picture():

@@ -20,7 +20,7 @@ warnings.simplefilter("ignore")
 
 
 def to_bernstein(powers):
-    """Bernstein coefficients of a polynomial on [0,1], exact but for the last rounding."""
+    """Bernstein coefficients of a polynomial on [0,1], exact except for the last rounding."""
     n = len(powers) - 1
     return [float(sum(Fraction(math.comb(k, i), math.comb(n, i)) * powers[i] for i in range(k + 1))) for k in range(n + 1)]
 
