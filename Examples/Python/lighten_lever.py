@@ -275,14 +275,12 @@ def check_step(model, file, part):
 
 def draw(shapes, file):
     """The levers before (lines) and after."""
+    import picture
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
     from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
-    from vtkmodules.vtkIOImage import vtkPNGWriter
-    from solidmoments.smRenderingCompute import vtkComputeContext
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkRenderer, vtkWindowToImageFilter
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkRenderer
 
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
@@ -326,28 +324,7 @@ def draw(shapes, file):
     ball.SetThetaResolution(24)
     ball.Update()
     add(ball.GetOutput(), (0.1, 0.65, 0.2))
-    context = vtkComputeContext()  # its window needs no display
-    if context.Start() != vtkComputeContext.READY:
-        raise SystemExit(f"{file} was not drawn: {context.GetReason()}")
-    window = context.GetRenderWindow()
-    window.OffScreenRenderingOn()
-    window.SetMultiSamples(0)
-    window.SetSize(800, 400)
-    window.AddRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(-0.5, -1.6, 1.5)
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    renderer.ResetCamera()
-    camera.Zoom(2.0)
-    window.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.SetFileName(file)
-    writer.Write()
-    window.RemoveRenderer(renderer)
+    picture.save_scene(renderer, file, (800, 400), (-0.5, -1.6, 1.5), 2.0)
 
 
 def to_curve(row):

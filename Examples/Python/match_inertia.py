@@ -99,13 +99,11 @@ def make_surface(lattice, count=25):
 
 def draw(start, lattice, file):
     """The block before (wires) and after."""
+    import picture
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
-    from vtkmodules.vtkIOImage import vtkPNGWriter
-    from solidmoments.smRenderingCompute import vtkComputeContext
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkRenderer, vtkWindowToImageFilter
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkRenderer
 
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
@@ -127,28 +125,7 @@ def draw(start, lattice, file):
                 actor.GetProperty().SetColor(0.1, 0.1, 0.1)
                 actor.GetProperty().SetLineWidth(2.0)
             renderer.AddActor(actor)
-    context = vtkComputeContext()  # its window needs no display
-    if context.Start() != vtkComputeContext.READY:
-        raise SystemExit(f"{file} was not drawn: {context.GetReason()}")
-    window = context.GetRenderWindow()
-    window.OffScreenRenderingOn()
-    window.SetMultiSamples(0)
-    window.SetSize(600, 400)
-    window.AddRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(-1.0, -2.0, 1.2)
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    renderer.ResetCamera()
-    camera.Zoom(1.3)
-    window.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.SetFileName(file)
-    writer.Write()
-    window.RemoveRenderer(renderer)
+    picture.save_scene(renderer, file, (600, 400), (-1.0, -2.0, 1.2), 1.3)
 
 
 def main():

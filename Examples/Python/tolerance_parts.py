@@ -10,7 +10,6 @@ import time
 import numpy
 import solidmoments
 from solidmoments.smReadersSTEP import vtkSTEPReader
-from solidmoments.smRenderingCompute import vtkComputeContext
 
 MAXIMUM_DIRECTIONS = 10
 
@@ -45,11 +44,10 @@ def choose_faces(model, sigma):
 
 def draw(path, volumes, mean, deviation):
     """Histogram as bars, and the linear prediction as a line."""
+    import picture
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkChartsCore import vtkChart, vtkChartXY
     from vtkmodules.vtkCommonDataModel import vtkTable
-    from vtkmodules.vtkIOImage import vtkPNGWriter
-    from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
     from vtkmodules.vtkViewsContext2D import vtkContextView
     import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
     import vtkmodules.vtkRenderingFreeType  # noqa: F401
@@ -72,24 +70,13 @@ def draw(path, volumes, mean, deviation):
         plot.SetWidth(2.0)
     chart.GetAxis(1).SetTitle("volume, mm^3")
     chart.GetAxis(0).SetTitle("parts")
-    context = vtkComputeContext()  # its window needs no display
-    if context.Start() != vtkComputeContext.READY:
-        raise SystemExit(f"{path} was not drawn: {context.GetReason()}")
+    context, window = picture.open_window(path, (640, 420))
     view = vtkContextView()
-    view.SetRenderWindow(context.GetRenderWindow())
+    view.SetRenderWindow(window)
     view.GetRenderer().SetBackground(1.0, 1.0, 1.0)
-    view.GetRenderWindow().SetSize(640, 420)
-    view.GetRenderWindow().SetMultiSamples(0)
-    view.GetRenderWindow().SetOffScreenRendering(True)
     view.GetScene().AddItem(chart)
-    view.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(view.GetRenderWindow())
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    picture.save_window(window, path)
+    del context
 
 
 def main():
