@@ -271,7 +271,7 @@ void ReportFaces(const BodyIntegrals& body, const OffsetChange& lower, const Off
 std::string ExplainUnknown(
   const BodyIntegrals& body, const OffsetGeometry& geometry, const std::vector<std::size_t>& unmet)
 {
-  const std::string name = body.Name.empty() ? "solid " + body.Id : body.Name;
+  const std::string name = body.GetLabel();
   if (!unmet.empty())
   {
     return name +

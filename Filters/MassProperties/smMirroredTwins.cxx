@@ -39,11 +39,6 @@ bool MayBeTwins(const BodyIntegrals& a, const BodyIntegrals& b)
     AreNearlyEqual(a, b, MassVolume) && AreNearlyEqual(a, b, MassArea);
 }
 
-std::string GetTwinLabel(const BodyIntegrals& body)
-{
-  return body.Name.empty() ? "solid " + body.Id : body.Name;
-}
-
 std::string Describe(const Material& material)
 {
   const std::string weight = material.Mass > 0.0 ? FormatDigits(material.Mass, 10) + " kg"
@@ -63,7 +58,7 @@ struct TwinGroup
   std::string GetLabel() const
   {
     const std::size_t more = this->Solids.size() - 1;
-    return GetTwinLabel(this->GetFirst()) +
+    return this->GetFirst().GetLabel() +
       (more == 0 ? std::string()
                  : " and " + FormatCount(more, "more solid", "more solids") + " of its shape");
   }
@@ -184,7 +179,7 @@ public:
       if (twin)
       {
         return group.GetLabel() + (group.Solids.size() > 1 ? " are" : " is") + " the mirror image of " +
-          GetTwinLabel(twin->GetFirst()) + " and of " + GetTwinLabel(other.GetFirst()) +
+          twin->GetFirst().GetLabel() + " and of " + other.GetFirst().GetLabel() +
           ", whose materials differ: " +
           (group.Solids.size() > 1 ? "they get none; add them" : "it gets none; add it") +
           " to the materials";
@@ -210,7 +205,7 @@ private:
     return group.GetLabel() +
       (group.Solids.size() > 1 ? " have no line of their own in the materials and get that of their"
                                : " has no line of its own in the materials and gets that of its") +
-      " mirror image " + GetTwinLabel(twin.GetFirst()) +
+      " mirror image " + twin.GetFirst().GetLabel() +
       ", found by comparing all faces: " + Describe(twin.Material);
   }
 

@@ -1,5 +1,6 @@
 #include "Detail/smTotalMass.h"
 
+#include "smCountedTexts.h"
 #include "smFormat.h"
 #include "smUnitRoundoff.h"
 
@@ -8,16 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 namespace sm
 {
 namespace
 {
-/// Largest number of names that a message lists.
-constexpr std::size_t NamedSolids = 5;
-
 /// Bound of the relative rounding error of a product of a density, the third power of a unit in metres, which
 /// is itself rounded, and a value: seven roundings.
 constexpr double FactorRounding = 8.0 * UnitRoundoff;
@@ -163,46 +160,6 @@ void SetWeighted(MassRow& total, const Moments& weighted, const MassAnalysisOpti
   }
 }
 
-/// Counts texts in the order of their first occurrence.
-class CountedTexts
-{
-public:
-  void Add(const std::string& text)
-  {
-    if (this->Counts[text]++ == 0)
-    {
-      this->Order.push_back(text);
-    }
-    ++this->Total;
-  }
-  std::size_t GetTotal() const { return this->Total; }
-
-  /// Returns "bolt (3 times), nut and 2 more".
-  std::string List() const
-  {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(this->Order.size(), NamedSolids); ++i)
-    {
-      const int count = this->Counts.at(this->Order[i]);
-      text +=
-        (i > 0 ? ", " : "") + this->Order[i] + (count > 1 ? " (" + std::to_string(count) + " times)" : "");
-    }
-    return this->Order.size() > NamedSolids
-      ? text + " and " + std::to_string(this->Order.size() - NamedSolids) + " more"
-      : text;
-  }
-
-private:
-  std::vector<std::string> Order;
-  std::map<std::string, int> Counts;
-  std::size_t Total = 0;
-};
-
-std::string GetLabel(const BodyIntegrals& body)
-{
-  return body.Name.empty() ? "solid " + body.Id : body.Name;
-}
-
 /// Lists all bodies that have a volume and no mass.
 std::string NameBodiesWithoutDensity(
   const std::vector<BodyIntegrals>& bodies, const std::vector<MassRow>& rows)
@@ -212,7 +169,7 @@ std::string NameBodiesWithoutDensity(
   {
     if (std::isfinite(rows[b].Properties.Volume) && !std::isfinite(rows[b].Mass))
     {
-      names.Add(GetLabel(bodies[b]));
+      names.Add(bodies[b].GetLabel());
     }
   }
   return names.List();
@@ -471,13 +428,13 @@ void NoteStatedMasses(
     {
       if (material.Tolerance == 0.0)
       {
-        exact.Add(GetLabel(bodies[b]));
+        exact.Add(bodies[b].GetLabel());
       }
-      used.Add(GetLabel(bodies[b]) + " " + FormatDigits(material.Mass, 10) + " kg");
+      used.Add(bodies[b].GetLabel() + " " + FormatDigits(material.Mass, 10) + " kg");
     }
     else if (material.Mass > 0.0)
     {
-      unused.Add(GetLabel(bodies[b]));
+      unused.Add(bodies[b].GetLabel());
     }
   }
   if (used.GetTotal() > 0)

@@ -105,6 +105,8 @@ struct SMFILTERSSURFACEINTEGRALS_EXPORT BodyIntegrals
   /// The message that determined the status; empty if the status is Ok.
   std::string Reason;
 
+  /// Returns the name, or "solid 3" by the Id.
+  std::string GetLabel() const { return this->Name.empty() ? "solid " + this->Id : this->Name; }
   bool IsSolid() const { return this->Model->GetBody() == vtkTrimmedNURBSModel::SOLID; }
   /// Returns true for a solid and for a closed free shell.
   bool HasVolume() const { return this->IsSolid() || this->OpenEdges == 0; }

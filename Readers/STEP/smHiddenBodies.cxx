@@ -1,11 +1,11 @@
 #include "smHiddenBodies.h"
 
+#include "smCountedTexts.h"
 #include "smFormat.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -13,25 +13,6 @@ namespace sm
 {
 namespace
 {
-constexpr std::size_t MaxHiddenNames = 5;
-
-/// Returns "bolt (3 times), cover and 2 more".
-std::string ListNames(const std::map<std::string, std::size_t>& counts)
-{
-  std::string text;
-  std::size_t listed = 0;
-  for (const auto& [name, count] : counts)
-  {
-    if (++listed <= MaxHiddenNames)
-    {
-      text += (listed > 1 ? ", " : "") + (name.empty() ? std::string("without a name") : name) +
-        (count > 1 ? " (" + std::to_string(count) + " times)" : "");
-    }
-  }
-  return listed > MaxHiddenNames ? text + " and " + std::to_string(listed - MaxHiddenNames) + " more names"
-                                 : text;
-}
-
 /// Gives the instances of a node their new indices, and removes those without one (negative), and the
 /// products that had instances and have none now. Returns whether the node had instances, and has some.
 std::pair<bool, bool> RenumberInstances(const std::vector<int>& indices, ProductNode& node)
@@ -75,18 +56,21 @@ void CollectIds(const PartBody& body, EntityIds& ids)
   body.Shape.VisitFaces([&ids](const FaceUse& use) { ids.insert(use.Face->Data.FileId); });
 }
 
-/// Returns the first entity number of a text that is among `ids`; 0 if there is none.
-std::int64_t FindId(const std::string& text, const EntityIds& ids)
+/// Returns the first of the entity numbers of a text, all of which must be among `ids` or of no body; 0 if
+/// there is none.
+std::int64_t FindId(const std::string& text, const EntityIds& ids, const EntityIds& others)
 {
+  std::int64_t found = 0;
   for (std::size_t at = text.find('#'); at != std::string::npos; at = text.find('#', at + 1))
   {
     const std::int64_t id = std::strtoll(text.c_str() + at + 1, nullptr, 10);
-    if (id > 0 && ids.count(id) > 0)
+    if (others.count(id) > 0)
     {
-      return id;
+      return 0;
     }
+    found = found == 0 && ids.count(id) > 0 ? id : found;
   }
-  return 0;
+  return found;
 }
 
 /// Adds to messages and defects of bodies that are left out that they are. The file stays in doubt.
@@ -102,15 +86,18 @@ void NoteDefects(const std::vector<PartBody>& removed, Document& document)
   {
     CollectIds(body, kept);
   }
+  // 0 stands for an entity without a number.
   for (const std::int64_t id : kept)
   {
     ids.erase(id);
   }
+  ids.erase(0);
+  kept.erase(0);
   for (std::vector<std::string>* texts : { &document.Defects, &document.Messages })
   {
     for (std::string& text : *texts)
     {
-      const std::int64_t id = FindId(text, ids);
+      const std::int64_t id = FindId(text, ids, kept);
       text += id == 0 ? std::string()
                       : " #" + std::to_string(id) +
           " belongs to a body that is left out; the results of other bodies do not depend on it.";
@@ -155,7 +142,7 @@ void LeaveOutHidden(HiddenMode mode, Document& document)
   const bool onlyHidden = mode == HiddenMode::Only;
   std::vector<int> indices;
   std::vector<BodyInstance> kept;
-  std::map<std::string, std::size_t> leftOut;
+  CountedTexts leftOut;
   for (BodyInstance& instance : document.Instances)
   {
     const bool isKept = instance.IsHidden == onlyHidden;
@@ -166,7 +153,8 @@ void LeaveOutHidden(HiddenMode mode, Document& document)
     }
     else
     {
-      ++leftOut[document.Bodies[static_cast<std::size_t>(instance.Body)].Name];
+      const std::string& name = document.Bodies[static_cast<std::size_t>(instance.Body)].Name;
+      leftOut.Add(name.empty() ? "without a name" : name);
     }
   }
   const std::size_t count = document.Instances.size() - kept.size();
@@ -177,14 +165,15 @@ void LeaveOutHidden(HiddenMode mode, Document& document)
   {
     document.Messages.push_back(FormatCount(count, "body", "bodies") +
       (onlyHidden ? " that the file shows" : " that the file hides (INVISIBILITY)") +
-      (count == 1 ? " is" : " are") + " left out: " + ListNames(leftOut) + ".");
+      (count == 1 ? " is" : " are") + " left out: " + leftOut.List() + ".");
   }
   if (document.Instances.empty())
   {
     document.Status = ReadStatus::Empty;
     document.Problem = onlyHidden
-      ? "it hides none of its bodies (INVISIBILITY); read those that it shows, with Hidden as Skip or Count"
-      : "it hides all of its bodies (INVISIBILITY); read these, with Hidden as Count or Only";
+      ? "it hides none of its bodies (INVISIBILITY), and only hidden ones are read; set hidden to skip or "
+        "count"
+      : "it hides all of its bodies (INVISIBILITY), and hidden ones are skipped; set hidden to count or only";
   }
 }
 }

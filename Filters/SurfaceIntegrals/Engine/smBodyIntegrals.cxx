@@ -5,6 +5,7 @@
 #include "Outputs/smShellOrientation.h"
 #include "smBodyScales.h"
 #include "smCompensatedSum.h"
+#include "smCountedTexts.h"
 #include "smFormat.h"
 #include "smInstanceNames.h"
 #include "smMeshTriangles.h"
@@ -143,9 +144,7 @@ std::vector<BodyIntegrals> CollectBodies(vtkDataObject* input, RejectedInput& re
 std::string LeaveOut(
   const std::function<bool(const std::string& name)>& leavesOut, std::vector<BodyIntegrals>& bodies)
 {
-  constexpr std::size_t maxNames = 5;
-  std::size_t count = 0;
-  std::string names;
+  CountedTexts names;
   const auto end = std::remove_if(bodies.begin(), bodies.end(),
     [&](const BodyIntegrals& body)
     {
@@ -153,14 +152,13 @@ std::string LeaveOut(
       {
         return false;
       }
-      const std::string label = body.Name.empty() ? "solid " + body.Id : body.Name;
-      names += ++count > maxNames ? "" : (count > 1 ? ", " : "") + label;
+      names.Add(body.GetLabel());
       return true;
     });
   bodies.erase(end, bodies.end());
-  return count == 0 ? std::string()
-                    : "the materials leave out " + FormatCount(count, "body", "bodies") + ": " + names +
-      (count > maxNames ? " and " + std::to_string(count - maxNames) + " more" : "");
+  return names.GetTotal() == 0
+    ? std::string()
+    : "the materials leave out " + FormatCount(names.GetTotal(), "body", "bodies") + ": " + names.List();
 }
 
 void CheckTopology(BodyIntegrals& body)
