@@ -17,6 +17,8 @@ namespace
 {
 // Faces between two reports of progress.
 constexpr std::size_t FacesPerReport = 32;
+// Faces whose plans and integrals are in memory.
+constexpr std::size_t FacesPerPart = 512;
 // Fractions of the progress for cutting, and for the bounds of ribbons; the integration takes the rest.
 constexpr double CutShare = 0.3;
 constexpr double StripShare = 0.2;
@@ -61,7 +63,7 @@ std::set<std::array<double, 3>> GetVertices(const Face& face)
 
 bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>& faces,
   const std::vector<double>& sides, double relativeTolerance, const ProgressCallback& progress,
-  Closing closing)
+  PatchIntegrator& integrator, Closing closing)
 {
   this->Faces.assign(faces.size(), {});
   this->Evaluations = 0;
@@ -124,28 +126,70 @@ bool ModelGradient::Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>
     body.Add(*cut[i]->Source, strips[i]);
     reach = std::max(reach, strips[i].Reach);
   }
+  std::vector<FaceTask> tasks;
+  for (std::size_t i = 0; i < cut.size(); ++i)
+  {
+    if (faces[indices[i]])
+    {
+      tasks.push_back({ indices[i], { cut[i].get(), &strips[i], &body, i, reach, tolerance, length } });
+    }
+  }
+  for (std::size_t begin = 0; begin < tasks.size(); begin += FacesPerPart)
+  {
+    const std::size_t end = std::min(begin + FacesPerPart, tasks.size());
+    const auto share = [&tasks](std::size_t count) {
+      return (1.0 - CutShare - StripShare) * static_cast<double>(count) / static_cast<double>(tasks.size());
+    };
+    if (!this->ComputePart({ tasks.begin() + static_cast<std::ptrdiff_t>(begin),
+                             tasks.begin() + static_cast<std::ptrdiff_t>(end) },
+          sides, integrator, progress, CutShare + StripShare + share(begin), share(end - begin)))
+    {
+      this->Error = "aborted";
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Plans the faces, integrates their patches together, and sums up.
+bool ModelGradient::ComputePart(const std::vector<FaceTask>& tasks, const std::vector<double>& sides,
+  PatchIntegrator& integrator, const ProgressCallback& progress, double from, double share)
+{
+  std::vector<NetGradientPlan> plans(tasks.size());
+  if (!RunFaces(tasks.size(), progress, from, 0.5 * share,
+        [&](std::size_t i) { plans[i] = PlanNetGradient(tasks[i].Task); }))
+  {
+    return false;
+  }
+  std::vector<PatchTask> patches;
+  for (const NetGradientPlan& plan : plans)
+  {
+    patches.insert(patches.end(), plan.Patches.begin(), plan.Patches.end());
+  }
+  std::vector<PatchSums> sums;
+  if (!integrator.Compute(patches, sums,
+        [&](double fraction) { return !progress || progress(from + share * (0.5 + 0.4 * fraction)); }))
+  {
+    return false;
+  }
+  std::vector<std::size_t> first(tasks.size(), 0);
+  for (std::size_t i = 1; i < tasks.size(); ++i)
+  {
+    first[i] = first[i - 1] + plans[i - 1].Patches.size();
+  }
   std::atomic<std::int64_t> evaluations{ 0 };
-  const bool done = RunFaces(cut.size(), progress, CutShare + StripShare, 1.0 - CutShare - StripShare,
+  const bool done = RunFaces(tasks.size(), progress, from + 0.9 * share, 0.1 * share,
     [&](std::size_t i)
     {
-      if (!faces[indices[i]])
-      {
-        return;
-      }
-      NetGradient gradient =
-        ComputeNetGradient({ cut[i].get(), &strips[i], &body, i, reach, tolerance, length });
-      for (std::size_t k = 0; sides[indices[i]] < 0.0 && k < gradient.Values.size(); ++k)
+      NetGradient gradient = FinishNetGradient(tasks[i].Task, plans[i], sums.data() + first[i]);
+      for (std::size_t k = 0; sides[tasks[i].Face] < 0.0 && k < gradient.Values.size(); ++k)
       {
         gradient.Values[k] *= k % NumberOfIntegrals < NumberOfMoments ? -1.0 : 1.0;
       }
       evaluations += gradient.Evaluations;
-      this->Faces[indices[i]] = std::move(gradient);
+      this->Faces[tasks[i].Face] = std::move(gradient);
     });
-  this->Evaluations = evaluations;
-  if (!done)
-  {
-    this->Error = "aborted";
-  }
+  this->Evaluations += evaluations;
   return done;
 }
 

@@ -3,6 +3,7 @@
 #include "Detail/smGradientBodies.h"
 #include "Detail/smModelGradient.h"
 #include "Detail/smMomentFrame.h"
+#include "Detail/smPatchIntegrator.h"
 #include "smFailureReason.h"
 #include "smFormat.h"
 
@@ -30,6 +31,7 @@ class Computation
 public:
   Computation(const MomentGradientOptions& options)
     : Options(options)
+    , Integrator(options.Backend, options.Context)
   {
   }
 
@@ -55,6 +57,7 @@ private:
   void ExplainBounds(const BodyIntegrals& body, std::size_t first, bool hasVolume);
 
   const MomentGradientOptions& Options;
+  PatchIntegrator Integrator;
   MomentGradientResult Result;
   GradientBodies Mass;
   std::map<vtkTrimmedNURBSModel*, Part> Parts;
@@ -109,7 +112,7 @@ const Computation::Part* Computation::GetPart(std::size_t body)
   const auto progress = [this, done, share](double fraction)
   { return !this->Options.Progress || this->Options.Progress(done + share * fraction); };
   if (!part.Gradient.Compute(source.Model, this->Options.Tied ? part.Tied.AddFollowers(faces) : faces,
-        this->Mass.GetSides(body), this->Options.RelativeTolerance, progress))
+        this->Mass.GetSides(body), this->Options.RelativeTolerance, progress, this->Integrator))
   {
     this->Stop(part.Gradient.GetError());
     return nullptr;
@@ -301,6 +304,9 @@ MomentGradientResult Computation::Run(vtkDataObject* model)
     }
     this->AddBody(body, *part);
   }
+  this->Result.Backend = this->Integrator.GetUsed();
+  this->Result.BackendReason = this->Integrator.GetReason();
+  this->Result.IntegralSeconds = this->Integrator.GetSeconds();
   this->Result.GradientSeconds = vtkTimerLog::GetUniversalTime() - middle;
   return this->Result;
 }

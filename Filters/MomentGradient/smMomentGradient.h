@@ -13,7 +13,8 @@
  * derivative with edges intersected anew, up to gap times speed, which the bounds include. The area is that
  * of the faces with trim curves fixed in (u,v).
  *
- * Everything runs on the processor, on the threads of vtkSMPTools. Coordinates are those of the world.
+ * The integrals run by compute shaders or on the threads of vtkSMPTools, everything else on these.
+ * Coordinates are those of the world.
  */
 #ifndef smMomentGradient_h
 #define smMomentGradient_h
@@ -27,10 +28,22 @@
 #include <string>
 #include <vector>
 
+class vtkComputeContext;
 class vtkDataObject;
 
 namespace sm
 {
+/// Where the integrals of gradients are computed.
+enum class GradientBackend
+{
+  /// OpenGL if the context is that of a GPU and the processor would take more than about a second.
+  Automatic,
+  CPU,
+  /// OpenGL, also of a software renderer; the CPU where there is no context, no double precision, or a wrong
+  /// result, with the reason.
+  OpenGL
+};
+
 /// A scalar quantity that is differentiated, and its unit as a power of the length unit.
 struct GradientQuantity
 {
@@ -63,6 +76,10 @@ struct MomentGradientOptions
   /// Tolerance of the quadrature of each derivative, relative to the area of the body times powers of half
   /// its diagonal. In (0, 1]; values below 1e-15 count as that.
   double RelativeTolerance = 1e-9;
+  /// Values of both differ within the bounds.
+  GradientBackend Backend = GradientBackend::Automatic;
+  /// For OpenGL; null: a context of its own, on the X display or without any by EGL.
+  vtkComputeContext* Context = nullptr;
   /// Gets the progress and may stop the run. It is called by the calling thread.
   ProgressCallback Progress;
 };
@@ -105,11 +122,15 @@ struct MomentGradientResult
   std::vector<std::string> Messages;
   std::string LengthUnit;
   std::vector<FaceMomentGradient> Faces;
-  /// Points of surfaces that were evaluated for the gradients, and seconds for the mass properties and for
-  /// the gradients.
+  /// CPU or OpenGL, and why the CPU where OpenGL was asked for or tried.
+  GradientBackend Backend = GradientBackend::CPU;
+  std::string BackendReason;
+  /// Points of surfaces that were evaluated for the gradients; seconds for the mass properties, for the
+  /// gradients, and of the latter for the integrals.
   std::int64_t Evaluations = 0;
   double MomentSeconds = 0.0;
   double GradientSeconds = 0.0;
+  double IntegralSeconds = 0.0;
 };
 
 /**

@@ -244,9 +244,10 @@ bool HessianRun::Integrate(std::size_t body, const std::vector<Displacements>& m
     model->ShallowCopy(source.Model);
     model->SetFaces(moved);
     ModelGradient gradient;
+    PatchIntegrator processor;
     if (!gradient.Compute(
           model, isMoved, this->Mass.GetSides(body), this->Options.RelativeTolerance,
-          [&](double fraction) { return this->Report(body, 0.25 * (k + fraction)); },
+          [&](double fraction) { return this->Report(body, 0.25 * (k + fraction)); }, processor,
           ModelGradient::Closing::Nothing))
     {
       error = gradient.GetError();

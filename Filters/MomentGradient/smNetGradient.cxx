@@ -298,15 +298,10 @@ void BodyStrips::Add(const Face& face, const FaceStrips& strips)
   }
 }
 
-NetGradient ComputeNetGradient(const NetGradientTask& task)
+NetGradientPlan PlanNetGradient(const NetGradientTask& task)
 {
-  const Face& face = *task.Cut->Source;
   const FacePanels& panels = task.Cut->Panels;
-  const NURBSSurface& surface = face.Surface;
-  NetGradient result;
-  std::copy_n(surface.NumberOfControlPoints, 2, result.Count);
-  std::vector<Entry> entries(surface.ControlPoints.size());
-
+  const NURBSSurface& surface = task.Cut->Source->Surface;
   PlanRequest request;
   request.Classes = GetClasses();
   double heaviest = 0.0;
@@ -323,7 +318,27 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
                                             : 0);
     request.Tolerances.push_back(task.Tolerance / (heaviest * spans) * std::pow(task.Length, power));
   }
-  const std::vector<PatchPlan> plans = PlanPatches(panels, request);
+  NetGradientPlan plan;
+  plan.Plans = PlanPatches(panels, request);
+  for (std::uint32_t k = 0; k < panels.Patches.size(); ++k)
+  {
+    if (!plan.Plans[k].Items.empty())
+    {
+      plan.Patches.push_back({ &panels, k, &plan.Plans[k], request.Shift, surface.Rounding });
+    }
+  }
+  return plan;
+}
+
+NetGradient FinishNetGradient(
+  const NetGradientTask& task, const NetGradientPlan& plan, const PatchSums* allSums)
+{
+  const Face& face = *task.Cut->Source;
+  const FacePanels& panels = task.Cut->Panels;
+  const NURBSSurface& surface = face.Surface;
+  NetGradient result;
+  std::copy_n(surface.NumberOfControlPoints, 2, result.Count);
+  std::vector<Entry> entries(surface.ControlPoints.size());
   std::vector<const Edge*> edges;
   std::vector<const Coedge*> coedges;
   for (const Loop& loop : face.Loops)
@@ -335,27 +350,24 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
     }
   }
 
-  PatchGradient sums;
-  for (std::uint32_t k = 0; k < panels.Patches.size(); ++k)
+  for (std::size_t n = 0; n < plan.Patches.size(); ++n)
   {
-    if (plans[k].Items.empty())
-    {
-      continue;
-    }
+    const std::uint32_t k = plan.Patches[n].Index;
+    const std::vector<double>& quadrature = plan.Plans[k].QuadratureBound;
+    const PatchSums& sums = allSums[n];
     const Patch& patch = panels.Patches[k];
-    sums.Compute(panels, k, plans[k], request.Shift, surface.Rounding);
-    result.Evaluations += sums.GetEvaluations();
+    result.Evaluations += sums.Evaluations;
     const double strips = GetStripArea(task, k, edges);
-    const double moving = strips > 0.0 ? strips * GetSpeed(panels, patch, sums.GetGrowth()) : 0.0;
+    const double moving = strips > 0.0 ? strips * GetSpeed(panels, patch, sums.Growth) : 0.0;
     const double swept = GetSweptParameters(panels, k, coedges, patch.Exchanged);
     // Beyond the patch the bound of the slopes does not hold.
     const double ofSwept = swept == 0.0 ? 0.0
-      : sums.GetGrowth() <= 1.01        ? 1.1 * swept * GetAreaSlope(panels, patch)
+      : sums.Growth <= 1.01             ? 1.1 * swept * GetAreaSlope(panels, patch)
                                         : std::numeric_limits<double>::infinity();
     double ofArea[2];
     for (int c = 0; c < 2; ++c)
     {
-      ofArea[c] = UnitRoundoff * sums.GetAreaNoise(c) +
+      ofArea[c] = UnitRoundoff * sums.AreaNoise[c] +
         (ofSwept > 0.0 ? ofSwept * (c == 0 ? 1.0 : 3.0 * task.Reach) : 0.0);
     }
     const int directions[2] = { patch.Exchanged ? 1 : 0, patch.Exchanged ? 0 : 1 };
@@ -382,9 +394,9 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
             }
           }
         }
-        for (std::size_t c = 0; c < request.Classes.size(); ++c)
+        for (std::size_t c = 0; c < quadrature.size(); ++c)
         {
-          entry.Quadrature[c] += plans[k].QuadratureBound[c];
+          entry.Quadrature[c] += quadrature[c];
         }
         entry.Quadrature[6] += ofArea[0];
         entry.Quadrature[7] += ofArea[1];
@@ -415,7 +427,7 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
         double size = 0.0;
         for (int c = 0; c < 3; ++c)
         {
-          const Wide sum = entry.Sums[channel::Normal + 3 * g + c];
+          const Wide sum = entry.Sums[4 * g + c];
           const double value = static_cast<double>(weight * sum);
           result.Values[result.GetIndex(i, j, c) + g] = value;
           result.Bounds[result.GetIndex(i, j, c) + g] =
@@ -423,7 +435,7 @@ NetGradient ComputeNetGradient(const NetGradientTask& task)
           along += position[c] * sum;
           size += static_cast<double>(std::abs(position[c] * sum));
         }
-        const Wide flux = entry.Sums[channel::Flux + g];
+        const Wide flux = entry.Sums[4 * g + channel::Flux];
         size += static_cast<double>(std::abs(flux));
         result.Values[result.GetIndex(i, j, 3) + g] = static_cast<double>(along - flux);
         // With a weight the surface moves by R (P - x) / w.

@@ -1,9 +1,7 @@
 #include "Detail/smPatchGradient.h"
 
-#include "smBernstein.h"
 #include "smGaussLegendre.h"
-#include "smUnitRoundoff.h"
-#include "smVector.h"
+#include "smPortableCxx.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,59 +10,23 @@ namespace sm
 {
 namespace
 {
-using Wide = long double;
+#include "glsl/smGradientSample.glsl"
 
-/// The parameters of a patch on a piece of a trim curve, and their derivatives by the piece's parameter.
-struct TrimPoint
+smGradientPatch MakeNet(const PatchTask& task)
 {
-  double S, R, SlopeR;
-};
-
-/// Evaluates a trim piece by de Casteljau's scheme in wider numbers: what remains of its rounding is that of
-/// the result.
-TrimPoint EvaluateTrim(const double* coefficients, int degree, const Patch& patch, double t)
-{
-  Wide points[MaximumDegree + 1][2];
-  for (int i = 0; i <= degree; ++i)
-  {
-    for (int d = 0; d < 2; ++d)
-    {
-      points[i][d] = (static_cast<Wide>(coefficients[2 * i + d]) - patch.Start[d]) / patch.Width[d];
-    }
-  }
-  Wide slope = 0;
-  const Wide x = t;
-  for (int level = degree; level > 0; --level)
-  {
-    slope = level == 1 ? degree * (points[1][1] - points[0][1]) : slope;
-    for (int i = 0; i < level; ++i)
-    {
-      for (int d = 0; d < 2; ++d)
-      {
-        points[i][d] = (1 - x) * points[i][d] + x * points[i + 1][d];
-      }
-    }
-  }
-  return { static_cast<double>(points[0][0]), static_cast<double>(points[0][1]), static_cast<double>(slope) };
+  const PatchConstants from = MakePatchConstants(task);
+  const int* degrees = task.GetPatch().Degree;
+  smGradientPatch net;
+  net.origin = dvec3(from.Origin[0], from.Origin[1], from.Origin[2]);
+  net.radius = from.Radius;
+  net.stretch = dvec2(from.Stretch[0], from.Stretch[1]);
+  net.off = from.Off;
+  net.offSlope = dvec2(from.OffSlope[0], from.OffSlope[1]);
+  net.roundings = from.Roundings;
+  net.additions = from.Additions;
+  net.degrees = dvec2(degrees[0], degrees[1]);
+  return net;
 }
-
-/// Bernstein polynomials of a degree at x, and their derivatives from those of one degree less.
-struct Basis
-{
-  double Values[MaximumDegree + 1];
-  double Slopes[MaximumDegree + 1];
-
-  Basis(int degree, double x)
-  {
-    double lower[MaximumDegree + 1];
-    FillBernsteinBasis(degree, x, this->Values);
-    FillBernsteinBasis(degree - 1, x, lower);
-    for (int i = 0; i <= degree; ++i)
-    {
-      this->Slopes[i] = degree * ((i > 0 ? lower[i - 1] : 0.0) - (i < degree ? lower[i] : 0.0));
-    }
-  }
-};
 
 /// Adds `factor` times `count` numbers.
 inline void AddMultiple(double factor, const double* from, int count, double* to)
@@ -74,310 +36,160 @@ inline void AddMultiple(double factor, const double* from, int count, double* to
     to[k] += factor * from[k];
   }
 }
-}
 
-double BoundBasis(const FacePanels& panels, const Panel& panel)
+/// The integrals of a line, before they meet the polynomials in r.
+class LineIntegrals
 {
-  const Patch& patch = panels.Patches[panel.Patch];
-  std::array<double, 2> points[MaximumDegree + 1];
-  for (int i = 0; i <= panel.TrimDegree; ++i)
+public:
+  explicit LineIntegrals(const PatchTask& task)
+    : Points(task.GetPoints())
+    , Constants(MakeNet(task))
+    , Degree{ task.GetPatch().Degree[0], task.GetPatch().Degree[1] }
+    , Row(this->Degree[0] + 1)
+    , RowS(this->Row)
+    , RowR(this->Row)
+    , Sums(channel::Count * this->Row.size())
+    , Slopes(4 * this->Row.size())
   {
-    for (int d = 0; d < 2; ++d)
-    {
-      points[i][d] = (panels.Coefficients[panel.Trim + 2 * i + d] - patch.Start[d]) / patch.Width[d];
-    }
   }
-  if (panel.TrimDegree > 0 && panel.End > panel.Start)
-  {
-    RestrictBernstein<2>(points, panel.TrimDegree, 1, panel.Start, panel.End);
-  }
-  double growth = 1.0;
-  for (int d = 0; d < 2; ++d)
-  {
-    double beyond = 0.0;
-    for (int i = 0; i <= panel.TrimDegree; ++i)
-    {
-      beyond = std::max({ beyond, -points[i][d], points[i][d] - 1.0 });
-    }
-    growth *= std::pow(1.0 + 2.0 * beyond, patch.Degree[d]);
-  }
-  return growth;
-}
 
-struct PatchGradient::Line
-{
-  /// The sign of the coverage, and of the outward normal.
-  double Coverage;
-  double Side;
-  /// s at the trim curve.
-  double EdgeS;
-  /// BoundBasis() of the panel.
-  double Growth;
-  /// Rounding of the trim curve in units of u of the patch's width, as in smPanel.glsl.
-  double TrimRounding;
+  void Add(const PatchLine& line, PatchSums& to);
+
+  /// PatchSums::AreaNoise of the lines so far.
+  dvec2 AreaNoise{ 0.0, 0.0 };
+
+private:
+  void MakeRow(const DerivedBasis& inR);
+  void AddPoint(const smGradientLine& line, double s, double weight);
+
+  const std::array<double, 4>* Points;
+  smGradientPatch Constants;
+  int Degree[2];
+  // The net reduced to a curve in s, and its derivatives.
+  std::vector<dvec4> Row, RowS, RowR;
+  // For each polynomial in s; the slopes meet the derivatives of the polynomials in r.
+  std::vector<double> Sums, Slopes;
 };
 
-void PatchGradient::Compute(const FacePanels& panels, std::uint32_t patch, const PatchPlan& plan,
-  const std::array<double, 3>& shift, const std::array<double, 3>& moved)
+void LineIntegrals::MakeRow(const DerivedBasis& inR)
 {
-  this->Panels = &panels;
-  this->Source = &panels.Patches[patch];
-  this->Points = panels.Points.data() + this->Source->FirstPoint;
-  std::copy_n(this->Source->Degree, 2, this->Degree);
   const int p = this->Degree[0];
   const int q = this->Degree[1];
-  for (int c = 0; c < 3; ++c)
+  const auto get = [this, p](int i, int j)
   {
-    this->Origin[c] = this->Source->Center[c] + shift[c];
-  }
-  // A net that is off by d has differences (w_i+1 d_i+1 - w_i d_i), and with Radius d in StretchOf() its
-  // derivatives are at most 2 p d times the ratio of neighbours' weights.
-  this->Moved = std::hypot(moved[0] + this->Source->Displacement[0], moved[1] + this->Source->Displacement[1],
-    moved[2] + this->Source->Displacement[2]);
-  const double ratio = std::max(1.0, this->Source->WeightRatio);
-  for (int d = 0; d < 2; ++d)
-  {
-    this->Slope[d] = 2.0 * this->Degree[d] * ratio * this->Moved;
-  }
-  this->Sums.assign(channel::Count * static_cast<std::size_t>(p + 1) * (q + 1), 0.0);
-  this->LineSums.resize(channel::Count * static_cast<std::size_t>(p + 1));
-  this->LineSlopes.resize(4 * static_cast<std::size_t>(p + 1));
-  this->Row.resize(p + 1);
-  this->RowS.resize(p + 1);
-  this->RowR.resize(p + 1);
-  this->Evaluations = 0;
-  this->Growth = 1.0;
-  this->AreaNoise[0] = this->AreaNoise[1] = 0.0;
-  // A polynomial has at most 3 roundings a degree and a sum over the net one for each term: 4 (p + q) and a
-  // few more for a numerator, and as many for the weight that it is divided by. Differences, quotients and
-  // products of a tangent are the rest. All polynomials and weights are positive, so that these are relative
-  // errors.
-  this->Roundings = 8.0 * (p + q) + 24.0;
-  std::size_t lines = 0;
-  int longest = 1;
-  for (const PlannedItem& item : plan.Items)
-  {
-    const int factor = item.Compared ? 2 : 1;
-    lines += static_cast<std::size_t>(factor) * item.Along;
-    longest = std::max(longest, factor * item.Across);
-  }
-  this->Additions = static_cast<double>(lines) + longest;
-  for (const PlannedItem& item : plan.Items)
-  {
-    this->AddItem(item);
-  }
-}
-
-void PatchGradient::AddItem(const PlannedItem& item)
-{
-  const Panel& panel = this->Panels->Panels[item.Index];
-  const double* trim = this->Panels->Coefficients.data() + panel.Trim;
-  const std::vector<double>& rules = GetRuleTable();
-  const int factor = item.Compared ? 2 : 1;
-  const int along = std::min(factor * item.Along, MaximumRuleSize);
-  const int across = std::min(factor * item.Across, MaximumRuleSize);
-  const double* ruleT = rules.data() + along * (along - 1);
-  const double* ruleX = rules.data() + across * (across - 1);
-  const double width = panel.End - panel.Start;
-  const double start = panel.Start + width * item.Start;
-  const double tWidth = width * (item.End - item.Start);
-  const double xiWidth = item.XiEnd - item.XiStart;
-  const int p = this->Degree[0];
-  const int q = this->Degree[1];
-  // Coefficients far from the patch round its parameters by more, in units of its width.
-  double reach = 1.0;
-  for (int i = 0; i <= panel.TrimDegree; ++i)
-  {
-    for (int d = 0; d < 2; ++d)
-    {
-      reach = std::max(reach, std::abs(trim[2 * i + d]) / this->Source->Width[d]);
-    }
-  }
-  const double growth = BoundBasis(*this->Panels, panel);
-  this->Growth = std::max(this->Growth, growth);
-  for (int a = 0; a < along; ++a)
-  {
-    const TrimPoint at = EvaluateTrim(trim, panel.TrimDegree, *this->Source, start + tWidth * ruleT[2 * a]);
-    const Line line{ panel.Negative ? -1.0 : 1.0, panel.FlipNormal ? -1.0 : 1.0, at.S, growth, 3.0 * reach };
-    const Basis inR(q, at.R);
-    for (int i = 0; i <= p; ++i)
-    {
-      this->Row[i] = this->RowS[i] = this->RowR[i] = {};
-    }
-    double lower[MaximumDegree + 1];
-    FillBernsteinBasis(q - 1, at.R, lower);
-    for (int j = 0; j <= q; ++j)
-    {
-      const std::array<double, 4>* net = this->Points + static_cast<std::ptrdiff_t>(j) * (p + 1);
-      for (int i = 0; i <= p; ++i)
-      {
-        for (int c = 0; c < 4; ++c)
-        {
-          this->Row[i][c] += inR.Values[j] * net[i][c];
-          // Differences come first: the rounding of a derivative is relative to them.
-          this->RowR[i][c] += j < q ? q * (lower[j] * (net[i + p + 1][c] - net[i][c])) : 0.0;
-          this->RowS[i][c] += i < p ? p * (inR.Values[j] * (net[i + 1][c] - net[i][c])) : 0.0;
-        }
-      }
-    }
-    std::fill(this->LineSums.begin(), this->LineSums.end(), 0.0);
-    std::fill(this->LineSlopes.begin(), this->LineSlopes.end(), 0.0);
-    const double weightT = ruleT[2 * a + 1] * tWidth * at.SlopeR * xiWidth;
-    for (int b = 0; b < across; ++b)
-    {
-      this->AddPoint(line, (item.XiStart + xiWidth * ruleX[2 * b]) * at.S, weightT * ruleX[2 * b + 1]);
-    }
-    // The line's sums meet the polynomials in r.
-    for (int j = 0; j <= q; ++j)
-    {
-      for (int i = 0; i <= p; ++i)
-      {
-        double* sums = this->Sums.data() + channel::Count * (i + (p + 1) * static_cast<std::size_t>(j));
-        const double* from = this->LineSums.data() + channel::Count * static_cast<std::size_t>(i);
-        AddMultiple(inR.Values[j], from, channel::Noise, sums);
-        AddMultiple(std::abs(inR.Values[j]), from + channel::Noise, channel::Count - channel::Noise,
-          sums + channel::Noise);
-        AddMultiple(
-          inR.Slopes[j], this->LineSlopes.data() + 4 * static_cast<std::size_t>(i), 4, sums + channel::Area);
-      }
-    }
-  }
-  this->Evaluations += static_cast<std::int64_t>(along) * across;
-}
-
-void PatchGradient::AddPoint(const Line& line, double s, double weight)
-{
-  const int p = this->Degree[0];
-  const Basis inS(p, s);
-  double lower[MaximumDegree + 1];
-  FillBernsteinBasis(p - 1, s, lower);
-  double h[4] = {};
-  double hs[4] = {};
-  double hr[4] = {};
+    const std::array<double, 4>& point = this->Points[i + static_cast<std::ptrdiff_t>(j) * (p + 1)];
+    return dvec4(point[0], point[1], point[2], point[3]);
+  };
   for (int i = 0; i <= p; ++i)
   {
-    for (int c = 0; c < 4; ++c)
+    this->Row[i] = this->RowS[i] = this->RowR[i] = dvec4(0.0);
+    for (int j = 0; j <= q; ++j)
     {
-      h[c] += inS.Values[i] * this->Row[i][c];
-      hr[c] += inS.Values[i] * this->RowR[i][c];
-      hs[c] += i < p ? lower[i] * this->RowS[i][c] : 0.0;
+      const dvec4 point = get(i, j);
+      this->Row[i] += inR.Values[j] * point;
+      // Differences come first: the rounding of a derivative is relative to them.
+      this->RowR[i] += j < q ? static_cast<double>(q) * (inR.Lower[j] * (get(i, j + 1) - point)) : dvec4(0.0);
+      this->RowS[i] +=
+        i < p ? static_cast<double>(p) * (inR.Values[j] * (get(i + 1, j) - point)) : dvec4(0.0);
     }
   }
-  const double inverse = 1.0 / h[3];
-  Vector3 x;
-  Vector3 ss;
-  Vector3 sr;
-  for (int c = 0; c < 3; ++c)
-  {
-    const double offset = h[c] * inverse;
-    ss[c] = (hs[c] - hs[3] * offset) * inverse;
-    sr[c] = (hr[c] - hr[3] * offset) * inverse;
-    x[c] = this->Origin[c] + offset;
-  }
-  const Vector3 n = Cross(ss, sr);
-  const double length = Norm(n);
-  const double g[NumberOfMoments] = { 1.0, x[0], x[1], x[2], x[0] * x[0], x[1] * x[1], x[2] * x[2],
-    x[0] * x[1], x[1] * x[2], x[0] * x[2] };
-  const double flux = Dot(x, n);
+}
 
+void LineIntegrals::AddPoint(const smGradientLine& line, double s, double weight)
+{
+  const int p = this->Degree[0];
+  const DerivedBasis inS(p, s);
+  dvec4 h(0.0);
+  dvec4 hs(0.0);
+  dvec4 hr(0.0);
+  for (int i = 0; i <= p; ++i)
+  {
+    h += inS.Values[i] * this->Row[i];
+    hr += inS.Values[i] * this->RowR[i];
+    hs += inS.Lower[i] * this->RowS[i];
+  }
+  const smGradientSample at = smMakeGradientSample(this->Constants, line, weight, h, hs, hr);
+  const dvec3& x = at.position;
+  const double g[NumberOfMoments] = { 1.0, x.x, x.y, x.z, x.x * x.x, x.y * x.y, x.z * x.z, x.x * x.y,
+    x.y * x.z, x.x * x.z };
   double values[channel::Count];
-  const double coverage = line.Coverage * weight * line.EdgeS * inverse;
-  const double signedWeight = line.Side * coverage;
   for (int k = 0; k < NumberOfMoments; ++k)
   {
-    const double factor = signedWeight * g[k];
-    for (int c = 0; c < 3; ++c)
+    const double factor = at.weight * g[k];
+    for (int c = 0; c < 4; ++c)
     {
-      values[3 * k + c] = factor * n[c];
+      values[4 * k + c] = factor * at.flux[c];
     }
-    values[channel::Flux + k] = factor * flux;
   }
-
-  // Roundings relative to u, see Documentation/Gradients.md: of tangents, K times the largest steps of the
-  // net; of a product of few factors and of its sum, relative to it; of the trim curve, which moves the
-  // border; and what the net itself is off. The last one is divided by u, as all are multiplied by it.
-  const double lengthS = Norm(ss);
-  const double lengthR = Norm(sr);
-  const double stretchS = std::max(this->Source->Stretch[0], lengthS);
-  const double stretchR = std::max(this->Source->Stretch[1], lengthR);
-  const double size = Norm(x);
-  const double off = this->Moved / UnitRoundoff;
-  const double offS = this->Slope[0] / UnitRoundoff;
-  const double offR = this->Slope[1] / UnitRoundoff;
-  const double absolute = std::abs(weight) * inverse;
-  const double edge = std::abs(line.EdgeS);
-  const double ofNormal = edge *
-      ((this->Roundings + 4.0) * (stretchS * lengthR + lengthS * stretchR) +
-        (this->Roundings + this->Additions + 24.0) * length + offS * lengthR + offR * lengthS) +
-    line.TrimRounding * stretchS * stretchR;
-  const double ofPosition =
-    edge * length * ((this->Roundings + 2.0) * this->Source->Radius + 2.0 * size + off);
-  double power = 1.0;
-  double lowerPower = 0.0;
-  for (int m = 0; m < 4; ++m)
-  {
-    values[channel::Noise + m] =
-      absolute * line.Growth * line.Growth * (power * ofNormal + m * lowerPower * ofPosition);
-    lowerPower = power;
-    power *= size;
-  }
-
-  // Area: the normal's direction is off by at most 2 and by twice its relative error.
-  Vector3 e{};
-  for (int c = 0; c < 3 && length > 0.0; ++c)
-  {
-    e[c] = n[c] / length;
-  }
-  const Vector3 a = Cross(sr, e);
-  const Vector3 b = Cross(e, ss);
-  double alongA[4];
-  double alongB[4];
-  for (int c = 0; c < 3; ++c)
-  {
-    const double common = -(hs[3] * a[c] + hr[3] * b[c]) * inverse;
-    values[channel::Area + c] = common;
-    alongA[c] = a[c];
-    alongB[c] = b[c];
-  }
-  alongA[3] = Dot(x, a);
-  alongB[3] = Dot(x, b);
-  values[channel::Area + 3] = -(hs[3] * alongA[3] + hr[3] * alongB[3]) * inverse + 2.0 * length;
   for (int c = 0; c < 4; ++c)
   {
-    values[channel::Area + c] *= coverage;
-    alongA[c] *= coverage;
-    alongB[c] *= coverage;
+    values[channel::Area + c] = at.area[c];
+    values[channel::Noise + c] = at.noise[c];
   }
-  // The sums of |R_s| and of |R_r| over all control points; K roundings of each and of the tangents, and the
-  // normal's direction, off by twice its relative error but by no more than 2.
-  const double slopeS = (2.0 * p + std::abs(hs[3]) * inverse) * inverse;
-  const double slopeR = (2.0 * this->Degree[1] + std::abs(hr[3]) * inverse) * inverse;
-  const double few = this->Roundings + this->Additions + 24.0;
-  const double offNormal = (this->Roundings + 4.0) * (stretchS * lengthR + lengthS * stretchR) +
-    4.0 * length + offS * lengthR + offR * lengthS;
-  const double offDirection = std::min(2.0 / UnitRoundoff, 2.0 * offNormal / length);
-  const double steps = slopeS * stretchR + slopeR * stretchS;
-  const double ofArea = edge *
-      (few * steps + (slopeS * lengthR + slopeR * lengthS) * offDirection + slopeS * offR + slopeR * offS) +
-    line.TrimRounding * steps;
-  const double scale = std::abs(weight) * line.Growth * line.Growth;
-  this->AreaNoise[0] += scale * ofArea;
-  this->AreaNoise[1] += scale *
-    (size * ofArea +
-      edge *
-        ((slopeS * lengthR + slopeR * lengthS) *
-            ((this->Roundings + 2.0) * this->Source->Radius + 2.0 * size + off) +
-          2.0 * inverse * (offNormal + few * length)) +
-      2.0 * inverse * line.TrimRounding * stretchS * stretchR);
-
   for (int i = 0; i <= p; ++i)
   {
-    double* sums = this->LineSums.data() + channel::Count * static_cast<std::size_t>(i);
+    double* sums = this->Sums.data() + channel::Count * static_cast<std::size_t>(i);
     AddMultiple(inS.Values[i], values, channel::Noise, sums);
     AddMultiple(std::abs(inS.Values[i]), values + channel::Noise, channel::Count - channel::Noise,
       sums + channel::Noise);
-    AddMultiple(inS.Slopes[i], alongA, 4, sums + channel::Area);
-    AddMultiple(inS.Values[i], alongB, 4, this->LineSlopes.data() + 4 * static_cast<std::size_t>(i));
+    AddMultiple(inS.Slopes[i], &at.alongS.x, 4, sums + channel::Area);
+    AddMultiple(inS.Values[i], &at.alongR.x, 4, this->Slopes.data() + 4 * static_cast<std::size_t>(i));
   }
+  this->AreaNoise += at.areaNoise;
+}
+
+void LineIntegrals::Add(const PatchLine& line, PatchSums& to)
+{
+  const DerivedBasis inR(this->Degree[1], line.R);
+  this->MakeRow(inR);
+  std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
+  std::fill(this->Slopes.begin(), this->Slopes.end(), 0.0);
+  const smGradientLine own{ line.Coverage, line.Side, line.EdgeS, line.Growth, line.TrimRounding };
+  const double* rule = GetRuleTable().data() + line.Across * (line.Across - 1);
+  for (int b = 0; b < line.Across; ++b)
+  {
+    this->AddPoint(
+      own, (line.XiStart + line.XiWidth * rule[2 * b]) * line.EdgeS, line.Weight * rule[2 * b + 1]);
+  }
+  for (int j = 0; j <= this->Degree[1]; ++j)
+  {
+    for (std::size_t i = 0; i < this->Row.size(); ++i)
+    {
+      double* sums = to.Sums.data() + channel::Count * (i + this->Row.size() * static_cast<std::size_t>(j));
+      const double* from = this->Sums.data() + channel::Count * i;
+      AddMultiple(inR.Values[j], from, channel::Noise, sums);
+      AddMultiple(std::abs(inR.Values[j]), from + channel::Noise, channel::Count - channel::Noise,
+        sums + channel::Noise);
+      AddMultiple(inR.Slopes[j], this->Slopes.data() + 4 * i, 4, sums + channel::Area);
+    }
+  }
+}
+}
+
+PatchSums MakePatchSums(const PatchTask& task, const std::vector<PatchLine>& lines)
+{
+  PatchSums sums;
+  std::copy_n(task.GetPatch().Degree, 2, sums.Degree);
+  sums.Sums.assign(channel::Count * static_cast<std::size_t>(sums.Degree[0] + 1) * (sums.Degree[1] + 1), 0.0);
+  for (const PatchLine& line : lines)
+  {
+    sums.Growth = std::max(sums.Growth, line.Growth);
+    sums.Evaluations += line.Across;
+  }
+  return sums;
+}
+
+PatchSums ComputePatchSums(const PatchTask& task)
+{
+  const std::vector<PatchLine> lines = MakePatchLines(task);
+  PatchSums sums = MakePatchSums(task, lines);
+  LineIntegrals integrals(task);
+  for (const PatchLine& line : lines)
+  {
+    integrals.Add(line, sums);
+  }
+  sums.AreaNoise[0] = integrals.AreaNoise.x;
+  sums.AreaNoise[1] = integrals.AreaNoise.y;
+  return sums;
 }
 }

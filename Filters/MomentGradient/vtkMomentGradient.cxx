@@ -6,6 +6,7 @@
 #include "smMomentGradient.h"
 
 #include "vtkCellArray.h"
+#include "vtkComputeContext.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -167,6 +168,8 @@ void vtkMomentGradient::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tied: " << this->Tied << "\n"
      << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n"
+     << indent << "Backend: " << this->Backend << "\n"
+     << indent << "UsedBackend: " << this->UsedBackend << "\n"
      << indent << "Solids: " << this->SolidIndices.size() << " chosen\n"
      << indent << "Faces: " << this->FaceIndices.size() << " chosen\n"
      << indent << "Status: " << this->Status << "\n";
@@ -184,6 +187,15 @@ void vtkMomentGradient::SetRelativeTolerance(double tolerance)
   if (clamped != this->RelativeTolerance)
   {
     this->RelativeTolerance = clamped;
+    this->Modified();
+  }
+}
+
+void vtkMomentGradient::SetComputeContext(vtkComputeContext* context)
+{
+  if (context != this->Context)
+  {
+    this->Context = context;
     this->Modified();
   }
 }
@@ -287,6 +299,8 @@ int vtkMomentGradient::RequestData(
   this->Faces.clear();
   this->Status = this->Reason = "";
   this->Evaluations = 0;
+  this->UsedBackend = CPU;
+  this->BackendReason = "";
   this->MomentSeconds = this->GradientSeconds = 0.0;
   try
   {
@@ -295,6 +309,15 @@ int vtkMomentGradient::RequestData(
     options.Faces = this->FaceIndices;
     options.Tied = this->Tied;
     options.RelativeTolerance = this->RelativeTolerance;
+    options.Backend = this->Backend == OPENGL ? sm::GradientBackend::OpenGL
+      : this->Backend == CPU                  ? sm::GradientBackend::CPU
+                                              : sm::GradientBackend::Automatic;
+    if (!this->Context && this->Backend != CPU)
+    {
+      // Not started before it is needed.
+      this->Context = vtkSmartPointer<vtkComputeContext>::New();
+    }
+    options.Context = this->Context;
     options.Progress = [this](double fraction)
     {
       this->UpdateProgress(fraction);
@@ -305,6 +328,8 @@ int vtkMomentGradient::RequestData(
     this->Status = result.Status;
     this->Reason = result.Reason;
     this->Evaluations = result.Evaluations;
+    this->UsedBackend = result.Backend == sm::GradientBackend::OpenGL ? OPENGL : CPU;
+    this->BackendReason = result.BackendReason;
     this->MomentSeconds = result.MomentSeconds;
     this->GradientSeconds = result.GradientSeconds;
     AddText(output, "Status", { result.Status });

@@ -3,8 +3,8 @@
  * @brief   gradients of mass properties by control points and weights, on the control nets
  *
  * Computes sm::ComputeMomentGradient() (smMomentGradient.h, with the formulas) for a vtkNURBSDataSet or a
- * composite dataset with any number of them. It runs on the processor, on the threads of vtkSMPTools, and
- * needs no OpenGL. Coordinates are those of the world, L is the length unit, the density 1.
+ * composite dataset with any number of them. Integrals run by compute shaders or on the threads of
+ * vtkSMPTools. Coordinates are those of the world, L is the length unit, the density 1.
  *
  * Output, a vtkPolyData: the control points of all faces, face after face, the index in v fastest; lines
  * along the nets in both directions. Point arrays (double unless said), for each quantity of
@@ -30,6 +30,7 @@
 #include <string> // for std::string
 #include <vector> // for the faces
 
+class vtkComputeContext;
 class vtkDoubleArray;
 
 class SMFILTERSMOMENTGRADIENT_EXPORT vtkMomentGradient : public vtkPolyDataAlgorithm
@@ -56,6 +57,25 @@ public:
   vtkGetMacro(RelativeTolerance, double);
   ///@}
 
+  /** Where the integrals are computed. */
+  enum BackendType
+  {
+    /** OpenGL on a GPU where the CPU would take more than about a second; else the CPU. */
+    AUTOMATIC = 0,
+    /** OpenGL, also of a software renderer; the CPU, with the reason, where it cannot be used. */
+    OPENGL = 1,
+    CPU = 2
+  };
+
+  ///@{
+  /** The backend; values outside the enumeration are clamped. Default: AUTOMATIC. */
+  vtkSetClampMacro(Backend, int, AUTOMATIC, CPU);
+  vtkGetMacro(Backend, int);
+  ///@}
+
+  /** The OpenGL context; null (default): one of its own, which is made when it is needed and kept. */
+  void SetComputeContext(vtkComputeContext* context);
+
   ///@{
   /** Solids, and faces of each of them, by their indices from 0; none: all, the default. An index that does
    * not exist makes a run fail. */
@@ -69,6 +89,12 @@ public:
   /** Status of the last run ("ok", "open", ...), and why it is not "ok"; empty before the first one. */
   const char* GetStatus() const { return this->Status.c_str(); }
   const char* GetReason() const { return this->Reason.c_str(); }
+  ///@}
+
+  ///@{
+  /** OPENGL or CPU, of the last run, and why the CPU where OpenGL was asked for or tried. */
+  vtkGetMacro(UsedBackend, int);
+  const char* GetBackendReason() const { return this->BackendReason.c_str(); }
   ///@}
 
   ///@{
@@ -128,6 +154,10 @@ private:
 
   bool Tied = true;
   double RelativeTolerance = 1e-9;
+  int Backend = AUTOMATIC;
+  int UsedBackend = CPU;
+  std::string BackendReason;
+  vtkSmartPointer<vtkComputeContext> Context;
   std::vector<int> SolidIndices;
   std::vector<int> FaceIndices;
   std::string Status;

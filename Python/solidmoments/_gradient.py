@@ -27,7 +27,8 @@ class FaceGradient:
 @dataclasses.dataclass(frozen=True)
 class MomentGradient:
     """What moment_gradient() returns. quantities: names of the last axis of values, Volume, FirstMoment_X, ..., SurfaceArea, at density 1.
-    length_powers: their units as powers of `length_unit`; a derivative by a coordinate has one less. messages: what is NaN and why."""
+    length_powers: their units as powers of `length_unit`; a derivative by a coordinate has one less. messages: what is NaN and why.
+    used_backend: "cpu" or "opengl", and backend_reason why the CPU where OpenGL was asked for or tried."""
 
     status: str
     messages: tuple
@@ -35,18 +36,21 @@ class MomentGradient:
     quantities: tuple
     length_powers: tuple
     faces: tuple
+    used_backend: str = "cpu"
+    backend_reason: str = ""
 
     def index(self, quantity):
         """The index of a quantity on the last axis. ValueError if there is none of that name."""
         return self.quantities.index(quantity)
 
 
-def moment_gradient(source, *, solids=(), faces=(), tied=True, tolerance=1e-9):
+def moment_gradient(source, *, solids=(), faces=(), tied=True, tolerance=1e-9, backend="auto"):
     """The MomentGradient of a STEP or BREP file, of a solidmoments.Model, or of a VTK dataset with exact solids. Needs NumPy.
 
     solids, faces: indices from 0 of solids, and of faces of each of them; empty: all. tied: control points that coincide, because faces
     share a row at an edge, a net is closed, or at a pole, are one variable; False: each is one by itself. tolerance: of the quadrature, relative to
-    the area of the solid times powers of half its diagonal, from 1e-15 to 1. Formulas, and what is meant on trimmed faces:
+    the area of the solid times powers of half its diagonal, from 1e-15 to 1. backend: "auto" (a GPU where the CPU takes more than about a second),
+    "cpu" or "opengl", whose values differ within the bounds. Formulas, and what is meant on trimmed faces:
     Documentation/Gradients.md.
 
     Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result.
@@ -58,8 +62,12 @@ def moment_gradient(source, *, solids=(), faces=(), tied=True, tolerance=1e-9):
 
     if not 1e-15 <= tolerance <= 1.0:
         raise ValueError(f"tolerance is {tolerance}; it has to be from 1e-15 to 1")
+    backends = {"auto": vtkMomentGradient.AUTOMATIC, "cpu": vtkMomentGradient.CPU, "opengl": vtkMomentGradient.OPENGL}
+    if backend not in backends:
+        raise ValueError(f"backend is {backend!r}; it has to be one of {', '.join(backends)}")
     name, data = _get_data(source)
     gradient = vtkMomentGradient()
+    gradient.SetBackend(backends[backend])
     # The filter's status and reason say what went wrong; the observer keeps VTK from printing it.
     gradient.AddObserver("ErrorEvent", lambda _caller, _event: None)
     gradient.SetTied(tied)
@@ -94,7 +102,8 @@ def moment_gradient(source, *, solids=(), faces=(), tied=True, tolerance=1e-9):
     return MomentGradient(gradient.GetStatus(), tuple(messages.GetValue(i) for i in range(messages.GetNumberOfValues())),
                           output.GetFieldData().GetAbstractArray("LengthUnit").GetValue(0),
                           tuple(gradient.GetQuantityName(q) for q in range(count)),
-                          tuple(gradient.GetQuantityLengthPower(q) for q in range(count)), tuple(result))
+                          tuple(gradient.GetQuantityLengthPower(q) for q in range(count)), tuple(result),
+                          "opengl" if gradient.GetUsedBackend() == gradient.OPENGL else "cpu", gradient.GetBackendReason())
 
 
 def _get_data(source):

@@ -28,7 +28,7 @@ ROOMS = {
     "FiltersSection": ("Filters/Section", ["FiltersBuoyancy"]),
     "FiltersMomentSchemes": ("Filters/MomentSchemes", ["FiltersMassProperties", "RenderingCompute", "RenderingNURBS"]),
     "FiltersNURBSEdit": ("Filters/NURBSEdit", ["FiltersNURBS"]),
-    "FiltersMomentGradient": ("Filters/MomentGradient", ["FiltersMassProperties", "FiltersNURBSEdit"]),
+    "FiltersMomentGradient": ("Filters/MomentGradient", ["FiltersMassProperties", "FiltersNURBSEdit", "RenderingCompute", "RenderingNURBS"]),
     "FiltersVariants": ("Filters/Variants", ["FiltersMassProperties", "RenderingCompute"]),
     "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),
     "RenderingCompute": ("Rendering/Compute", ["FiltersCommon"]),

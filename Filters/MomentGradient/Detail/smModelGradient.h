@@ -6,6 +6,7 @@
 #define smModelGradient_h
 
 #include "smNetGradient.h"
+#include "smPatchIntegrator.h"
 #include "smProgressCallback.h"
 
 #include "vtkTrimmedNURBSModel.h"
@@ -49,7 +50,8 @@ public:
   /// `side` is 1 or -1 for each face, a factor of its fluxes. Returns false if stopped, or if a face cannot
   /// be cut; GetError() has the reason.
   bool Compute(vtkTrimmedNURBSModel* model, const std::vector<bool>& faces, const std::vector<double>& sides,
-    double relativeTolerance, const ProgressCallback& progress, Closing closing = Closing::Gaps);
+    double relativeTolerance, const ProgressCallback& progress, PatchIntegrator& integrator,
+    Closing closing = Closing::Gaps);
   /// See JoinTied().
   void Join(vtkTrimmedNURBSModel* model, const TiedVariables& tied) { JoinTied(model, tied, this->Faces); }
 
@@ -58,6 +60,15 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
+  struct FaceTask
+  {
+    /// Index of the face in the model.
+    std::size_t Face;
+    NetGradientTask Task;
+  };
+  bool ComputePart(const std::vector<FaceTask>& tasks, const std::vector<double>& sides,
+    PatchIntegrator& integrator, const ProgressCallback& progress, double from, double share);
+
   std::vector<NetGradient> Faces;
   std::int64_t Evaluations = 0;
   std::string Error;

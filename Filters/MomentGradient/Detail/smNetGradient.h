@@ -87,8 +87,19 @@ struct NetGradientTask
   double Length = 1.0;
 };
 
-/// Throws std::bad_alloc. Thread safe.
-NetGradient ComputeNetGradient(const NetGradientTask& task);
+/// The integrals that the gradient of a face needs, and what their bounds add.
+struct NetGradientPlan
+{
+  std::vector<PatchPlan> Plans;
+  /// Of the patches that have panels.
+  std::vector<PatchTask> Patches;
+};
+
+/// The three steps of a gradient; each throws std::bad_alloc and is thread safe. `sums` are
+/// ComputePatchSums() of the plan's patches. Tasks point to the plan, which is moved but not copied.
+NetGradientPlan PlanNetGradient(const NetGradientTask& task);
+NetGradient FinishNetGradient(
+  const NetGradientTask& task, const NetGradientPlan& plan, const PatchSums* sums);
 }
 
 #endif

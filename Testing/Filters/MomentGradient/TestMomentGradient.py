@@ -37,10 +37,14 @@ def check_package():
     one = solidmoments.moment_gradient(BOX["path"], faces=[3])
     check_equal("one face", [3], [face.face for face in one.faces])
     check_true("has the numbers of the whole", numpy.array_equal(one.faces[0].values, tied.faces[3].values, equal_nan=True))
+    device = solidmoments.moment_gradient(BOX["path"], faces=[3], backend="opengl")
+    check_equal("by shaders", ("opengl", ""), (device.used_backend, device.backend_reason))
+    check_equal("by the processor", ("cpu", ""), (tied.used_backend, tied.backend_reason))
     cone = solidmoments.moment_gradient(CONE["path"])
     check_true("coinciding moments are NaN, and said so", any("coincide" in text for text in cone.messages) and
                numpy.isnan(cone.faces[0].values[..., cone.index("PrincipalMoment_2")]).any())
     for text, call in (("no such face", lambda: solidmoments.moment_gradient(BOX["path"], faces=[6])),
+                       ("backend", lambda: solidmoments.moment_gradient(BOX["path"], backend="gpu")),
                        ("tolerance", lambda: solidmoments.moment_gradient(BOX["path"], tolerance=2.0))):
         try:
             call()
@@ -70,7 +74,7 @@ def check_filter():
     check_equal("lines", 24, output.GetNumberOfLines())
     data = output.GetPointData()
     check_equal("vectors", "VolumeByPoint", data.GetVectors().GetName())
-    values = vtk_to_numpy(gradient.GetValues(2)).reshape(2, 2, 4, 23)
+    values = numpy.array(vtk_to_numpy(gradient.GetValues(2))).reshape(2, 2, 4, 23)
     for q in range(gradient.GetNumberOfQuantities()):
         name = gradient.GetQuantityName(q)
         for suffix, components in (("ByPoint", 3), ("ByPointBound", 3), ("ByWeight", 1), ("ByWeightBound", 1)):
@@ -78,6 +82,13 @@ def check_filter():
             check_true(name + suffix, array is not None and array.GetNumberOfComponents() == components)
         check_true(name + " agrees with the array of its face", numpy.array_equal(
             vtk_to_numpy(data.GetArray(name + "ByPoint"))[8:12].reshape(2, 2, 3), values[..., :3, q], equal_nan=True))
+    check_equal("backend", (gradient.CPU, ""), (gradient.GetUsedBackend(), gradient.GetBackendReason()))
+    gradient.SetBackend(gradient.OPENGL)
+    gradient.Update()
+    check_equal("by OpenGL", (gradient.OPENGL, ""), (gradient.GetUsedBackend(), gradient.GetBackendReason()))
+    bounds = vtk_to_numpy(gradient.GetBounds(2)).reshape(values.shape)
+    apart = numpy.abs(vtk_to_numpy(gradient.GetValues(2)).reshape(values.shape) - values)
+    check_true("within the bounds", bool(numpy.all((apart <= 2 * bounds) | numpy.isnan(bounds))))
     check_equal("no such face", (None, 0, -1), (gradient.GetValues(6), gradient.GetCountU(6), gradient.GetSolid(-1)))
     check_equal("no such quantity", "", gradient.GetQuantityName(23))
 

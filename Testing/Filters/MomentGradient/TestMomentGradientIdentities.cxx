@@ -1,9 +1,10 @@
-// TestMomentGradientIdentities [entries] FILE.step...: identities that gradients satisfy on any closed solid,
-// each within the sum of the bounds:
+// TestMomentGradientIdentities [opengl] [entries] FILE.step...: identities that gradients satisfy on any
+// closed solid, each within the sum of the bounds:
 //
 //     sum dV/dP = 0,   sum dM_x/dP = V e_x,   sum P x dV/dP = 0,   sum P . dM_g/dP = (3 + degree of g) M_g,
 //     and for each face: sum w dM_g/dw = 0, sum dA/dP = 0, sum P . dA/dP = 2 A, sum w dA/dw = 0.
-// With `entries`, each entry at a loose tolerance is compared with that at a tight one, too.
+// With `entries`, each entry at a loose tolerance is compared with that at a tight one, too; with `opengl`
+// the gradients are computed by compute shaders.
 #include "smComputeMassProperties.h"
 #include "smGradientSums.h"
 #include "smMomentGradient.h"
@@ -21,6 +22,8 @@ std::size_t numberOfFaces = 0;
 double worstRatio = 0.0;
 double momentSeconds = 0.0;
 double gradientSeconds = 0.0;
+double integralSeconds = 0.0;
+long long evaluations = 0;
 
 /// The largest deviation of an identity relative to its bound.
 struct Worst
@@ -56,7 +59,7 @@ void CheckSolid(vtkDataObject* model, int solid, const sm::BodyMassProperties& b
   sm::MomentGradientOptions options;
   options.Solids = { solid };
   options.Tied = false;
-  const sm::MomentGradientResult result = sm::ComputeMomentGradient(model, options);
+  const sm::MomentGradientResult result = ComputeGradient(model, options);
   if (!(body.Volume.Bound < std::abs(body.Volume.Value)) || body.OpenEdges > 0 || result.Faces.empty())
   {
     std::printf("     solid %d: %s, left out: %s\n", solid, body.Status.c_str(), result.Reason.c_str());
@@ -164,6 +167,8 @@ void CheckSolid(vtkDataObject* model, int solid, const sm::BodyMassProperties& b
   worstRatio = std::max(worstRatio, worst.Ratio);
   momentSeconds += result.MomentSeconds;
   gradientSeconds += result.GradientSeconds;
+  integralSeconds += result.IntegralSeconds;
+  evaluations += result.Evaluations;
   const GradientSum translation = SumOverPoints(result, 0, along(0));
   std::printf(
     "     %-28s %5zu faces, worst %s: %.1e of bound %.1e; bound of sum dV/dP_x %.1e of the area; area "
@@ -182,11 +187,11 @@ void CheckEntries(vtkDataObject* model)
 {
   sm::MomentGradientOptions options;
   options.RelativeTolerance = 1e-13;
-  const sm::MomentGradientResult tight = sm::ComputeMomentGradient(model, options);
+  const sm::MomentGradientResult tight = ComputeGradient(model, options);
   for (const double tolerance : { 1e-1, 1e-4 })
   {
     options.RelativeTolerance = tolerance;
-    const sm::MomentGradientResult loose = sm::ComputeMomentGradient(model, options);
+    const sm::MomentGradientResult loose = ComputeGradient(model, options);
     double worst = 0.0;
     double size = 0.0;
     long long entries = 0;
@@ -235,16 +240,20 @@ void CheckFile(const std::string& path, bool withEntries)
 
 int TestMomentGradientIdentities(int argc, char* argv[])
 {
-  RequireUsage(argc > 1, "TestMomentGradientIdentities [entries] FILE.step...");
-  const bool withEntries = std::string(argv[1]) == "entries";
-  for (int k = withEntries ? 2 : 1; k < argc; ++k)
+  RequireUsage(argc > 1, "TestMomentGradientIdentities [opengl] [entries] FILE.step...");
+  const bool onDevice = std::string(argv[1]) == "opengl";
+  GradientTestBackend = onDevice ? sm::GradientBackend::OpenGL : sm::GradientBackend::CPU;
+  const int first = onDevice ? 2 : 1;
+  const bool withEntries = argc > first && std::string(argv[first]) == "entries";
+  for (int k = withEntries ? first + 1 : first; k < argc; ++k)
   {
     CheckFile(argv[k], withEntries);
   }
   std::printf(
     "     %zu faces, %zu of them without a bound of the area's derivatives; largest deviation %.2f of its "
-    "bound; mass properties %.2f s, gradients %.2f s\n",
-    numberOfFaces, numberOfUnknownAreas, worstRatio, momentSeconds, gradientSeconds);
+    "bound; mass properties %.2f s, gradients %.2f s, of these %.2f s for integrals with %lld evaluations\n",
+    numberOfFaces, numberOfUnknownAreas, worstRatio, momentSeconds, gradientSeconds, integralSeconds,
+    evaluations);
   CheckRange("closed solids", 1, numberOfSolids, 1e9);
   return Finish();
 }

@@ -1,6 +1,6 @@
 // Gradients by control points and weights against closed forms: a ball by its radius and as an ellipsoid, a
 // torus by both radii, a box by its sides, a conic cylinder by its weight. Each within its bound, and the
-// bound within the tolerance.
+// bound within the tolerance. With `opengl` by compute shaders.
 #include "smBoxBodies.h"
 #include "smGradientSums.h"
 #include "smMomentGradient.h"
@@ -42,7 +42,7 @@ sm::MomentGradientResult Compute(
   sm::MomentGradientOptions options;
   options.Tied = tied;
   options.Faces = faces;
-  const sm::MomentGradientResult result = sm::ComputeMomentGradient(leaf, options);
+  const sm::MomentGradientResult result = ComputeGradient(leaf, options);
   CheckEqual("status", status, result.Status);
   if (result.Status != status)
   {
@@ -285,7 +285,7 @@ void CheckWeight()
     }
     const auto body = MakeRoundBody({ face });
     const sm::MomentGradientResult result =
-      Compute(body, false, {}, sm::ComputeMomentGradient(body).Status.c_str());
+      Compute(body, false, {}, ComputeGradient(body, {}).Status.c_str());
     const double k2 = 1.0 - w * w;
     const double k = std::sqrt(k2);
     const double angle = std::acos(w);
@@ -351,7 +351,7 @@ double GetCornerBound(double h, double away)
   sm::MomentGradientOptions options;
   options.Tied = false;
   options.Faces = { 0 };
-  const sm::MomentGradientResult result = sm::ComputeMomentGradient(leaf, options);
+  const sm::MomentGradientResult result = ComputeGradient(leaf, options);
   const sm::FaceMomentGradient& face = result.Faces[0];
   const std::size_t at = face.GetIndex(0, 0, 0, FindQuantity("Volume"));
   Check("Volume by a corner", -0.25, face.Values[at], face.Bounds[at], "the bound");
@@ -398,9 +398,10 @@ void CheckErrors()
 }
 }
 
-int TestMomentGradientValues(int argc, char*[])
+int TestMomentGradientValues(int argc, char* argv[])
 {
-  RequireUsage(argc == 1, "TestMomentGradientValues");
+  RequireUsage(argc == 1 || std::string(argv[1]) == "opengl", "TestMomentGradientValues [opengl]");
+  GradientTestBackend = argc == 1 ? sm::GradientBackend::CPU : sm::GradientBackend::OpenGL;
   CheckBall();
   CheckTorus();
   CheckBox(false);

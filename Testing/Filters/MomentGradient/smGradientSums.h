@@ -7,6 +7,9 @@
 
 #include "smMomentGradient.h"
 #include "smTesting.h"
+#include "vtkComputeContext.h"
+
+#include <vtkNew.h>
 
 #include <array>
 #include <cmath>
@@ -15,6 +18,23 @@
 
 namespace smtest
 {
+/// Where gradients are computed.
+inline sm::GradientBackend GradientTestBackend = sm::GradientBackend::CPU;
+
+/// Computes the gradients there, in one context for all calls.
+inline sm::MomentGradientResult ComputeGradient(vtkDataObject* model, sm::MomentGradientOptions options)
+{
+  static const vtkNew<vtkComputeContext> context;
+  options.Backend = GradientTestBackend;
+  options.Context = context;
+  const sm::MomentGradientResult result = sm::ComputeMomentGradient(model, options);
+  if (!result.Faces.empty() && result.Backend != GradientTestBackend)
+  {
+    CheckTrue("computed where it was asked for", false, result.BackendReason);
+  }
+  return result;
+}
+
 /// A sum of products and the sum of their bounds and roundings.
 struct GradientSum
 {
