@@ -39,7 +39,7 @@ std::string FindProblem(const VariantOptions& options, int directions)
 VariantChainOptions MakeChainOptions(const VariantShape& shape, const VariantOptions& options)
 {
   vtkTrimmedNURBSModel* model = shape.GetBase();
-  double box[6];
+  double box[6] = {};
   std::copy(model->GetLocalBounds(), model->GetLocalBounds() + 6, box);
   if (!(box[1] > box[0] || box[3] > box[2] || box[5] > box[4]))
   {
