@@ -4,6 +4,7 @@
 #include "smEditSession.h"
 #include "smFreeFormBody.h"
 #include "smModelEdit.h"
+#include "smRates.h"
 #include "smVariantIntegrator.h"
 
 #include <vtkPartitionedDataSetCollection.h>
@@ -33,7 +34,8 @@ struct VariantBenchmark
 
   int Run() const;
   std::shared_ptr<const sm::VariantShape> MakeShape(vtkTrimmedNURBSModel* model) const;
-  bool Measure(const char* title, const sm::VariantIntegrator& variants, double range, double updates) const;
+  void Measure(
+    const std::string& title, const sm::VariantIntegrator& variants, double range, double updates) const;
   bool Check(const sm::VariantIntegrator& variants, const sm::VariantShape& shape, double range) const;
   std::vector<double> MakeNumbers(std::size_t count, double range) const;
 };
@@ -113,33 +115,30 @@ void Evaluate(const sm::VariantIntegrator& variants, int mode, const std::vector
 
 /// Prints rows of values alone, with bounds, and with gradients. On a device a call gets so many variants
 /// that it takes a fifth of a second, or a million.
-bool VariantBenchmark::Measure(
-  const char* title, const sm::VariantIntegrator& variants, double range, double updates) const
+void VariantBenchmark::Measure(
+  const std::string& title, const sm::VariantIntegrator& variants, double range, double updates) const
 {
   std::vector<double> results;
   for (int mode = 0; mode < (variants.GetPolynomial() ? 3 : 2); ++mode)
   {
     std::size_t count = variants.GetPolynomial() ? 16384 : 512;
     std::vector<double> c = this->MakeNumbers(count, range);
-    double best = 0.0;
-    const auto start = std::chrono::steady_clock::now();
-    do
+    const bool isOnDevice = variants.GetBackend() == sm::VariantBackend::OpenGL;
+    for (double seconds = 0.0; isOnDevice && seconds < 0.2 && count < 1000000;)
     {
+      count *= 2;
+      c = this->MakeNumbers(count, range);
       const auto begin = std::chrono::steady_clock::now();
       Evaluate(variants, mode, c, count, results);
-      const double seconds = GetSeconds(begin);
-      best = std::max(best, static_cast<double>(count) / seconds);
-      if (variants.GetBackend() == sm::VariantBackend::OpenGL && seconds < 0.2 && count < 1000000)
-      {
-        count *= 2;
-        c = this->MakeNumbers(count, range);
-      }
-    } while (GetSeconds(start) < this->Seconds);
+      seconds = GetSeconds(begin);
+    }
     const char* const names[] = { "values", "values, bounds", "values, bounds, gradients" };
-    std::printf("| %s, %s | %.0f | %.1f |\n", title, names[mode], best, best / updates);
+    const std::string name = title + ", " + names[mode];
+    const double rate = static_cast<double>(count) *
+      MeasureRate(name, this->Seconds, [&]() { Evaluate(variants, mode, c, count, results); });
+    std::printf("| %s | %.0f | %.1f |\n", name.c_str(), rate, rate / updates);
   }
   std::fflush(stdout);
-  return true;
 }
 
 /// Compares variants with the mass properties of their models; returns false if one is outside both bounds.
@@ -199,18 +198,15 @@ int VariantBenchmark::Run() const
   session.Update(EditKind::FullRun, 0);
   int updates = 0;
   double evaluating = 0.0;
-  const auto start = std::chrono::steady_clock::now();
-  do
-  {
-    evaluating += session.Update(EditKind::FullRun, ++updates).Integrate;
-  } while (GetSeconds(start) < this->Seconds);
-  const double rate = updates / GetSeconds(start);
+  const double rate = MeasureRate("full update", this->Seconds,
+    [&]() { evaluating += session.Update(EditKind::FullRun, ++updates).Integrate; });
   std::printf(
-    "%d faces, %d directions, one thread\n\n| one variant | a second | times a full update |\n|---|---|---|\n"
+    "%d faces, %d directions, one thread, measured by %s\n\n| one variant | a second | times a full update "
+    "|\n|---|---|---|\n"
     "| full update | %.1f | 1 |\n| full update, its evaluation without cutting and planning | %.0f | %.1f "
     "|\n",
-    static_cast<int>(leaf->GetModel()->GetNumberOfFaces()), this->Directions, rate, updates / evaluating,
-    updates / evaluating / rate);
+    static_cast<int>(leaf->GetModel()->GetNumberOfFaces()), this->Directions, GetRateMethod(), rate,
+    updates / evaluating, updates / evaluating / rate);
   sm::VariantOptions options;
   options.Ranges.assign(static_cast<std::size_t>(this->Directions), range);
   bool isGood = true;
@@ -227,9 +223,8 @@ int VariantBenchmark::Run() const
       return 1;
     }
     all.push_back(variants);
-    isGood = this->Measure(method == sm::VariantMethod::Points ? "frozen points" : "polynomials", *variants,
-               range, rate) &&
-      isGood;
+    this->Measure(
+      method == sm::VariantMethod::Points ? "frozen points" : "polynomials", *variants, range, rate);
   }
   std::printf("\n");
   for (const auto& variants : all)
