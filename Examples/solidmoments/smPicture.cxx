@@ -196,7 +196,7 @@ bool AddColoredBody(const sm::Picture& picture, vtkPolyData* mesh, vtkRenderer* 
   bar->SetPosition(0.87, 0.25);
   bar->SetWidth(0.1);
   bar->SetHeight(0.5);
-  front->AddActor2D(bar);
+  front->AddViewProp(bar);
   vtkSmartPointer<vtkTextActor> title = sm::AddText(
     front, sm::RaiseDigits(picture.FaceTitle), 16, false, Width - Margin, Height * 3 / 4 + Margin, true);
   title->GetTextProperty()->SetJustificationToRight();
