@@ -196,8 +196,9 @@ void CheckLoopless()
   for (int f = 0; f < 6; ++f)
   {
     const auto moved = sm::MakeNormalOffset(base, f, error);
+    const std::vector<sm::MovedModel> directions{ { moved, 1.0 } };
     CheckTrue("a face without edges is offset: refused",
-      moved && !sm::VariantShape::Make(base, { { moved, 1.0 } }, error) &&
+      moved && !sm::VariantShape::Make(base, directions, error) &&
         error.find("no edge closes") != std::string::npos,
       error);
   }
