@@ -5,7 +5,7 @@ namespace sm
 {
 namespace
 {
-void AppendProjected(const std::vector<GroundPoint>& points, std::vector<Point2D>& projected)
+void AppendProjected(const std::vector<GroundPoint>& points, std::vector<Point2>& projected)
 {
   for (const GroundPoint& p : points)
   {
@@ -14,10 +14,10 @@ void AppendProjected(const std::vector<GroundPoint>& points, std::vector<Point2D
 }
 
 /// Largest distance of a point from the first.
-double GetExtent(const std::vector<Point2D>& points)
+double GetExtent(const std::vector<Point2>& points)
 {
   double extent = 0.0;
-  for (const Point2D& p : points)
+  for (const Point2& p : points)
   {
     extent = std::max(extent, std::hypot(p[0] - points[0][0], p[1] - points[0][1]));
   }
@@ -130,7 +130,7 @@ void ContactSearch::Internals::FindOnCurve(FaceContact& face, const Segment& seg
     {
       continue;
     }
-    std::vector<Point2D> projected;
+    std::vector<Point2> projected;
     AppendProjected(curve.Points, projected);
     const double extent = GetExtent(projected);
     const bool level = curve.IsLevel(slack);

@@ -6,7 +6,7 @@
 
 namespace sm
 {
-Point2D GetContactDirection(int k)
+Point2 GetContactDirection(int k)
 {
   const double angle = 6.283185307179586 * k / ContactDirections;
   return { std::cos(angle), std::sin(angle) };
@@ -24,7 +24,7 @@ std::uint32_t ContactSearch::Internals::FindDirections(
   std::uint32_t directions = ~0u;
   for (int k = 0; k < ContactDirections; ++k)
   {
-    const Point2D e = GetContactDirection(k);
+    const Point2 e = GetContactDirection(k);
     std::array<double, 2> step = { (e[0] * b[1] - e[1] * b[0]) / determinant,
       (a[0] * e[1] - a[1] * e[0]) / determinant };
     const double largest = std::max(std::abs(step[0]), std::abs(step[1]));
@@ -71,14 +71,14 @@ std::uint32_t ContactSearch::Internals::FindPoleDirections(
   const double inward = sr[across] == 0.0 ? 1.0 : -1.0;
   const int lines = 64;
   std::uint32_t directions = 0;
-  Point2D before{};
+  Point2 before{};
   bool leftBefore = true;
   for (int i = 0; i <= lines; ++i)
   {
     std::array<double, 2> at = sr;
     at[1 - across] = static_cast<double>(i) / lines;
     const std::array<double, 2> tangent = root.GetShape(at[0], at[1]).Tangents[across];
-    const Point2D now = { inward * tangent[0], inward * tangent[1] };
+    const Point2 now = { inward * tangent[0], inward * tangent[1] };
     TrimSide side = TrimSide::Undecided;
     for (double length = 1e-4; length < 0.05 && side == TrimSide::Undecided; length *= 10.0)
     {
@@ -89,8 +89,8 @@ std::uint32_t ContactSearch::Internals::FindPoleDirections(
     for (int k = 0; k < ContactDirections && i > 0 && !(left && leftBefore); ++k)
     {
       // Between the two tangents, which include an angle below pi; the tolerance allows for rounding.
-      const Point2D e = GetContactDirection(k);
-      const auto cross = [](const Point2D& a, const Point2D& b) { return a[0] * b[1] - a[1] * b[0]; };
+      const Point2 e = GetContactDirection(k);
+      const auto cross = [](const Point2& a, const Point2& b) { return a[0] * b[1] - a[1] * b[0]; };
       const double sense = cross(before, now) < 0.0 ? -1.0 : 1.0;
       const double slack = 1e-9 * lengths[across];
       const bool between = sense * cross(before, e) >= -slack && sense * cross(e, now) >= -slack &&
@@ -106,7 +106,7 @@ std::uint32_t ContactSearch::Internals::FindPoleDirections(
 /// Adds the curvature at a point. Where the surface has no normal (at a pole), it is evaluated at points
 /// nearby.
 void ContactSearch::Internals::AddSample(
-  const FaceContact& face, int patch, std::array<double, 2> sr, const Point2D& position)
+  const FaceContact& face, int patch, std::array<double, 2> sr, const Point2& position)
 {
   const std::size_t enough = 512;
   if (this->Found.Samples.size() >= enough)

@@ -269,7 +269,7 @@ GroundContacts ContactSearch::FindContacts(double limit)
 
 void ContactSearch::Internals::UpdateCertain()
 {
-  std::vector<Point2D> points = this->Certain.Corners;
+  std::vector<Point2> points = this->Certain.Corners;
   for (const ContactPiece& piece : this->Found.Pieces)
   {
     points.insert(points.end(), piece.Inner.begin(), piece.Inner.end());

@@ -74,7 +74,7 @@ struct CornerTip
 {
   const TipCase& Body;
   /// Vector from the projected centre to the corner.
-  Point2D Offset;
+  Point2 Offset;
   double Bound;
 
   struct Direction
@@ -190,7 +190,7 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
   // Corner i belongs to the directions between the outward normals of the sides before and after it. Any
   // point of the polygon gives a lower bound of m(d), so that the rounding of the normals does no harm as
   // long as the ranges leave no gap.
-  const std::vector<Point2D>& corners = polygon.Corners;
+  const std::vector<Point2>& corners = polygon.Corners;
   const std::size_t count = corners.size();
   if (count == 1)
   {
@@ -200,8 +200,8 @@ void IncludeCorners(const SupportPolygon& polygon, const TipCase& body, double b
   std::vector<double> normals(std::max<std::size_t>(count, 1), 0.0);
   for (std::size_t i = 0; i < count && count > 1; ++i)
   {
-    const Point2D& from = corners[i];
-    const Point2D& to = corners[(i + 1) % count];
+    const Point2& from = corners[i];
+    const Point2& to = corners[(i + 1) % count];
     normals[i] = std::atan2(from[0] - to[0], to[1] - from[1]);
   }
   for (const bool rise : { false, true })

@@ -35,8 +35,8 @@ struct Hulls
 
 Hulls MakeHulls(const std::vector<ContactPiece>& pieces, double merge)
 {
-  std::vector<Point2D> inner;
-  std::vector<Point2D> outer;
+  std::vector<Point2> inner;
+  std::vector<Point2> outer;
   for (const ContactPiece& piece : pieces)
   {
     inner.insert(inner.end(), piece.Inner.begin(), piece.Inner.end());
@@ -62,11 +62,11 @@ ContactPiece MakePiece(GroundCurve curve)
 /// Largest distance of the control points from the chord's line (from its ends where it has no length).
 double GetSagitta(const ContactPiece& piece)
 {
-  const Point2D& a = piece.Outer.front();
-  const Point2D& b = piece.Outer.back();
+  const Point2& a = piece.Outer.front();
+  const Point2& b = piece.Outer.back();
   const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
   double sagitta = 0.0;
-  for (const Point2D& p : piece.Outer)
+  for (const Point2& p : piece.Outer)
   {
     const double turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
     sagitta =
@@ -95,10 +95,10 @@ bool HalvePieces(std::vector<ContactPiece>& pieces, const Predicate& wanted)
   return any;
 }
 
-double GetSupport(const ContactPiece& piece, const Point2D& direction)
+double GetSupport(const ContactPiece& piece, const Point2& direction)
 {
   double support = -Infinity;
-  for (const Point2D& p : piece.Outer)
+  for (const Point2& p : piece.Outer)
   {
     support = std::max(support, p[0] * direction[0] + p[1] * direction[1]);
   }
@@ -106,7 +106,7 @@ double GetSupport(const ContactPiece& piece, const Point2D& direction)
 }
 
 /// Halves curves until the margins of both hulls agree, or there are too many pieces.
-Hulls Refine(std::vector<ContactPiece>& pieces, const Point2D& foot, double size, double merge)
+Hulls Refine(std::vector<ContactPiece>& pieces, const Point2& foot, double size, double merge)
 {
   const double aim = AimedWidth * size;
   Hulls hulls = MakeHulls(pieces, merge);
@@ -120,10 +120,10 @@ Hulls Refine(std::vector<ContactPiece>& pieces, const Point2D& foot, double size
     {
       break;
     }
-    const std::vector<Point2D> directions =
-      std::isfinite(inner) ? hulls.Inner.GetCriticalDirections(foot, outer - inner) : std::vector<Point2D>();
+    const std::vector<Point2> directions =
+      std::isfinite(inner) ? hulls.Inner.GetCriticalDirections(foot, outer - inner) : std::vector<Point2>();
     std::vector<double> supports;
-    for (const Point2D& d : directions.size() > ManyDirections ? std::vector<Point2D>() : directions)
+    for (const Point2& d : directions.size() > ManyDirections ? std::vector<Point2>() : directions)
     {
       supports.push_back(hulls.Inner.GetSupport(d));
     }
@@ -155,17 +155,17 @@ Hulls Refine(std::vector<ContactPiece>& pieces, const Point2D& foot, double size
 struct Frame
 {
   const StabilityCase& Body;
-  Point2D Center;
-  Point2D ProjectedCenter;
+  Point2 Center;
+  Point2 ProjectedCenter;
   double Height;
   double Bound;
 
-  StabilitySide MakeSide(const Point2D& from, const Point2D& to, double slack) const
+  StabilitySide MakeSide(const Point2& from, const Point2& to, double slack) const
   {
     const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
     // The inward normal is on the left of the side.
-    const Point2D v = { (from[1] - to[1]) / length, (to[0] - from[0]) / length };
-    const auto distance = [&](const Point2D& p) { return (p[0] - from[0]) * v[0] + (p[1] - from[1]) * v[1]; };
+    const Point2 v = { (from[1] - to[1]) / length, (to[0] - from[0]) / length };
+    const auto distance = [&](const Point2& p) { return (p[0] - from[0]) * v[0] + (p[1] - from[1]) * v[1]; };
     const Tip tip = ComputeTip(distance(this->Center), this->Height,
       this->Body.Up[0] * v[0] + this->Body.Up[1] * v[1], this->Body.Up[2], this->Bound + slack);
     return { from, to, distance(this->ProjectedCenter), this->Bound + slack, tip.Angle, tip.AngleBound,
@@ -235,7 +235,7 @@ void SetSides(const Frame& frame, const std::vector<StabilitySide>& sides, const
   {
     // Contacts that are possible but not certain lie beyond the side by at most this distance.
     const double length = std::hypot(side.To[0] - side.From[0], side.To[1] - side.From[1]);
-    const Point2D outward = { (side.To[1] - side.From[1]) / length, (side.From[0] - side.To[0]) / length };
+    const Point2 outward = { (side.To[1] - side.From[1]) / length, (side.From[0] - side.To[0]) / length };
     const double support =
       std::max(0.0, outer.GetSupport(outward) - (side.From[0] * outward[0] + side.From[1] * outward[1]));
     result.Sides.push_back(frame.MakeSide(side.From, side.To, support + beyond));
@@ -243,7 +243,7 @@ void SetSides(const Frame& frame, const std::vector<StabilitySide>& sides, const
 }
 
 /// Sets the tip angle and rise of a body that rests on a single point of level ground.
-void SetTipOverPoint(const Frame& frame, const Point2D& p, double beyond, StabilityResult& result)
+void SetTipOverPoint(const Frame& frame, const Point2& p, double beyond, StabilityResult& result)
 {
   const double offset = std::hypot(frame.ProjectedCenter[0] - p[0], frame.ProjectedCenter[1] - p[1]);
   const double reach = std::hypot(frame.Center[0] - p[0], frame.Center[1] - p[1], frame.Height);
@@ -255,8 +255,8 @@ void SetTipOverPoint(const Frame& frame, const Point2D& p, double beyond, Stabil
 /// Returns the value, at the projected centre of mass, of the upper concave envelope of the radii along the
 /// line of contacts, for rolling in a direction. A surface that ends in that direction has radius 0, as an
 /// edge.
-ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& foot, const Point2D& along,
-  double reach, int direction)
+ContactSample GetEnvelope(
+  const std::vector<ContactSample>& all, const Point2& foot, const Point2& along, double reach, int direction)
 {
   ContactSample best{ foot, -Infinity, 0.0, 0.0 };
   std::vector<ContactSample> samples = all;
@@ -302,11 +302,11 @@ ContactSample GetEnvelope(const std::vector<ContactSample>& all, const Point2D& 
 void Roll(
   const Frame& frame, const GroundContacts& contacts, const SupportPolygon& hull, StabilityResult& result)
 {
-  Point2D along{ 1.0, 0.0 };
+  Point2 along{ 1.0, 0.0 };
   if (result.Support == SupportKind::Line)
   {
     double longest = 0.0;
-    for (const Point2D& p : hull.Corners)
+    for (const Point2& p : hull.Corners)
     {
       const double dx = p[0] - hull.Corners[0][0];
       const double dy = p[1] - hull.Corners[0][1];
@@ -325,7 +325,7 @@ void Roll(
   ContactSample sample{ frame.ProjectedCenter, Infinity, 0.0, Infinity };
   for (int k = 0; k < ContactDirections; ++k)
   {
-    const Point2D e = GetContactDirection(k);
+    const Point2 e = GetContactDirection(k);
     const double skew = std::abs(e[0] * along[0] + e[1] * along[1]);
     if (!isLine || skew <= 1.01 * std::sin(2.0 * HalfPi / ContactDirections))
     {
@@ -360,7 +360,7 @@ void Roll(
   result.ByRolling = true;
   // Along the line the body tips over the ends.
   double ends[2] = { 0.0, 0.0 };
-  for (const Point2D& p : hull.Corners)
+  for (const Point2& p : hull.Corners)
   {
     const double x =
       (p[0] - frame.ProjectedCenter[0]) * along[0] + (p[1] - frame.ProjectedCenter[1]) * along[1];

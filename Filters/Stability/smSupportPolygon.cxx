@@ -9,26 +9,26 @@ namespace sm
 namespace
 {
 /// Twice the signed area of the triangle a, b, c.
-long double GetTurn(const Point2D& a, const Point2D& b, const Point2D& c)
+long double GetTurn(const Point2& a, const Point2& b, const Point2& c)
 {
   return (static_cast<long double>(b[0]) - a[0]) * (static_cast<long double>(c[1]) - a[1]) -
     (static_cast<long double>(b[1]) - a[1]) * (static_cast<long double>(c[0]) - a[0]);
 }
 
-double GetDistance(const Point2D& a, const Point2D& b)
+double GetDistance(const Point2& a, const Point2& b)
 {
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
 /// Distance of b from the line through a and c, where these differ.
-double GetHeight(const Point2D& a, const Point2D& b, const Point2D& c)
+double GetHeight(const Point2& a, const Point2& b, const Point2& c)
 {
   const double base = GetDistance(a, c);
   return base > 0.0 ? static_cast<double>(std::fabs(GetTurn(a, b, c))) / base : GetDistance(a, b);
 }
 
 /// The point of the segment that is nearest to p.
-Point2D GetFoot(const Point2D& a, const Point2D& b, const Point2D& p)
+Point2 GetFoot(const Point2& a, const Point2& b, const Point2& p)
 {
   const double dx = b[0] - a[0];
   const double dy = b[1] - a[1];
@@ -38,7 +38,7 @@ Point2D GetFoot(const Point2D& a, const Point2D& b, const Point2D& p)
   return { a[0] + x * dx, a[1] + x * dy };
 }
 
-std::vector<Point2D> MakeChain(std::vector<Point2D> points)
+std::vector<Point2> MakeConvexHull(std::vector<Point2> points)
 {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -46,8 +46,8 @@ std::vector<Point2D> MakeChain(std::vector<Point2D> points)
   {
     return points;
   }
-  std::vector<Point2D> hull;
-  const auto add = [&hull](const Point2D& p, std::size_t bottom)
+  std::vector<Point2> hull;
+  const auto add = [&hull](const Point2& p, std::size_t bottom)
   {
     while (hull.size() >= bottom + 2 && GetTurn(hull[hull.size() - 2], hull.back(), p) <= 0.0L)
     {
@@ -55,7 +55,7 @@ std::vector<Point2D> MakeChain(std::vector<Point2D> points)
     }
     hull.push_back(p);
   };
-  for (const Point2D& p : points)
+  for (const Point2& p : points)
   {
     add(p, 0);
   }
@@ -69,11 +69,11 @@ std::vector<Point2D> MakeChain(std::vector<Point2D> points)
 }
 }
 
-SupportPolygon SupportPolygon::FromPoints(std::vector<Point2D> points, double merge)
+SupportPolygon SupportPolygon::FromPoints(std::vector<Point2> points, double merge)
 {
   SupportPolygon polygon;
-  std::vector<Point2D>& corners = polygon.Corners;
-  for (const Point2D& p : MakeChain(std::move(points)))
+  std::vector<Point2>& corners = polygon.Corners;
+  for (const Point2& p : MakeConvexHull(std::move(points)))
   {
     if (corners.empty() || GetDistance(corners.back(), p) > merge)
     {
@@ -91,20 +91,20 @@ SupportPolygon SupportPolygon::FromPoints(std::vector<Point2D> points, double me
   // A polygon that is nearly a segment becomes the segment between its tips.
   const auto [one, other] = polygon.GetTips();
   if (std::all_of(corners.begin(), corners.end(),
-        [&, a = one, b = other](const Point2D& p) { return GetHeight(a, p, b) <= merge; }))
+        [&, a = one, b = other](const Point2& p) { return GetHeight(a, p, b) <= merge; }))
   {
     corners = { one, other };
     return polygon;
   }
   // Corners that are nearly straight are left out one at a time, so that they stay close to the line that is
   // kept.
-  std::vector<Point2D> kept;
+  std::vector<Point2> kept;
   // Largest distance outside of the points since the last one that was kept.
   double left = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    const Point2D& before = kept.empty() ? corners.back() : kept.back();
-    const Point2D& after = corners[(i + 1) % corners.size()];
+    const Point2& before = kept.empty() ? corners.back() : kept.back();
+    const Point2& after = corners[(i + 1) % corners.size()];
     left += GetHeight(before, corners[i], after);
     if (left > merge)
     {
@@ -119,7 +119,7 @@ SupportPolygon SupportPolygon::FromPoints(std::vector<Point2D> points, double me
   return polygon;
 }
 
-double SupportPolygon::GetMargin(const Point2D& point) const
+double SupportPolygon::GetMargin(const Point2& point) const
 {
   const std::size_t count = this->Corners.size();
   if (count == 0)
@@ -131,8 +131,8 @@ double SupportPolygon::GetMargin(const Point2D& point) const
   double distance = margin;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Point2D& a = this->Corners[i];
-    const Point2D& b = this->Corners[(i + 1) % count];
+    const Point2& a = this->Corners[i];
+    const Point2& b = this->Corners[(i + 1) % count];
     distance = std::min(distance, GetDistance(point, GetFoot(a, b, point)));
     if (count > 2)
     {
@@ -144,9 +144,9 @@ double SupportPolygon::GetMargin(const Point2D& point) const
   return inside ? margin : -distance;
 }
 
-std::vector<Point2D> SupportPolygon::GetCriticalDirections(const Point2D& point, double range) const
+std::vector<Point2> SupportPolygon::GetCriticalDirections(const Point2& point, double range) const
 {
-  std::vector<Point2D> directions;
+  std::vector<Point2> directions;
   const std::size_t count = this->Corners.size();
   const double margin = this->GetMargin(point);
   if (margin < 0.0 || count < 3)
@@ -154,9 +154,9 @@ std::vector<Point2D> SupportPolygon::GetCriticalDirections(const Point2D& point,
     // The direction from the nearest point to the point; where both coincide, the one across the segment.
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Point2D& a = this->Corners[i];
-      const Point2D& b = this->Corners[(i + 1) % count];
-      const Point2D foot = GetFoot(a, b, point);
+      const Point2& a = this->Corners[i];
+      const Point2& b = this->Corners[(i + 1) % count];
+      const Point2 foot = GetFoot(a, b, point);
       const double distance = GetDistance(foot, point);
       if (distance <= -margin + range && distance > 0.0)
       {
@@ -166,8 +166,8 @@ std::vector<Point2D> SupportPolygon::GetCriticalDirections(const Point2D& point,
   }
   for (std::size_t i = 0; i < count && count > 1; ++i)
   {
-    const Point2D& a = this->Corners[i];
-    const Point2D& b = this->Corners[(i + 1) % count];
+    const Point2& a = this->Corners[i];
+    const Point2& b = this->Corners[(i + 1) % count];
     const double length = GetDistance(a, b);
     if (static_cast<double>(GetTurn(a, b, point)) / length <= std::max(margin, 0.0) + range)
     {
@@ -177,24 +177,24 @@ std::vector<Point2D> SupportPolygon::GetCriticalDirections(const Point2D& point,
   return directions;
 }
 
-double SupportPolygon::GetSupport(const Point2D& direction) const
+double SupportPolygon::GetSupport(const Point2& direction) const
 {
   double support = -std::numeric_limits<double>::infinity();
-  for (const Point2D& p : this->Corners)
+  for (const Point2& p : this->Corners)
   {
     support = std::max(support, p[0] * direction[0] + p[1] * direction[1]);
   }
   return support;
 }
 
-std::array<Point2D, 2> SupportPolygon::GetTips() const
+std::array<Point2, 2> SupportPolygon::GetTips() const
 {
-  const auto farthest = [this](const Point2D& from)
+  const auto farthest = [this](const Point2& from)
   {
     return *std::max_element(this->Corners.begin(), this->Corners.end(),
-      [&from](const Point2D& a, const Point2D& b) { return GetDistance(from, a) < GetDistance(from, b); });
+      [&from](const Point2& a, const Point2& b) { return GetDistance(from, a) < GetDistance(from, b); });
   };
-  const Point2D one = farthest(this->Corners.front());
+  const Point2 one = farthest(this->Corners.front());
   return { one, farthest(one) };
 }
 
@@ -204,7 +204,7 @@ double SupportPolygon::GetLength() const
   {
     return 0.0;
   }
-  const std::array<Point2D, 2> tips = this->GetTips();
+  const std::array<Point2, 2> tips = this->GetTips();
   return GetDistance(tips[0], tips[1]);
 }
 
@@ -214,11 +214,11 @@ double SupportPolygon::GetWidth() const
   {
     return 0.0;
   }
-  const std::array<Point2D, 2> tips = this->GetTips();
+  const std::array<Point2, 2> tips = this->GetTips();
   const double length = GetDistance(tips[0], tips[1]);
   double low = 0.0;
   double high = 0.0;
-  for (const Point2D& p : this->Corners)
+  for (const Point2& p : this->Corners)
   {
     const double side = static_cast<double>(GetTurn(tips[0], tips[1], p)) / length;
     low = std::min(low, side);

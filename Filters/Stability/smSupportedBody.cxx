@@ -104,7 +104,7 @@ SupportedBody::SupportedBody()
 {
 }
 
-Vector3 SupportedBody::ToWorld(const GroundDirections& ground, const Point2D& ab, double h) const
+Vector3 SupportedBody::ToWorld(const GroundDirections& ground, const Point2& ab, double h) const
 {
   Vector3 world;
   for (int i = 0; i < 3; ++i)
@@ -295,7 +295,7 @@ void DrawBody(const SupportedBody& body, const GroundDirections& ground, Pen& pe
   const double below = ground0 - 2e-3 * body.Size;
   const double footHeight = ground0 - 1e-3 * body.Size;
   const double dot = 0.015 * body.Size;
-  const auto disc = [&](const Point2D& at, double radius, double h)
+  const auto disc = [&](const Point2& at, double radius, double h)
   {
     std::vector<Vector3> points;
     const int count = 32;
@@ -308,7 +308,7 @@ void DrawBody(const SupportedBody& body, const GroundDirections& ground, Pen& pe
     return points;
   };
   std::vector<Vector3> corners;
-  for (const Point2D& p : result.Polygon)
+  for (const Point2& p : result.Polygon)
   {
     corners.push_back(body.ToWorld(ground, p, below));
   }
@@ -322,7 +322,7 @@ void DrawBody(const SupportedBody& body, const GroundDirections& ground, Pen& pe
   }
   if (corners.size() < 3)
   {
-    for (const Point2D& p : result.Polygon)
+    for (const Point2& p : result.Polygon)
     {
       pen.AddLine(disc(p, 2.0 * dot, below), true, color);
     }

@@ -87,7 +87,7 @@ struct ContactSearch::Internals
   bool StepCurve(FaceContact& face, Candidate& item, std::priority_queue<Candidate>& queue, double& low);
   bool StepPatch(FaceContact& face, Candidate& item, std::priority_queue<Candidate>& queue, double& low);
 
-  void AddSample(const FaceContact& face, int patch, std::array<double, 2> sr, const Point2D& position);
+  void AddSample(const FaceContact& face, int patch, std::array<double, 2> sr, const Point2& position);
   static std::uint32_t FindDirections(
     const FaceContact& face, int patch, const std::array<double, 2>& sr, const GroundPatch::Shape& shape);
   static std::uint32_t FindPoleDirections(const FaceContact& face, int patch, std::array<double, 2> sr);

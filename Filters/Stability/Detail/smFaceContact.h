@@ -17,7 +17,7 @@
 
 namespace sm
 {
-inline Point2D Project(const GroundPoint& p)
+inline Point2 Project(const GroundPoint& p)
 {
   return { p[0] / p[3], p[1] / p[3] };
 }

@@ -41,8 +41,8 @@ namespace sm
 {
 struct ContactPiece
 {
-  std::vector<Point2D> Inner;
-  std::vector<Point2D> Outer;
+  std::vector<Point2> Inner;
+  std::vector<Point2> Outer;
   /// The curve of the contact, which can be halved until Inner and Outer are close together; without points
   /// when there is none.
   GroundCurve Curve;
@@ -51,7 +51,7 @@ struct ContactPiece
 /// Curvature of the body at a contact, for rolling.
 struct ContactSample
 {
-  Point2D Position;
+  Point2 Position;
   /// Smallest radius of curvature of a surface that is tangent to the ground here; infinite where it is flat;
   /// 0 for corners and edges.
   double Radius;
@@ -66,7 +66,7 @@ struct ContactSample
 
 constexpr int ContactDirections = 32;
 /// Returns unit vector k in the ground's plane, counter-clockwise from the axis a.
-SMFILTERSSTABILITY_EXPORT Point2D GetContactDirection(int k);
+SMFILTERSSTABILITY_EXPORT Point2 GetContactDirection(int k);
 
 struct GroundContacts
 {

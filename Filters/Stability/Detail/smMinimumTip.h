@@ -34,7 +34,7 @@ Tip ComputeTip(double m, double z, double uv, double uh, double bound);
 /// The centre of mass over the ground, and the direction against gravity.
 struct TipCase
 {
-  Point2D Center;
+  Point2 Center;
   double Height;
   std::array<double, 3> Up;
 };

@@ -84,8 +84,8 @@ struct StabilityCase
 
 struct StabilitySide
 {
-  Point2D From;
-  Point2D To;
+  Point2 From;
+  Point2 To;
   /// Signed distance of the projected centre of mass from the side's line, in the ground's plane.
   double StabilityMargin;
   double StabilityMarginBound;
@@ -103,7 +103,7 @@ struct StabilityResult
   SupportKind Support = SupportKind::None;
   /// True if the rolling margin decided because the stability margin could not.
   bool ByRolling = false;
-  Point2D ProjectedCenter;
+  Point2 ProjectedCenter;
   double Height;
   double HeightBound;
   double StabilityMargin;
@@ -119,7 +119,7 @@ struct StabilityResult
   double RollingMarginBound;
   /// Support polygon of the certain contacts, counter-clockwise seen against the ground's normal; curved
   /// sides as chords, to a thousandth of the size.
-  std::vector<Point2D> Polygon;
+  std::vector<Point2> Polygon;
   std::vector<StabilitySide> Sides;
 
   /// Sets all numbers to NaN.

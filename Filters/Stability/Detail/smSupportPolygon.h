@@ -14,37 +14,37 @@
 #define smSupportPolygon_h
 
 #include "smFiltersStabilityModule.h"
+#include "smVector.h"
+
 #include <array>
 #include <vector>
 
 namespace sm
 {
-using Point2D = std::array<double, 2>;
-
 struct SMFILTERSSTABILITY_EXPORT SupportPolygon
 {
   /// Corners counter-clockwise, no three in a line; two for a segment, one for a point, none for an empty
   /// hull.
-  std::vector<Point2D> Corners;
+  std::vector<Point2> Corners;
 
   /// Returns the hull of the points. Points closer than `merge` to each other count as one, and corners
   /// closer than that to the line of their neighbours are left out. The result lies in the true hull, whose
   /// points are at most 4 merge outside.
-  static SupportPolygon FromPoints(std::vector<Point2D> points, double merge);
+  static SupportPolygon FromPoints(std::vector<Point2> points, double merge);
 
   /// Returns the signed distance of a point from the border, positive inside; minus infinity for an empty
   /// hull.
-  double GetMargin(const Point2D& point) const;
+  double GetMargin(const Point2& point) const;
 
   /// Returns the unit directions d for which (largest p.d) - c.d is within `range` of its minimum value.
-  std::vector<Point2D> GetCriticalDirections(const Point2D& point, double range) const;
+  std::vector<Point2> GetCriticalDirections(const Point2& point, double range) const;
 
   /// Returns the largest p.d of the corners p.
-  double GetSupport(const Point2D& direction) const;
+  double GetSupport(const Point2& direction) const;
 
   /// Returns two corners that are at least half the diameter apart: the one farthest from the first corner,
   /// and the one farthest from that. The hull must not be empty.
-  std::array<Point2D, 2> GetTips() const;
+  std::array<Point2, 2> GetTips() const;
   /// The distance of the tips, and the extent of the hull across their line: diameter and width of the hull
   /// within a factor of two; 0 for a point.
   double GetLength() const;

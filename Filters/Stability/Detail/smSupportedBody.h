@@ -61,7 +61,7 @@ struct SupportedBody
 
   SupportedBody();
   /// Returns the world coordinates of a point in the ground's frame.
-  Vector3 ToWorld(const GroundDirections& ground, const Point2D& ab, double h) const;
+  Vector3 ToWorld(const GroundDirections& ground, const Point2& ab, double h) const;
 };
 
 /// Returns the frame of the ground for the stored coordinates of a part; `origin` is the world position of

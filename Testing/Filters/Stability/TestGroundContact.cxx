@@ -173,8 +173,8 @@ void TestLowest()
 void TestPolygons()
 {
   // A square with a duplicate corner, points on its sides and inside.
-  std::vector<sm::Point2D> points = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 }, { 2, 1e-15 }, { 1, 0 },
-    { 1, 1 }, { 2, 0.5 } };
+  std::vector<sm::Point2> points = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 }, { 2, 1e-15 }, { 1, 0 }, { 1, 1 },
+    { 2, 0.5 } };
   const sm::SupportPolygon square = sm::SupportPolygon::FromPoints(points, 1e-13);
   smtest::CheckEqual("corners", 4, static_cast<long long>(square.Corners.size()));
   smtest::Check("inside", 0.5, square.GetMargin({ 1.5, 1.0 }), 1e-15);
@@ -192,7 +192,7 @@ void TestPolygons()
   smtest::CheckTrue("nothing", sm::SupportPolygon::FromPoints({}, 1e-13).GetMargin({ 0, 0 }) < -1e300);
   // Corners that are dense compared with the merging tolerance are left out one by one, yet the hull stays
   // within four times that.
-  std::vector<sm::Point2D> circle;
+  std::vector<sm::Point2> circle;
   const int count = 100000;
   for (int i = 0; i < count; ++i)
   {
