@@ -227,6 +227,11 @@ bool GradientDevice::Internals::Prepare()
   {
     return this->Fail(this->Context->GetReason());
   }
+  if (this->Context->FlushesSubnormals())
+  {
+    // Bounds do not count that.
+    return this->Fail(this->Context->GetRenderer() + " takes numbers below 2.3e-308 for 0");
+  }
   if (!this->Begin(this->Rows, "smGradientRowsCS", smGradientRowsCS) ||
     !this->Begin(this->Lines, "smGradientLinesCS", smGradientLinesCS) ||
     !this->Begin(this->Points, "smGradientSumsCS", smGradientSumsCS))

@@ -166,6 +166,8 @@ private:
   RankDevice GetDevice() const;
   void ReportRanks();
   std::string DescribeEstimate(bool hasOpenGL) const;
+  /// Returns why the started context is not used; empty if it is.
+  std::string FindContextProblem(BackendChoice backend) const;
   void SetRunner(bool hasOpenGL);
   /// Goes on with the CPU, because OpenGL computes something wrong, in this run and in others by the same
   /// context.
@@ -190,6 +192,8 @@ private:
   BackendRates Rates;
   /// True if the estimate of the run is for OpenGL; in a shared run that of the rank with the bodies.
   bool PrefersOpenGL = false;
+  /// Smallest weight of a control point, as of EstimateBackends().
+  double MinimumWeight = 1.0;
   /// Generation of the context of the last run; 0: the CPU's.
   vtkTypeUInt64 Generation = 0;
   /// Generation of the context that computes something wrong, and what.

@@ -317,6 +317,10 @@ bool VariantDevice::Prepare()
   {
     return self.Fail(self.Context->GetReason());
   }
+  if (self.Context->FlushesSubnormals())
+  {
+    return self.Fail(self.Context->GetRenderer() + SubnormalsProblem);
+  }
   if (!self.Upload() || !self.Build())
   {
     return false;

@@ -318,6 +318,10 @@ bool VariantFormDevice::Prepare()
   {
     return self.Fail(self.Context->GetReason());
   }
+  if (self.Context->FlushesSubnormals())
+  {
+    return self.Fail(self.Context->GetRenderer() + SubnormalsProblem);
+  }
   if (!self.Upload() || !self.Build())
   {
     return false;

@@ -39,6 +39,8 @@ struct Construct
   const char* Name;
   double Allowed;
   double (*GetValue)(const Operand&);
+  /// The value is, or comes from, a subnormal number, which GLSL lets a driver take for 0.
+  bool MayBeZero = false;
 };
 
 double GetSumError(double a, double b)
@@ -88,8 +90,8 @@ const Construct Used[] = {
   { "an array of doubles as uints", 4 * Epsilon, SumProducts },
   { "an array of vectors as uints", 8 * Epsilon, SumVectors },
   { "an array of doubles in shared memory", 4 * Epsilon, SumProducts },
-  { "a subnormal operand", 0.0, [](const Operand&) { return Special[0] * Special[2]; } },
-  { "a subnormal result", 0.0, [](const Operand& x) { return Special[1] * Special[1] * x[1]; } },
+  { "a subnormal operand", 0.0, [](const Operand&) { return Special[0] * Special[2]; }, true },
+  { "a subnormal result", 0.0, [](const Operand& x) { return Special[1] * Special[1] * x[1]; }, true },
   { "a placement", 8 * Epsilon,
     [](const Operand& x) { return x[3] * x[0] + x[4] * x[1] + x[5] * x[2] + x[6]; } },
   { "a cross product", 8 * Epsilon, [](const Operand& x) { return x[4] * x[2] + x[5] * x[1]; } },
@@ -166,6 +168,17 @@ double GetError(const std::vector<double>& values, int count, int index, const s
   return worst;
 }
 
+/// True if a construct that may be 0 is 0 in all lanes.
+bool IsFlushed(const std::vector<double>& values, int index)
+{
+  bool isZero = Used[index].MayBeZero;
+  for (int lane = 0; lane < Lanes && isZero; ++lane)
+  {
+    isZero = values[static_cast<std::size_t>(lane) * UsedCount + index] == 0.0;
+  }
+  return isZero;
+}
+
 std::vector<ProbeResult> ProbeUsed(vtkComputeContext* context, std::string& error)
 {
   const std::vector<Operand> operands = MakeOperands();
@@ -176,14 +189,16 @@ std::vector<ProbeResult> ProbeUsed(vtkComputeContext* context, std::string& erro
   for (int i = 0; i < UsedCount; ++i)
   {
     const double worst = done ? GetError(values, UsedCount, i, operands, Used[i].GetValue) : Infinity;
-    results.push_back({ Used[i].Name, true, worst <= Used[i].Allowed, worst });
+    const bool isFlushed = done && IsFlushed(values, i);
+    results.push_back({ Used[i].Name, true, worst <= Used[i].Allowed || isFlushed, isFlushed, worst });
   }
   return results;
 }
 }
 
-bool ProbeConstructs(vtkComputeContext* context, std::string& complaint)
+bool ProbeConstructs(vtkComputeContext* context, bool& isFlushed, std::string& complaint)
 {
+  isFlushed = false;
   std::string error;
   const std::vector<ProbeResult> results = ProbeUsed(context, error);
   if (!error.empty())
@@ -194,6 +209,7 @@ bool ProbeConstructs(vtkComputeContext* context, std::string& complaint)
   std::ostringstream text;
   for (const ProbeResult& result : results)
   {
+    isFlushed = isFlushed || result.IsFlushed;
     if (!result.IsRight)
     {
       text << (text.tellp() > 0 ? ", " : "computes ") << result.Construct
@@ -217,7 +233,7 @@ std::vector<ProbeResult> ProbeAllConstructs(vtkComputeContext* context)
     std::vector<double> values;
     const bool done = RunProbe(context, source, operands, 1, values, error);
     const double worst = done ? GetError(values, 1, 0, operands, SumProducts) : Infinity;
-    results.push_back({ Unused[form], false, worst <= 8 * Epsilon, worst });
+    results.push_back({ Unused[form], false, worst <= 8 * Epsilon, false, worst });
   }
   return results;
 }

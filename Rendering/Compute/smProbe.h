@@ -22,6 +22,8 @@ struct ProbeResult
   /// False for constructs that no shader uses, because some driver gets them wrong.
   bool IsUsed = true;
   bool IsRight = false;
+  /// True for subnormal numbers where the driver takes them for 0.
+  bool IsFlushed = false;
   /// Largest relative error of 32 results; infinite if a program could not be built or run, or if a NaN was
   /// lost.
   double Error = 0.0;
@@ -29,8 +31,9 @@ struct ProbeResult
 
 /// Tests the constructs that shaders use, by one dispatch in the context, which must be READY. On failure
 /// `complaint` continues a sentence that starts with the driver's name, and names the constructs that are
-/// wrong. Not counted as a dispatch.
-bool ProbeConstructs(vtkComputeContext* context, std::string& complaint);
+/// wrong. GLSL lets a driver take subnormal numbers for 0: then it succeeds, and `isFlushed` is true. Not
+/// counted as a dispatch.
+bool ProbeConstructs(vtkComputeContext* context, bool& isFlushed, std::string& complaint);
 
 /// Returns a row for each construct, used or not. The context must be READY.
 SMRENDERINGCOMPUTE_EXPORT std::vector<ProbeResult> ProbeAllConstructs(vtkComputeContext* context);

@@ -36,6 +36,8 @@ struct SMRENDERINGCOMPUTE_EXPORT WindowResources
   int ScopeDepth = 0;
   /// True after the test of the driver's double precision has passed, which is run once per OpenGL context.
   bool HasRightDoubles = false;
+  /// True if that test found that subnormal numbers are 0.
+  bool FlushesSubnormals = false;
   /// Bytes of the stores of all buffers: now, and the largest value so far.
   std::size_t AllocatedBytes = 0;
   std::size_t PeakBytes = 0;

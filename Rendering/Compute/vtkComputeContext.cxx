@@ -167,6 +167,11 @@ bool vtkComputeContext::IsSoftware()
   return vtkEGLSurfacelessRenderWindow::IsSoftware(this->Internals->Renderer);
 }
 
+bool vtkComputeContext::FlushesSubnormals()
+{
+  return this->Resources->Window && this->Resources->Window->FlushesSubnormals;
+}
+
 vtkTypeInt64 vtkComputeContext::GetMaximumStorageBlockSize()
 {
   return this->Resources->MaximumStorageBlockSize;

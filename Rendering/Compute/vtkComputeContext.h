@@ -136,6 +136,10 @@ public:
   /** True if the context is that of a software renderer (llvmpipe, SwiftShader, ...) by its name. */
   bool IsSoftware();
 
+  /** True if the driver takes subnormal numbers (below 2.3e-308) for 0, as GLSL allows and Mesa 26.1's
+   * llvmpipe does: an operation is then off by up to so much. False when not READY. */
+  bool FlushesSubnormals();
+
   ///@{
   /** Limits of the context: bytes of a shader storage block, alignment in bytes of a bound range's offset,
    * and work groups along one axis of a dispatch. 0 when not READY. */

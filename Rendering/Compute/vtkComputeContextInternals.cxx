@@ -243,7 +243,8 @@ int vtkComputeContext::vtkInternals::Use(vtkOpenGLRenderWindow* window, const ch
   this->Adopt(window);
   std::string complaint;
   bool& isProbed = this->Self->Resources->Window->HasRightDoubles;
-  isProbed = isProbed || sm::ProbeConstructs(this->Self, complaint);
+  isProbed =
+    isProbed || sm::ProbeConstructs(this->Self, this->Self->Resources->Window->FlushesSubnormals, complaint);
   if (!isProbed)
   {
     this->End(true, NO_DOUBLES);

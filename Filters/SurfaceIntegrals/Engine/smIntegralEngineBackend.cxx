@@ -2,6 +2,7 @@
 #include "Items/smCPUItemRunner.h"
 #include "Items/smGPUItemRunner.h"
 #include "Items/smItemKernels.h"
+#include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smParallelFor.h"
 
@@ -9,12 +10,31 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace sm
 {
 namespace
 {
+// Below this weight of a control point a driver that takes subnormal numbers for 0 is not used: an operation
+// is off by up to 2.3e-308, and so by 1e-208 relative to a weight.
+constexpr double MinimumFlushedWeight = 1e-100;
+
+double FindMinimumWeight(vtkTrimmedNURBSModel* model)
+{
+  double minimum = std::numeric_limits<double>::infinity();
+  for (const FacePointer& face : model->GetFaces())
+  {
+    for (const std::array<double, 4>& point : face->Surface.ControlPoints)
+    {
+      minimum = std::min(minimum, std::abs(point[3]));
+    }
+  }
+  return minimum;
+}
+
 /// The faces of a model that are to be integrated.
 RunSize EstimateModel(const IntegralRequest& request, vtkTrimmedNURBSModel* model)
 {
@@ -40,6 +60,7 @@ void IntegralEngine::EstimateBackends(
   const IntegralRequest& request, const std::vector<BodyIntegrals>& bodies)
 {
   RunSize all;
+  this->MinimumWeight = std::numeric_limits<double>::infinity();
   std::map<vtkTrimmedNURBSModel*, RunSize> known;
   for (const BodyIntegrals& body : bodies)
   {
@@ -47,6 +68,7 @@ void IntegralEngine::EstimateBackends(
     if (isNew)
     {
       model->second = EstimateModel(request, body.Model);
+      this->MinimumWeight = std::min(this->MinimumWeight, FindMinimumWeight(body.Model));
     }
     if (isNew || request.UsePlacements)
     {
@@ -69,6 +91,17 @@ std::string IntegralEngine::DescribeEstimate(bool hasOpenGL) const
                    : obstacle + ("estimated " + cpu) + "; OpenGL " + gpu;
 }
 
+std::string IntegralEngine::FindContextProblem(BackendChoice backend) const
+{
+  const bool isDistrusted =
+    backend == BackendChoice::Automatic && this->DistrustedGeneration == this->Context->GetGeneration();
+  return isDistrusted ? this->Distrust
+    : this->Context->FlushesSubnormals() && this->MinimumWeight < MinimumFlushedWeight
+    ? this->Context->GetRenderer() + " takes numbers below 2.3e-308 for 0, and the smallest weight is " +
+      FormatDigits(this->MinimumWeight, 3) + "; take the CPU"
+    : std::string();
+}
+
 bool IntegralEngine::ChooseRunner(const IntegralRequest& request, BackendChoice backend)
 {
   const double start = vtkTimerLog::GetUniversalTime();
@@ -77,21 +110,21 @@ bool IntegralEngine::ChooseRunner(const IntegralRequest& request, BackendChoice 
   const bool isWanted = isByEstimate ? this->PrefersOpenGL : backend != BackendChoice::CPU;
   bool hasOpenGL = isWanted &&
     (isByEstimate ? this->Context->StartOnGPU() : this->Context->Start() == vtkComputeContext::READY);
-  const bool isDistrusted = hasOpenGL && backend == BackendChoice::Automatic &&
-    this->DistrustedGeneration == this->Context->GetGeneration();
-  hasOpenGL = hasOpenGL && !isDistrusted;
+  const std::string problem = hasOpenGL ? this->FindContextProblem(backend) : std::string();
+  hasOpenGL = hasOpenGL && problem.empty();
   this->Report.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
   if (!hasOpenGL && backend == BackendChoice::OpenGL)
   {
-    this->Report.SetReason("nothing was computed: " + this->Context->GetReason());
+    this->Report.SetReason(
+      "nothing was computed: " + (problem.empty() ? this->Context->GetReason() : problem));
     return false;
   }
   // A machine without a GPU is nothing to report; a GPU that cannot be used is.
   if (isWanted && !hasOpenGL && (!isByEstimate || this->Context->GetStatus() > vtkComputeContext::NO_CONTEXT))
   {
-    this->Report.FallbackReason = isDistrusted ? this->Distrust : this->Context->GetReason();
+    this->Report.FallbackReason = !problem.empty() ? problem : this->Context->GetReason();
   }
-  this->Report.BackendReason = isDistrusted             ? this->Distrust
+  this->Report.BackendReason = !problem.empty()         ? problem
     : isByEstimate                                      ? this->DescribeEstimate(hasOpenGL)
     : !hasOpenGL || backend != BackendChoice::Automatic ? ""
     : this->Context->GetWindow()                        ? "in the render window"

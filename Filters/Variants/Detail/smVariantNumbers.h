@@ -34,6 +34,8 @@ constexpr std::size_t MaximumBufferBytes = std::size_t{ 256 } << 20;
 // Multiply-adds of a dispatch on a GPU: less than 0.2 s where it makes 50 billion of doubles a second, far
 // from the 2 s after which watchdogs end a program.
 constexpr std::uint64_t DeviceWork = 10000000000;
+// Continues the name of a driver whose rounding the bounds do not count.
+constexpr const char* SubnormalsProblem = " takes numbers below 2.3e-308 for 0";
 // Mesa's llvmpipe ends all loops of an invocation, without an error, after 65,535 iterations together.
 constexpr std::size_t SoftwareSteps = 60000;
 }

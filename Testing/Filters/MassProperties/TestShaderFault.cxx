@@ -1,13 +1,17 @@
 // TestShaderFault FOLDER: shaders that keep arrays of doubles as floats, as some drivers do, and what sees
 // it: the probe when a context starts, the comparison with the CPU when a program is used first, and the
-// values.
+// values. And a driver that takes subnormal numbers for 0.
+#include "smContextResources.h"
 #include "smMassPropertyNames.h"
+#include "smRoundFaces.h"
 #include "smShaderFault.h"
 #include "smTestManifest.h"
 #include "smTestPipeline.h"
+#include "smWindowResources.h"
 #include "smWrongSamples.h"
 
 #include <vtkComputeContext.h>
+#include <vtkNew.h>
 
 #include <cmath>
 #include <limits>
@@ -98,6 +102,56 @@ void CheckValues(const Expected& expected)
   CheckTrue("a test of values sees it", error > 100.0 * GetFieldBound(fields, names::Volume),
     std::to_string(error / expected.Volume));
 }
+
+/// A ball whose weights are multiplied by a factor, which changes nothing in the surface.
+vtkSmartPointer<vtkNURBSDataSet> MakeWeightedBall(double factor)
+{
+  auto face = std::make_shared<sm::Face>(*MakeBall({ 0.0, 0.0, 0.0 }, 2.0));
+  face->Id = sm::NewId();
+  for (std::array<double, 4>& point : face->Surface.ControlPoints)
+  {
+    for (double& number : point)
+    {
+      number *= factor;
+    }
+  }
+  return MakeRoundBody({ face });
+}
+
+/// A driver that takes subnormal numbers for 0 is used, except for weights that come near to these.
+void CheckSubnormals()
+{
+  const double volume = 32.0 / 3.0 * std::acos(-1.0);
+  for (const double factor : { 1.0, 1e-90, 1e-110 })
+  {
+    for (const int backend : { vtkMassPropertiesGPU::OPENGL, vtkMassPropertiesGPU::AUTOMATIC })
+    {
+      vtkNew<vtkMassPropertiesGPU> mass;
+      mass->SetInputDataObject(MakeWeightedBall(factor));
+      mass->SetBackend(backend);
+      vtkComputeContext* context = mass->GetComputeContext();
+      context->SetSource(vtkComputeContext::EGL);
+      CheckEqual("a context", int{ vtkComputeContext::READY }, context->Start());
+      context->GetResources()->Window->FlushesSubnormals = true;
+      mass->Update();
+      vtkFieldData* fields = mass->GetOutput()->GetFieldData();
+      const std::string what = "weights by " + std::to_string(std::lround(std::log10(factor)));
+      const std::string reason = GetFieldText(fields, names::BackendReason);
+      const bool isRefused = factor < 1e-100;
+      if (isRefused && backend == vtkMassPropertiesGPU::OPENGL)
+      {
+        CheckEqual(what + ": nothing is computed", "not-computed", GetFieldText(fields, names::Status));
+        continue;
+      }
+      CheckEqual(what + ": backend", isRefused ? names::BackendCPU : names::BackendOpenGL,
+        GetFieldText(fields, names::Backend));
+      CheckTrue(what + ": the reason",
+        (reason.find("takes numbers below 2.3e-308 for 0") != std::string::npos) == isRefused, reason);
+      Check(what + ": volume", volume, GetField(fields, names::Volume),
+        GetFieldBound(fields, names::Volume) + 1e-15 * volume, "the bound, and the net's rounding");
+    }
+  }
+}
 }
 
 int TestShaderFault(int argc, char* argv[])
@@ -114,5 +168,6 @@ int TestShaderFault(int argc, char* argv[])
     CheckComparison(expected);
     CheckValues(expected);
   }
+  CheckSubnormals();
   return Finish();
 }

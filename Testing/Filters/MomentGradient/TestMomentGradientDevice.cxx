@@ -1,10 +1,12 @@
 // Gradients by compute shaders against the processor's, entry by entry, for faces of all degrees; and what
 // happens without a context, with a wrong shader, and where OpenGL does not pay.
 #include "smBoxBodies.h"
+#include "smContextResources.h"
 #include "smGradientSums.h"
 #include "smRoundFaces.h"
 #include "smShaderFault.h"
 #include "smTestPipeline.h"
+#include "smWindowResources.h"
 
 #include <cstring>
 
@@ -110,6 +112,9 @@ void CheckFallbacks()
   }
   const sm::MomentGradientResult right = Compute(torus, sm::GradientBackend::OpenGL, context);
   CheckTrue("right again", right.Backend == sm::GradientBackend::OpenGL, right.BackendReason);
+  context->GetResources()->Window->FlushesSubnormals = true;
+  check("subnormal numbers are 0", Compute(torus, sm::GradientBackend::OpenGL, context), "for 0");
+  context->GetResources()->Window->FlushesSubnormals = false;
   // A torus takes milliseconds.
   const sm::MomentGradientResult small = Compute(torus, sm::GradientBackend::Automatic, context);
   CheckTrue("OpenGL does not pay for a torus",
