@@ -14,11 +14,11 @@ constexpr double Pi = 3.14159265358979323846;
 /// Longest arc that one Gauss rule integrates: its error is 1e-11 of the radius's powers.
 constexpr double LongestArc = 0.25 * Pi;
 
-/// Splines of higher degree, and those whose weights differ by a larger factor, are integrated adaptively,
-/// with this tolerance.
-constexpr int MaxEvenDegree = 5;
-constexpr double MaxEvenWeights = 4.0;
-constexpr double UnevenTolerance = 1e-9;
+/// Tolerance of splines whose integrands one Gauss rule does not integrate exactly.
+constexpr double SplineTolerance = 1e-9;
+
+/// Samples for the extent of a part, which the tolerance is relative to.
+constexpr int ExtentSamples = 7;
 
 /// Vertices that are closer than this, relative to the size of the curve, are one.
 constexpr double SameVertex = 1e-9;
@@ -36,12 +36,18 @@ double GetSize(const SpaceCurve& curve)
   return size;
 }
 
-/// Returns true if a rational curve may run through its points at very different speeds, or waves.
-bool IsUneven(const SpaceCurve& curve)
+/// Returns how far the points of a part of a curve are from its first one. Control points may be much
+/// farther.
+double GetExtent(const SpaceCurve& curve, double a, double b)
 {
-  const auto range = std::minmax_element(curve.Weights.begin(), curve.Weights.end());
-  return curve.Degree > MaxEvenDegree ||
-    (!curve.Weights.empty() && *range.second > MaxEvenWeights * *range.first);
+  const Vector3 first = curve.Evaluate(a);
+  double extent = 0.0;
+  for (int i = 1; i <= ExtentSamples; ++i)
+  {
+    const double t = a + (b - a) * i / ExtentSamples;
+    extent = std::max(extent, Norm(Subtract(curve.Evaluate(t), first)));
+  }
+  return extent;
 }
 
 void IntegrateRange(const SpaceCurve& curve, double a, double b, const Vector3& origin, LineIntegrals& result)
@@ -64,17 +70,16 @@ void IntegrateRange(const SpaceCurve& curve, double a, double b, const Vector3& 
   breaks.push_back(b);
   const auto evaluate = [&](double t, Vector3& x, Vector3& slope)
   { x = Subtract(curve.Evaluate(t, &slope), origin); };
-  const double tolerance = curve.Kind == SpaceCurve::Type::Spline && IsUneven(curve) ? UnevenTolerance : 0.0;
-  const double size = tolerance > 0.0 ? GetSize(curve) : 1.0;
+  // A polynomial of degree three has integrands of degree eight.
+  const bool isSpline = curve.Kind == SpaceCurve::Type::Spline;
+  const bool isExact =
+    isSpline ? curve.Degree <= 3 && curve.Weights.empty() : curve.Kind == SpaceCurve::Type::Parabola;
+  const double tolerance = isSpline && !isExact ? SplineTolerance : 0.0;
+  const double size = tolerance > 0.0 ? GetExtent(curve, a, b) : 1.0;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
   {
-    // A polynomial of degree three has integrands of degree eight.
-    const bool isExact = curve.Kind == SpaceCurve::Type::Parabola ||
-      (curve.Kind == SpaceCurve::Type::Spline && curve.Degree <= 3 && curve.Weights.empty());
     const double width = std::abs(breaks[i + 1] - breaks[i]);
-    const int parts = isExact                  ? 1
-      : curve.Kind == SpaceCurve::Type::Spline ? 2
-                                               : std::max(1, static_cast<int>(std::ceil(width / LongestArc)));
+    const int parts = isSpline || isExact ? 1 : std::max(1, static_cast<int>(std::ceil(width / LongestArc)));
     for (int k = 0; k < parts; ++k)
     {
       const double step = (breaks[i + 1] - breaks[i]) / parts;

@@ -2,6 +2,7 @@
 
 #include "smCatchFailure.h"
 #include "smFormat.h"
+#include "smSTEPEdgeTwins.h"
 #include "smSTEPGeometryReading.h"
 #include "smSTEPPolygons.h"
 #include "smSTEPPropertyAttributes.h"
@@ -115,6 +116,10 @@ private:
         this->Lose(face);
       }
     }
+    if (this->Body.Kind == CensusBodyKind::Solid)
+    {
+      this->JoinEdges(uses);
+    }
     const auto result = std::make_shared<ShellShape>();
     for (const std::uint32_t f : uses)
     {
@@ -225,6 +230,45 @@ private:
       }
     }
     return true;
+  }
+
+  /// Joins the edges of a closed shell that one face uses each and that lie on each other.
+  void JoinEdges(const std::vector<std::uint32_t>& faces)
+  {
+    const STEPCensus& census = this->Shapes.Census;
+    std::vector<Index> edges;
+    for (const std::uint32_t f : faces)
+    {
+      for (const STEPFaceLoop& loop : this->Shapes.Loops[census.Faces[census.FaceUses[f]]])
+      {
+        for (const LoopUse& use : loop.Uses)
+        {
+          edges.push_back(use.Edge);
+        }
+      }
+    }
+    this->Twins = FindEdgeTwins(edges, this->Shared.Edges, this->Precision);
+    for (const auto& [entity, twin] : this->Twins)
+    {
+      const bool isForward = this->Shared.Edges.GetEdge(entity)->IsForward;
+      const bool isTwinForward = this->Shared.Edges.GetEdge(twin.Edge)->IsForward != twin.IsOpposite;
+      for (const bool isStart : { true, false })
+      {
+        this->Join(this->GetVertexEntity(entity, isStart == isForward),
+          this->GetVertexEntity(twin.Edge, isStart == isTwinForward));
+      }
+    }
+    if (!this->Twins.empty())
+    {
+      this->Shapes.JoinedEdges.Add(
+        [&]
+        {
+          return "Solid #" + std::to_string(this->Body.Id) +
+            " of the file: " + std::to_string(this->Twins.size()) +
+            " pairs of edges lie on each other and were joined, since the file has edges of their own for "
+            "adjacent faces.";
+        });
+    }
   }
 
   const VertexPointer& GetVertex(Index entity, const Vector3& position)
@@ -394,14 +438,22 @@ private:
     for (const LoopUse& use : uses)
     {
       CoedgeShape coedge;
-      coedge.Edge = this->GetEdge(use.Edge);
+      const auto twin = this->Twins.find(use.Edge);
+      coedge.Edge = this->GetEdge(twin == this->Twins.end() ? use.Edge : twin->second.Edge);
       if (!coedge.Edge)
       {
         return false;
       }
       const bool isForward = use.IsForward == this->Shared.Edges.GetEdge(use.Edge)->IsForward;
-      coedge.Reversed = isForward != isSame;
-      this->Trims.Add(use.Edge, counts[use.Edge], surfaceEntity, coedge);
+      if (twin == this->Twins.end())
+      {
+        coedge.Reversed = isForward != isSame;
+        this->Trims.Add(use.Edge, counts[use.Edge], surfaceEntity, coedge);
+      }
+      else
+      {
+        coedge.Reversed = (isForward != twin->second.IsOpposite) != isSame;
+      }
       wire.Coedges.push_back(std::move(coedge));
     }
     face.Wires.push_back(std::move(wire));
@@ -500,6 +552,8 @@ private:
   std::unordered_map<Index, Index> Joined;
   std::unordered_map<Index, VertexPointer> Vertices;
   std::unordered_map<Index, EdgePointer> Edges;
+  /// Edges of the shell that is made for which others stand.
+  std::unordered_map<Index, STEPEdgeTwin> Twins;
   STEPPolygons Polygons;
 };
 
@@ -539,6 +593,7 @@ void STEPShapes::Report(std::vector<std::string>& messages, std::vector<std::str
   defects.insert(defects.end(), this->Defects.begin(), this->Defects.end());
   this->LostFaces.Report(messages);
   this->ShortArcs.Report(messages);
+  this->JoinedEdges.Report(messages);
   ReportParameterCurves(this->ParameterCurves, Norm(Subtract(this->High, this->Low)), messages, defects);
 }
 }

@@ -29,7 +29,8 @@ namespace sm
  * Faces have the loops of the file: edges on their curves between their vertices, with the parameter curves
  * that the file has on this surface if both ends agree with the edge's within the file's accuracy, and that
  * is not a plane. Vertices closer than STEPEdges::SameVertex at the ends of one edge, or closer than the
- * file's accuracy at neighbouring edges of a loop, are one.
+ * file's accuracy at neighbouring edges of a loop, are one. Edges of a closed shell that one face uses each
+ * and that lie on each other are joined (smSTEPEdgeTwins.h).
  */
 class STEPShapes
 {
@@ -70,6 +71,7 @@ private:
   /// Parameter curves that are farther from their edges than the file is accurate.
   std::vector<STEPParameterCurve> ParameterCurves;
   FirstOfSeveral ShortArcs;
+  FirstOfSeveral JoinedEdges;
   FirstOfSeveral LostFaces;
   std::vector<std::string> Defects;
   std::vector<std::uint64_t> ReversedFaces;

@@ -507,9 +507,61 @@ def check_conics(runner):
                        2.0 * math.pi * (3.0 + 2.0 / 3.0 * 9.0 + 9.0 * 3.0 / 5.0))
 
 
+def make_half_cylinder(shares, opposite=False, lift=0.0):
+    """Half a cylinder of radius 2 and height 3 whose faces share their edges, or have edges and vertices of their own: `shares(face)`.
+
+    `opposite`: own arcs run against those of the other faces. `lift`: how much higher the own edges of the top are.
+    """
+    body = Body(0.7, (1.0, 2.0, 3.0))
+    known = {}
+
+    def corner(name, own):
+        if (name, own) not in known:
+            x, z = (2.0 if name[0] == "a" else -2.0), (3.0 if name[1] == "1" else 0.0)
+            place = (x, 0.0, z + (lift if own == "top" else 0.0))
+            known[name, own] = (body.vertex(place), place)
+        return known[name, own]
+
+    def edge(face, start, end, is_arc):
+        own = None if shares(face) else face
+        low, high = sorted((start, end))
+        if own and opposite and is_arc:
+            low, high = high, low
+        if (low, high, is_arc, own) not in known:
+            (v, p), (w, q) = corner(low, own), corner(high, own)
+            if is_arc:
+                axis = (0.0, 0.0, 1.0 if low[0] == "a" else -1.0)
+                circle = body.add(f"CIRCLE('',{body.axes((0.0, 0.0, p[2]), axis)},2.)")
+                known[low, high, is_arc, own] = body.add(f"EDGE_CURVE('',{v},{w},{circle},.T.)")
+            else:
+                known[low, high, is_arc, own] = body.line_edge(v, w, p, q)
+        return known[low, high, is_arc, own], start == low
+
+    def face(name, surface, *ring):
+        return body.face([body.loop([edge(name, start, end, is_arc) for start, end, is_arc in ring])], surface)
+
+    planes = [body.add(f"PLANE('',{body.axes(*place)})") for place in (((0, 0, 0), (0, 0, -1)), ((0, 0, 3 + lift),), ((0, 0, 0), (0, -1, 0)))]
+    round_side = body.add(f"CYLINDRICAL_SURFACE('',{body.axes((0, 0, 0))},2.)")
+    faces = [face("bottom", planes[0], ("a0", "b0", False), ("b0", "a0", True)), face("top", planes[1], ("a1", "b1", True), ("b1", "a1", False)),
+             face("round", round_side, ("a0", "b0", True), ("b0", "b1", False), ("b1", "a1", True), ("a1", "a0", False)),
+             face("flat", planes[2], ("b0", "a0", False), ("a0", "a1", False), ("a1", "b1", False), ("b1", "b0", False))]
+    body.product("half", body.shape([body.identity, body.solid(faces)]))
+    return body.get_text()
+
+
+def check_own_edges(runner):
+    """SolveSpace writes an edge and its vertices once for each face; edges that lie on each other are one."""
+    joined = "lie on each other and were joined"
+    runner.check_value("shared edges", make_half_cylinder(lambda face: True), 6.0 * math.pi)
+    for opposite in (False, True):
+        for name, shares in (("all faces", lambda face: False), ("the top", lambda face: face != "top"), ("two faces", lambda face: face in ("top", "flat"))):
+            runner.check_value(f"own edges of {name}, opposite {opposite}", make_half_cylinder(shares, opposite), 6.0 * math.pi, allowed=joined)
+    runner.check_flagged("own edges elsewhere", make_half_cylinder(lambda face: face != "top", lift=0.01))
+
+
 MODES = {"conics": check_conics, "profiles": check_profiles, "mapped": check_mapped, "sections": check_sections, "whole": check_whole_faces, "circles": check_closed_circles,
          "oriented": check_oriented_faces, "representations": check_representations, "voids": check_voids, "lenses": check_lenses,
-         "ellipses": check_ellipses}
+         "ellipses": check_ellipses, "edges": check_own_edges}
 
 
 def main():

@@ -85,7 +85,7 @@ void TestSplines()
   const sm::Vector3 a{ 2.0, 0.0, 0.0 };
   const sm::Vector3 b{ 0.0, 2.0, 0.0 };
   const sm::Vector3 c{ -2.0, 0.0, 0.0 };
-  // Two rules of five points in each quarter: 1e-9 of rational functions.
+  // Adaptive rules with a tolerance of 1e-9.
   const double limit = 1e-8;
   smtest::Check("whole spline", 4.0 * HalfTurn, GetArea(circle, a, a, true), limit);
   smtest::Check("whole spline from another vertex", 4.0 * HalfTurn, GetArea(circle, c, c, true), limit);
@@ -124,6 +124,21 @@ void TestSplines()
   // The integral of T_20 is -2 / 399; the chord lies at y = 1, and the curve below it.
   smtest::Check("a curve of degree 20", 2.0 + 2.0 / 399.0, GetArea(wave, { -1, 1, 0 }, { 1, 1, 0 }, true),
     1e-7, "five points for a fortieth");
+  // y = 1 / w(x) on [0,1] with w(x) = 1 + 3/2 (2 x - 1)^2, as a rational curve of degree 5 whose weights
+  // differ by a factor of 3.6 only: ten points miss its integral by 9e-7.
+  sm::SpaceCurve hill;
+  hill.Kind = sm::SpaceCurve::Type::Spline;
+  hill.Degree = 5;
+  hill.Knots = { 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1 };
+  hill.Weights = { 2.5, 1.3, 0.7, 0.7, 1.3, 2.5 };
+  // Bernstein coefficients of x w(x).
+  const double moments[6] = { 0.0, 0.5, 0.4, 0.3, 0.8, 2.5 };
+  for (int i = 0; i <= 5; ++i)
+  {
+    hill.Points.push_back({ moments[i] / hill.Weights[i], 1.0 / hill.Weights[i], 0.0 });
+  }
+  smtest::Check("a rational curve of degree 5", 0.4 - std::atan(std::sqrt(1.5)) / std::sqrt(1.5),
+    GetArea(hill, { 0.0, 0.4, 0.0 }, { 1.0, 0.4, 0.0 }, true), limit);
   sm::SpaceCurve broken = circle;
   broken.Knots.pop_back();
   smtest::CheckTrue("a spline with too few knots is none", !broken.IsConsistent());
