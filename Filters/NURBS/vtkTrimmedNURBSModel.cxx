@@ -174,11 +174,17 @@ void vtkTrimmedNURBSModel::SetDensity(double density)
   }
 }
 
+void vtkTrimmedNURBSModel::ChangeFaces()
+{
+  this->ScaleMesh = nullptr;
+  this->EqualFaces.clear();
+  this->Modified();
+}
+
 void vtkTrimmedNURBSModel::SetFaces(std::vector<sm::FacePointer> faces)
 {
   this->Faces = std::move(faces);
-  this->ScaleMesh = nullptr;
-  this->Modified();
+  this->ChangeFaces();
 }
 
 void vtkTrimmedNURBSModel::SetScaleMesh(vtkPolyData* mesh)
@@ -204,8 +210,24 @@ void vtkTrimmedNURBSModel::SetFace(vtkIdType index, sm::FacePointer face)
     return;
   }
   this->Faces[index] = std::move(face);
-  this->ScaleMesh = nullptr;
-  this->Modified();
+  this->ChangeFaces();
+}
+
+void vtkTrimmedNURBSModel::SetEqualFaces(std::vector<sm::FacePointer> faces)
+{
+  const bool hasNull = std::find(faces.begin(), faces.end(), nullptr) != faces.end();
+  if (hasNull || (!faces.empty() && faces.size() != this->Faces.size()))
+  {
+    vtkErrorMacro("SetEqualFaces: there are "
+      << faces.size() << (hasNull ? " faces, some of them null" : " faces") << ", and the model has "
+      << this->Faces.size() << "; give one face for each, or none.");
+    return;
+  }
+  if (faces != this->EqualFaces)
+  {
+    this->EqualFaces = std::move(faces);
+    this->Modified();
+  }
 }
 
 void vtkTrimmedNURBSModel::SetShells(std::vector<std::vector<int>> shells)
@@ -279,8 +301,7 @@ int vtkTrimmedNURBSModel::AddFace(int degreeU, vtkDataArray* knotsU, int degreeV
   face->Id = sm::NewId();
   face->Reversed = reversed;
   this->Faces.push_back(face);
-  this->ScaleMesh = nullptr;
-  this->Modified();
+  this->ChangeFaces();
   return static_cast<int>(this->Faces.size()) - 1;
 }
 
@@ -335,8 +356,7 @@ bool vtkTrimmedNURBSModel::AddCoedge(int face, int loop, int edge, bool reversed
   changed.Id = sm::NewId();
   changed.Loops.resize(std::max(changed.Loops.size(), static_cast<std::size_t>(loop) + 1));
   changed.Loops[loop].Coedges.push_back(std::move(coedge));
-  this->ScaleMesh = nullptr;
-  this->Modified();
+  this->ChangeFaces();
   return true;
 }
 
@@ -371,6 +391,7 @@ void vtkTrimmedNURBSModel::ShallowCopy(vtkTrimmedNURBSModel* source)
   this->AreaScale = source->AreaScale;
   this->ScaleMesh = source->ScaleMesh;
   this->Faces = source->Faces;
+  this->EqualFaces = source->EqualFaces;
   this->Shells = source->Shells;
   this->Messages = source->Messages;
   this->AddedEdges = source->AddedEdges;

@@ -182,6 +182,21 @@ public:
   /** Exchanges one face; the model is modified. */
   void SetFace(vtkIdType index, sm::FacePointer face);
 
+  ///@{
+  /**
+   * The faces of another model with the same geometry relative to its Origin, bit for bit, and in the same
+   * order: only ids, entity numbers, names, colours and messages differ. Filters integrate them once for all
+   * models that have them. Setting, exchanging or adding faces drops them; set the faces first. The default,
+   * an empty vector, stands for the model's own faces. Another number of faces than that of the model is an
+   * error, and changes nothing.
+   */
+  void SetEqualFaces(std::vector<sm::FacePointer> faces);
+  const std::vector<sm::FacePointer>& GetEqualFaces() const
+  {
+    return this->EqualFaces.empty() ? this->Faces : this->EqualFaces;
+  }
+  ///@}
+
   /** Number of shells of a solid that enclose volume, all others being voids inside them; a STEP file has one
    * for each solid. A result is suspect if another number lies outside all others. 0, the default: not known.
    * Clamped to >= 0. */
@@ -218,6 +233,9 @@ private:
   vtkTrimmedNURBSModel(const vtkTrimmedNURBSModel&) = delete;
   void operator=(const vtkTrimmedNURBSModel&) = delete;
 
+  /// Drops what belongs to the faces as they were.
+  void ChangeFaces();
+
   int Body = SOLID;
   std::string Name;
   vtkTypeInt64 FileId = 0;
@@ -237,6 +255,7 @@ private:
   double AreaScale = 0.0;
   vtkSmartPointer<vtkPolyData> ScaleMesh;
   std::vector<sm::FacePointer> Faces;
+  std::vector<sm::FacePointer> EqualFaces;
   std::vector<std::vector<int>> Shells;
   std::vector<std::string> Messages;
   /// The edges added by AddEdge(), in the order of their indices.

@@ -180,6 +180,9 @@ private:
   /// Appends a task per face; returns the first task of every body.
   std::vector<std::size_t> MakeTasks(const IntegralRequest& request, const std::vector<BodyIntegrals>& bodies,
     std::vector<FaceTask>& tasks) const;
+  /// Gives each body the results of its tasks; bodies with the same first task share them.
+  static void TakeResults(const IntegralRequest& request, const std::vector<std::size_t>& firstTask,
+    std::vector<FaceIntegrals>& results, std::vector<BodyIntegrals>& bodies);
   std::vector<std::size_t> ChooseTasks(const std::set<std::int64_t>& faceIds, std::vector<FaceTask>& tasks);
   void SpreadResults(const std::vector<std::size_t>& chosen, std::size_t integrands,
     std::vector<FaceIntegrals>& results) const;

@@ -54,11 +54,12 @@ class BodyConverter
 {
 public:
   BodyConverter(const BodyShape& shape, const Placement& scale, double unit, const double origin[3],
-    const ProgressCallback& progress, int roundings)
+    const ProgressCallback& progress, int roundings, const Vector3& moved)
     : Shape(shape)
     , Place{ scale, unit, { origin[0], origin[1], origin[2] } }
     , Report(progress)
     , Roundings(roundings)
+    , Moved(moved)
   {
   }
 
@@ -307,10 +308,10 @@ private:
     face->Surface = std::move(surface.Surface);
     face->Surface.Rounding =
       GetReadingRounding(*native, box, map, this->Place.Origin, this->Roundings, face->Surface);
-    for (double& rounding : face->Surface.Rounding)
+    for (int c = 0; c < 3; ++c)
     {
       // A face that crosses the seam has control points that were moved.
-      rounding += own ? 0.0 : source.Own.Distance * map.GetScale();
+      face->Surface.Rounding[c] += this->Moved[c] + (own ? 0.0 : source.Own.Distance * map.GetScale());
     }
     for (DraftLoop& loop : draft.Loops)
     {
@@ -439,6 +440,7 @@ private:
   BodyPlace Place;
   const ProgressCallback& Report;
   int Roundings;
+  Vector3 Moved;
   /// Diagonal of the box around all edges, in model units.
   double Size = 0.0;
   EdgeIndex EdgeShapes;
@@ -459,8 +461,8 @@ bool IsAsInFile(const BodyShape& body)
 }
 
 ConvertedBody ConvertBody(const BodyShape& body, const Placement& scale, double unit, const double origin[3],
-  const ProgressCallback& progress, int roundings)
+  const ProgressCallback& progress, int roundings, const Vector3& moved)
 {
-  return BodyConverter(body, scale, unit, origin, progress, roundings).Convert();
+  return BodyConverter(body, scale, unit, origin, progress, roundings, moved).Convert();
 }
 }

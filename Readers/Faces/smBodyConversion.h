@@ -51,10 +51,11 @@ struct ConvertedBody
  * conversion fails is reported and left out; all others are kept. Edges and faces are converted in parallel
  * by vtkSMPTools. `progress`, if not empty, gets a fraction in [0,1] on the calling thread, and returns false
  * to stop. `roundings`: number of roundings of a coordinate in the conversion of the file's length unit to
- * mm.
+ * mm. `moved`: what NURBSSurface::Rounding has in addition, in model units.
  */
 SMREADERSFACES_EXPORT ConvertedBody ConvertBody(const BodyShape& body, const Placement& scale, double unit,
-  const double origin[3], const ProgressCallback& progress = {}, int roundings = 0);
+  const double origin[3], const ProgressCallback& progress = {}, int roundings = 0,
+  const Vector3& moved = {});
 }
 
 #endif

@@ -4,8 +4,11 @@
 #include "smBodyMesh.h"
 #include "smCatchFailure.h"
 #include "smDisplayMesh.h"
+#include "smEqualBodies.h"
 #include "smSTEPFaceChecks.h"
 
+#include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTimerLog.h"
 #include "vtkTrimmedNURBSModel.h"
@@ -22,6 +25,9 @@ constexpr double ConversionShare = 0.8;
 
 /// The deflection is divided by this for a second mesh of a solid whose walls are as thin as the first one's.
 constexpr double ThinRefinement = 16.0;
+
+/// Largest relative change of a volume, and of the root of the area of a shell, by the places of copies.
+constexpr double CopyShare = 1e-11;
 
 /// Roundings of a coordinate by the conversion of its unit to mm: the factor is a product of up to three
 /// rounded numbers (0.0254, 0.001,
@@ -43,10 +49,46 @@ std::array<double, 16> GetPlacement(const Placement& place, double unit)
   matrix[15] = 1.0;
   return matrix;
 }
+
+/// Returns true if a conversion without problems may stand for those of bodies that equal it: their places,
+/// which move the faces by up to `moved`, hardly change the bounds of volume and area.
+bool CanBeCopied(const PartBody& part, const Vector3& moved, const BodySize& size, const ConvertedBody& body)
+{
+  const double distance = Norm(moved);
+  const bool isNegligible = part.Solid ? distance * size.Area <= CopyShare * size.Volume
+                                       : distance <= CopyShare * std::sqrt(size.Area);
+  return size.IsKnown && isNegligible && !body.Aborted && body.Messages.empty() && body.MissingFaces == 0 &&
+    body.Defects == 0;
+}
+
+/// Returns a mesh that shares all but the points of another one, which it is moved by `shift`.
+vtkSmartPointer<vtkPolyData> MoveMesh(vtkPolyData* mesh, const Vector3& shift)
+{
+  vtkPoints* from = mesh->GetPoints();
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    Vector3 p;
+    from->GetPoint(i, p.data());
+    points->SetPoint(i, Sum(p, shift).data());
+  }
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->ShallowCopy(mesh);
+  moved->SetPoints(points);
+  return moved;
+}
+}
+
+int LeafOptions::GetRoundings() const
+{
+  return this->FileUnitName.empty() || this->FileUnitName == "mm" ? 0 : UnitRoundings;
 }
 
 LeafMaker::LeafMaker(const PartBody& part, const FaceStatements& statements, const LeafOptions& options,
-  const ProgressCallback& progress)
+  const EqualPart& equal, const LeafMaker* first, const ProgressCallback& progress)
   : Options(options)
   , Color(part.Color)
   , Model(vtkSmartPointer<vtkTrimmedNURBSModel>::New())
@@ -54,23 +96,69 @@ LeafMaker::LeafMaker(const PartBody& part, const FaceStatements& statements, con
   const double start = vtkTimerLog::GetUniversalTime();
   BodySize size;
   ConvertedBody body;
-  const std::string failure = CatchFailure([&]() { this->Convert(part, progress, size, body); });
-  if (!failure.empty())
+  const bool isCopy = first && first->ForCopies &&
+    CatchFailure([&]() { this->Copy(part, equal.Shift, *first, size, body); }).empty();
+  if (!isCopy)
   {
-    body.Messages.push_back("The body could not be carried over: " + failure + ".");
-    ++body.MissingFaces;
+    const Vector3 moved = Multiply(options.Unit, equal.Moved);
+    this->ConvertGuarded(part, moved, progress, size, body);
+    if (equal.HasCopies && CanBeCopied(part, moved, size, body))
+    {
+      this->ForCopies.reset(new Conversion{ &part, body, size });
+    }
+    else if (equal.HasCopies && !this->Aborted)
+    {
+      this->ConvertGuarded(part, Vector3{}, progress, size, body);
+    }
   }
   CheckFaces(statements,
     { this->GetStatementPlace(part), part.Solid, size.SignedVolume, std::move(size.FaceAreas) }, body);
   body.MissingFaces = std::max(body.MissingFaces, part.LostFaces);
   body.Messages.insert(body.Messages.end(), part.Messages.begin(), part.Messages.end());
   this->MakeModel(part, size, body);
+  if (isCopy)
+  {
+    this->Model->SetEqualFaces(first->Model->GetFaces());
+  }
   this->Summarise(part, body.Messages);
   this->ConversionSeconds = vtkTimerLog::GetUniversalTime() - start - this->MeshSeconds;
 }
 
-void LeafMaker::Convert(
-  const PartBody& part, const ProgressCallback& progress, BodySize& size, ConvertedBody& body)
+void LeafMaker::ConvertGuarded(const PartBody& part, const Vector3& moved, const ProgressCallback& progress,
+  BodySize& size, ConvertedBody& body)
+{
+  size = BodySize();
+  body = ConvertedBody();
+  this->Mesh = nullptr;
+  const std::string failure = CatchFailure([&]() { this->Convert(part, moved, progress, size, body); });
+  if (!failure.empty())
+  {
+    body.Messages.push_back("The body could not be carried over: " + failure + ".");
+    ++body.MissingFaces;
+  }
+}
+
+void LeafMaker::Copy(
+  const PartBody& part, const Vector3& shift, const LeafMaker& first, BodySize& size, ConvertedBody& body)
+{
+  const Conversion& from = *first.ForCopies;
+  body = CopyConversion(from.Body, from.Part->Shape, part.Shape);
+  size = from.Size;
+  const Vector3 moved = Multiply(this->Options.Unit, shift);
+  double origin[3];
+  for (int d = 0; d < 3; ++d)
+  {
+    origin[d] = first.Model->GetOrigin()[d] + moved[d];
+  }
+  this->Model->SetOrigin(origin);
+  if (vtkPolyData* mesh = first.Model->GetScaleMesh())
+  {
+    this->Mesh = MoveMesh(mesh, moved);
+  }
+}
+
+void LeafMaker::Convert(const PartBody& part, const Vector3& moved, const ProgressCallback& progress,
+  BodySize& size, ConvertedBody& body)
 {
   double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   int unbounded = 0;
@@ -90,8 +178,8 @@ void LeafMaker::Convert(
   }
   this->Model->SetOrigin(origin);
   const auto report = [&progress](double x) { return progress(ConversionShare * x); };
-  body = ConvertBody(part.Shape, part.Scale, this->Options.Unit, origin, report,
-    this->Options.FileUnitName.empty() || this->Options.FileUnitName == "mm" ? 0 : UnitRoundings);
+  body = ConvertBody(
+    part.Shape, part.Scale, this->Options.Unit, origin, report, this->Options.GetRoundings(), moved);
   this->Aborted = body.Aborted;
   if (unbounded > 0)
   {

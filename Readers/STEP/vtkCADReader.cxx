@@ -445,6 +445,8 @@ sm::LeafOptions vtkCADReader::ChooseOptions(const sm::Document& document)
 bool vtkCADReader::MakeBodies(const sm::Document& document, const sm::LeafOptions& options,
   std::vector<std::unique_ptr<sm::LeafMaker>>& makers)
 {
+  const std::vector<sm::EqualPart> equal =
+    sm::FindEqualParts(document.Bodies, options.GetRoundings(), options.Unit != 1.0);
   for (std::size_t i = 0; i < document.Bodies.size(); ++i)
   {
     const auto report = [this, i, &document](double x)
@@ -456,7 +458,9 @@ bool vtkCADReader::MakeBodies(const sm::Document& document, const sm::LeafOption
     {
       return false;
     }
-    makers.emplace_back(new sm::LeafMaker(document.Bodies[i], document.Statements, options, report));
+    const sm::LeafMaker* const first = equal[i].First < i ? makers[equal[i].First].get() : nullptr;
+    makers.emplace_back(
+      new sm::LeafMaker(document.Bodies[i], document.Statements, options, equal[i], first, report));
     if (makers.back()->IsAborted())
     {
       return false;

@@ -7,15 +7,78 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
+#include <string>
+#include <utility>
 
 namespace sm
 {
 namespace
 {
+/// Returns the faces that are integrated for a body: those of the first model that equals it, unless faces
+/// are chosen by their numbers.
+const std::vector<FacePointer>& GetSources(const IntegralRequest& request, const BodyIntegrals& body)
+{
+  return request.FaceIds.empty() ? body.Model->GetEqualFaces() : body.Model->GetFaces();
+}
+
+/// The first tasks of models, by their faces and tolerances, on which alone the results of a body depend that
+/// is not placed.
+class KnownTasks
+{
+public:
+  /// Returns the first task of a body that has the same tasks, or `next`, which becomes that of this body.
+  std::size_t Find(const IntegralRequest& request, const BodyIntegrals& body, std::size_t next)
+  {
+    const auto [model, isNew] = this->OfModels.emplace(body.Model, next);
+    const std::vector<FacePointer>& faces = GetSources(request, body);
+    if (!isNew || faces.empty())
+    {
+      return model->second;
+    }
+    std::vector<double> tolerances = request.GetTolerances(body);
+    std::vector<Entry>& entries = this->OfFaces[faces.front().get()];
+    for (const Entry& entry : entries)
+    {
+      if (*entry.Faces == faces && entry.Tolerances == tolerances)
+      {
+        return model->second = entry.Task;
+      }
+    }
+    entries.push_back({ &faces, std::move(tolerances), next });
+    return next;
+  }
+
+private:
+  struct Entry
+  {
+    const std::vector<FacePointer>* Faces;
+    std::vector<double> Tolerances;
+    std::size_t Task;
+  };
+  std::map<vtkTrimmedNURBSModel*, std::size_t> OfModels;
+  std::map<const Face*, std::vector<Entry>> OfFaces;
+};
+
+/// Names the faces of a body in the errors of its results, which are those of faces that equal them.
+void NameFaces(const std::vector<FacePointer>& sources, const std::vector<FacePointer>& faces,
+  std::vector<FaceIntegrals>& results)
+{
+  const auto getName = [](const Face& face) { return "face #" + std::to_string(face.FileId) + ":"; };
+  for (std::size_t f = 0; f < results.size(); ++f)
+  {
+    const std::string name = getName(*sources[f]);
+    if (results[f].Error.compare(0, name.size(), name) == 0)
+    {
+      results[f].Error.replace(0, name.size(), getName(*faces[f]));
+    }
+  }
+}
+
 /// Adds a task per face of a body, each with the body's placement and an equal share of its tolerances.
 void AddTasks(const IntegralRequest& request, const BodyIntegrals& body, std::vector<FaceTask>& tasks)
 {
-  const std::vector<FacePointer>& faces = body.Model->GetFaces();
+  const std::vector<FacePointer>& faces = GetSources(request, body);
   FaceTask task;
   if (request.UsePlacements)
   {
@@ -185,18 +248,15 @@ std::vector<std::size_t> IntegralEngine::MakeTasks(const IntegralRequest& reques
   const std::vector<BodyIntegrals>& bodies, std::vector<FaceTask>& tasks) const
 {
   std::vector<std::size_t> firstTask;
-  std::map<vtkTrimmedNURBSModel*, std::size_t> known;
+  KnownTasks known;
   for (const BodyIntegrals& body : bodies)
   {
-    const auto shared = known.find(body.Model);
-    if (!request.UsePlacements && shared != known.end())
+    const std::size_t next = tasks.size();
+    firstTask.push_back(request.UsePlacements ? next : known.Find(request, body, next));
+    if (firstTask.back() == next)
     {
-      firstTask.push_back(shared->second);
-      continue;
+      AddTasks(request, body, tasks);
     }
-    known[body.Model] = tasks.size();
-    firstTask.push_back(tasks.size());
-    AddTasks(request, body, tasks);
   }
   return firstTask;
 }
@@ -214,6 +274,34 @@ bool IntegralEngine::CheckPlacements(const std::vector<BodyIntegrals>& bodies)
   }
   this->Report.SetReason("nothing was computed: the placement of a body is not finite");
   return false;
+}
+
+void IntegralEngine::TakeResults(const IntegralRequest& request, const std::vector<std::size_t>& firstTask,
+  std::vector<FaceIntegrals>& results, std::vector<BodyIntegrals>& bodies)
+{
+  using Shared = std::shared_ptr<const std::vector<FaceIntegrals>>;
+  // A body without faces has the same first task as the next body.
+  std::map<std::pair<std::size_t, bool>, Shared> shared;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    const std::vector<FacePointer>& sources = GetSources(request, bodies[i]);
+    Shared& faces = shared[{ firstTask[i], sources.empty() }];
+    if (!faces)
+    {
+      const auto first = std::make_move_iterator(results.begin() + static_cast<std::ptrdiff_t>(firstTask[i]));
+      faces = std::make_shared<const std::vector<FaceIntegrals>>(
+        first, first + static_cast<std::ptrdiff_t>(sources.size()));
+    }
+    bodies[i].Faces = faces;
+    const bool isDamaged = std::any_of(
+      faces->begin(), faces->end(), [](const FaceIntegrals& face) { return !face.Error.empty(); });
+    if (isDamaged && sources != bodies[i].Model->GetFaces())
+    {
+      auto named = std::make_shared<std::vector<FaceIntegrals>>(*faces);
+      NameFaces(sources, bodies[i].Model->GetFaces(), *named);
+      bodies[i].Faces = named;
+    }
+  }
 }
 
 bool IntegralEngine::Integrate(
@@ -242,20 +330,7 @@ bool IntegralEngine::Integrate(
   }
   this->ReportIntegrands(request);
   this->SpreadResults(chosen, request.Integrands.size(), results);
-  std::map<std::pair<std::size_t, vtkTrimmedNURBSModel*>, std::shared_ptr<const std::vector<FaceIntegrals>>>
-    shared;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    // The key includes the model because a body without faces has the same first task as the next body.
-    auto& faces = shared[{ firstTask[i], bodies[i].Model }];
-    if (!faces)
-    {
-      const auto first = std::make_move_iterator(results.begin() + static_cast<std::ptrdiff_t>(firstTask[i]));
-      faces = std::make_shared<const std::vector<FaceIntegrals>>(
-        first, first + static_cast<std::ptrdiff_t>(bodies[i].Model->GetNumberOfFaces()));
-    }
-    bodies[i].Faces = faces;
-  }
+  TakeResults(request, firstTask, results, bodies);
   return true;
 }
 

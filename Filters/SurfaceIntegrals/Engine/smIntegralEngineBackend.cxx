@@ -70,7 +70,9 @@ void IntegralEngine::EstimateBackends(
       model->second = EstimateModel(request, body.Model);
       this->MinimumWeight = std::min(this->MinimumWeight, FindMinimumWeight(body.Model));
     }
-    if (isNew || request.UsePlacements)
+    // A model with the faces of an earlier one has its results.
+    const bool isCopy = request.FaceIds.empty() && body.Model->GetEqualFaces() != body.Model->GetFaces();
+    if ((isNew && !isCopy) || request.UsePlacements)
     {
       all.Add(model->second);
     }
