@@ -93,9 +93,9 @@ def existing(name, value):
     return file
 
 
-def share(name, value, least=0.0, most=1.0, expected="from 0 to 1"):
-    """A float from `least` to `most`; NaN is not."""
+def share(name, value, minimum=0.0, expected="from 0 to 1"):
+    """A float from `minimum` to 1. ValueError for NaN."""
     value = number(name, value, f"a number {expected}")
-    if not least <= value <= most:
+    if not minimum <= value <= 1.0:
         raise ValueError(f"{name} is {value:g}; it has to be {expected}")
     return value

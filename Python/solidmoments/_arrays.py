@@ -43,5 +43,5 @@ def _convert(values, name):
         if array.dtype.kind == "O" and not any(value is None or isinstance(value, (str, bytes)) for value in array.flat):
             return array.astype(float)
     except (TypeError, ValueError) as error:
-        raise type(error)(f"{name} is {show(values)}, which is no array of numbers: {error}") from error
+        raise type(error)(f"{name} is {show(values)}, which is not an array of numbers: {error}") from error
     raise TypeError(f"{name} is {show(values)}; it has to be an array of numbers")

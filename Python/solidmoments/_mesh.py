@@ -43,7 +43,7 @@ def display_mesh(file, *, unit="mm", input_unit="mm", deflection=0.001):
     from ._run import check_unit
 
     check_unit(unit, input_unit)
-    deflection = arguments.share("deflection", deflection, least=1e-7, expected="from 1e-7 to 1")
+    deflection = arguments.share("deflection", deflection, minimum=1e-7, expected="from 1e-7 to 1")
     file = arguments.existing("file", file)
     here = os.path.dirname(os.path.abspath(__file__))
     python = PYTHON if os.path.exists(PYTHON) else sys.executable

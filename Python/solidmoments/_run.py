@@ -65,7 +65,7 @@ def _check_positive(name, value, expected):
 
 def check_tolerance(tolerance):
     """A tolerance of the quadrature. Raises TypeError and ValueError."""
-    return arguments.share("tolerance", tolerance, least=1e-15, expected="from 1e-15 to 1")
+    return arguments.share("tolerance", tolerance, minimum=1e-15, expected="from 1e-15 to 1")
 
 
 def _check_seconds(seconds):
@@ -236,7 +236,7 @@ def to_dataframe(files, density=None, **options):
     so do flagged results; nothing is raised or warned. Lengths are in `length_unit`, other units follow from it (`MassProperties.units`).
     """
     if "strict" in options:
-        raise TypeError("strict is no option of a table; its column status has the states of the files")
+        raise TypeError("strict does not apply to a table, whose column status has the states of the files")
     if isinstance(files, (str, bytes, os.PathLike)):
         files = [files]
     if isinstance(files, dict) or not hasattr(files, "__iter__"):
