@@ -32,7 +32,7 @@ if (EXISTS "${solidmoments_versioned_python}")
 endif ()
 set(solidmoments_python_folder "${CMAKE_BINARY_DIR}/${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments")
 configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/_version.py.in" "${solidmoments_python_folder}/_version.py" @ONLY)
-foreach (file IN ITEMS __init__ _arrays _gradient _hessian _mesh _model _products _pyvista _results _run _variants _write_mesh autodiff)
+foreach (file IN ITEMS __init__ _arguments _arrays _gradient _hessian _mesh _model _products _pyvista _results _run _variants _write_mesh autodiff)
   configure_file("${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/${file}.py" "${solidmoments_python_folder}/${file}.py" COPYONLY)
   install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/Python/solidmoments/${file}.py"
     DESTINATION "${SOLIDMOMENTS_PYTHON_DESTINATION}/solidmoments" COMPONENT python)

@@ -5,6 +5,7 @@
 #include "vtk_zlib.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -22,7 +23,24 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t MaxBytes = std::uint64_t(4) << 30;
 constexpr size_t BufferSize = 1 << 16;
 const char* const TooLarge = "it has more than 4 GB";
-const char* const NoSpace = "there is no room for its content in the folder for temporary files";
+
+std::string GetTemporaryFolder()
+{
+  const char* const given = std::getenv("TMPDIR");
+  return given && *given ? given : "/tmp";
+}
+
+/// Returns why the content cannot be kept in the folder for temporary files, and what to do.
+std::string DescribeNoSpace(const std::string& problem)
+{
+  return "its content cannot be kept in the folder for temporary files, " + GetTemporaryFolder() + " (" +
+    problem + "); set TMPDIR to a folder with room for it";
+}
+
+std::string DescribeNoSpace()
+{
+  return DescribeNoSpace(errno == 0 ? "it is full" : std::generic_category().message(errno));
+}
 
 bool IsSTEPName(const std::string& name)
 {
@@ -59,6 +77,7 @@ std::string InflateTo(std::istream& input, std::ostream& output, int windowBits)
   std::vector<char> out(BufferSize);
   std::uint64_t written = 0;
   std::string error;
+  errno = 0;
   int status = Z_OK;
   bool isWhole = false;
   while (error.empty())
@@ -87,7 +106,7 @@ std::string InflateTo(std::istream& input, std::ostream& output, int windowBits)
     output.write(out.data(), static_cast<std::streamsize>(count));
     error = status != Z_OK && status != Z_STREAM_END ? "its compressed data are damaged"
       : written > MaxBytes                           ? TooLarge
-      : !output                                      ? NoSpace
+      : !output                                      ? DescribeNoSpace()
                                                      : "";
     isWhole = status == Z_STREAM_END;
     if (isWhole && windowBits < 0)
@@ -137,11 +156,10 @@ InputFile::~InputFile()
 
 bool InputFile::MakeFolder(const std::string& name)
 {
-  const char* const given = std::getenv("TMPDIR");
-  std::string folder = std::string(given && *given ? given : "/tmp") + "/solidmoments-XXXXXX";
+  std::string folder = GetTemporaryFolder() + "/solidmoments-XXXXXX";
   if (!mkdtemp(folder.data()))
   {
-    this->Error = NoSpace;
+    this->Error = DescribeNoSpace();
     return false;
   }
   this->Folder = folder;
@@ -160,6 +178,7 @@ void InputFile::CopyStandardInput()
   std::ofstream copy(this->Path, std::ios::binary);
   std::vector<char> buffer(BufferSize);
   std::uint64_t written = 0;
+  errno = 0;
   while (copy && written <= MaxBytes &&
     (std::cin.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), std::cin.gcount() > 0))
   {
@@ -167,7 +186,10 @@ void InputFile::CopyStandardInput()
     written += static_cast<std::uint64_t>(std::cin.gcount());
   }
   copy.close();
-  this->Error = written > MaxBytes ? TooLarge : !copy ? NoSpace : "";
+  this->Error = written > MaxBytes ? TooLarge
+    : !copy                        ? DescribeNoSpace()
+    : written == 0                 ? "it is empty; write a STEP or BREP file to the standard input"
+                                   : "";
   if (!this->Error.empty())
   {
     return;
@@ -181,7 +203,7 @@ void InputFile::CopyStandardInput()
   }
   std::error_code error;
   fs::copy_file(inner.GetPath(), this->Path, fs::copy_options::overwrite_existing, error);
-  this->Error = error ? NoSpace : "";
+  this->Error = error ? DescribeNoSpace(error.message()) : "";
 }
 
 void InputFile::Inflate(const std::string& name)
@@ -194,7 +216,7 @@ void InputFile::Inflate(const std::string& name)
   std::ofstream copy(this->Path, std::ios::binary);
   this->Error = InflateTo(file, copy, 31);
   copy.close();
-  this->Error = this->Error.empty() && !copy ? NoSpace : this->Error;
+  this->Error = this->Error.empty() && !copy ? DescribeNoSpace() : this->Error;
 }
 
 void InputFile::Extract(const std::string& name)
@@ -280,7 +302,7 @@ void InputFile::Extract(const std::string& name)
     this->Error = left == 0 ? "" : "it ends in the middle";
   }
   copy.close();
-  this->Error = this->Error.empty() && !copy ? NoSpace : this->Error;
+  this->Error = this->Error.empty() && !copy ? DescribeNoSpace() : this->Error;
 }
 
 std::vector<std::string> ExpandFolders(const std::vector<std::string>& names)

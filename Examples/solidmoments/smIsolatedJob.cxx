@@ -197,7 +197,11 @@ JobProcess::JobProcess(std::vector<ListenedJob> jobs)
   if (stat(first.FileName.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
   {
     // Reading a pipe or a device may never end.
-    this->Error = "Cannot read " + first.FileName + ": not a regular file.";
+    this->Error = "Cannot read " + first.FileName +
+      (S_ISDIR(info.st_mode)
+          ? ": it is a folder without STEP or BREP files; name a file, or a folder that has some."
+          : ": it is not a regular file; write its content to a file, or to the standard input, and name - "
+            "for that.");
     return;
   }
   this->Error = this->Helper.Fork([this](int descriptor) { this->Run(descriptor); });

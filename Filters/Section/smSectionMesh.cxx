@@ -11,6 +11,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
+#include "vtkNURBSDataSet.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -185,10 +186,21 @@ private:
   vtkNew<vtkCellArray> Lines;
 };
 
-/// Sets the cell arrays of a part of the output; `sources` are the cells whose colours the part's cells get.
-void SetCellArrays(
-  vtkPolyData* part, int solid, bool isCap, vtkDataArray* colors, const std::vector<vtkIdType>& sources)
+/// Returns the colours of the mesh's cells, or null.
+vtkDataArray* FindColors(vtkPolyData* mesh)
 {
+  vtkDataArray* colors = mesh->GetCellData()->GetArray(ColorName);
+  return colors && colors->GetNumberOfComponents() >= 3 ? colors : nullptr;
+}
+
+/// Sets the cell arrays of a part of the output; `sources` are the cells of `mesh` whose colours and faces
+/// the part's cells get. The section has none.
+void SetCellArrays(
+  vtkPolyData* part, int solid, bool isCap, vtkPolyData* mesh, const std::vector<vtkIdType>& sources)
+{
+  vtkDataArray* const colors = isCap ? nullptr : FindColors(mesh);
+  vtkDataArray* const indices =
+    isCap ? nullptr : mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName());
   const vtkIdType cells = part->GetNumberOfCells();
   vtkNew<vtkIntArray> solids;
   solids->SetName(names::SectionSolid);
@@ -198,6 +210,9 @@ void SetCellArrays(
   caps->SetName(names::SectionCap);
   caps->SetNumberOfValues(cells);
   caps->FillValue(isCap ? 1 : 0);
+  vtkNew<vtkIntArray> faces;
+  faces->SetName(vtkNURBSDataSet::FaceIndexArrayName());
+  faces->SetNumberOfValues(cells);
   vtkNew<vtkUnsignedCharArray> shown;
   shown->SetName(ColorName);
   shown->SetNumberOfComponents(3);
@@ -205,6 +220,8 @@ void SetCellArrays(
   const unsigned char* plain = isCap ? CapColor : PlainColor;
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
+    faces->SetValue(cell,
+      indices ? static_cast<int>(indices->GetComponent(sources[static_cast<std::size_t>(cell)], 0)) : -1);
     for (int c = 0; c < 3; ++c)
     {
       shown->SetComponent(
@@ -214,14 +231,8 @@ void SetCellArrays(
   part->GetCellData()->Initialize();
   part->GetCellData()->AddArray(solids);
   part->GetCellData()->AddArray(caps);
+  part->GetCellData()->AddArray(faces);
   part->GetCellData()->AddArray(shown);
-}
-
-/// Returns the colours of the mesh's cells, or null.
-vtkDataArray* FindColors(vtkPolyData* mesh)
-{
-  vtkDataArray* colors = mesh->GetCellData()->GetArray(ColorName);
-  return colors && colors->GetNumberOfComponents() >= 3 ? colors : nullptr;
 }
 
 /// Returns the section as polygons; null if the segments do not bound any.
@@ -275,7 +286,7 @@ vtkSmartPointer<vtkPolyData> MakeSectionMesh(vtkPolyData* mesh, vtkPlane* plane,
   }
   std::vector<vtkIdType> sources;
   const vtkSmartPointer<vtkPolyData> below = clipper.GetBelow(sources);
-  SetCellArrays(below, solid, false, FindColors(mesh), sources);
+  SetCellArrays(below, solid, false, mesh, sources);
   vtkNew<vtkAppendPolyData> append;
   append->AddInputData(below);
   const vtkSmartPointer<vtkPolyData> segments = clipper.GetSegments();
@@ -285,7 +296,7 @@ vtkSmartPointer<vtkPolyData> MakeSectionMesh(vtkPolyData* mesh, vtkPlane* plane,
     hasCap = cap != nullptr;
     if (hasCap)
     {
-      SetCellArrays(cap, solid, true, nullptr, {});
+      SetCellArrays(cap, solid, true, mesh, {});
       append->AddInputData(cap);
     }
   }

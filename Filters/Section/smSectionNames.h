@@ -24,7 +24,7 @@ constexpr const char* CenterAbove = "CenterAbove";                              
 constexpr const char* MassBelow = "MassBelow";                                   // 1, kg, with bound
 constexpr const char* MassAbove = "MassAbove";                                   // 1, kg, with bound
 
-// Cell arrays of the clipped mesh.
+// Cell arrays of the clipped mesh, with vtkNURBSDataSet::FaceIndexArrayName() (-1 on the section).
 constexpr const char* SectionSolid = "Solid"; // int, row of the table of solids
 constexpr const char* SectionCap = "Cap";     // int, 1 on the section
 }

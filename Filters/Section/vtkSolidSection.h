@@ -32,9 +32,10 @@
  * (vtkMassPropertiesGPU reverses such shells and reports them).
  *
  * Port 7 (partitioned dataset collection, a block for each solid): the display mesh below the plane, closed
- * by its section; cell arrays Solid (row of port 1), Cap (1 on the section) and Color. It is a picture; the
- * values above do not depend on it. Port 3 and the meshes of port 5 have the contribution of every face to
- * VolumeBelow, see vtkBuoyancy. The other outputs are those of vtkSurfaceIntegralBase.
+ * by its section; cell arrays Solid (row of port 1), Cap (1 on the section), FaceIndex (-1 on the section)
+ * and Color. It is a picture; the values above do not depend on it. Port 3 and the meshes of port 5 have the
+ * contribution of every face to VolumeBelow, see vtkBuoyancy. The other outputs are those of
+ * vtkSurfaceIntegralBase.
  */
 #ifndef vtkSolidSection_h
 #define vtkSolidSection_h

@@ -5,6 +5,7 @@
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMOutputPort.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
@@ -41,6 +42,15 @@ SelectionTerms MakeRowTerms(const std::vector<vtkIdType>& rows)
   return terms;
 }
 
+/// Returns the port whose meshes show what is selected in the tables: Clipped where there is one, else
+/// Bodies.
+Entities::Port GetShownPort(vtkSMSourceProxy* filter)
+{
+  return filter->GetHints() && filter->GetHints()->FindNestedElementByName("HighlightClipped")
+    ? Entities::ClippedPort
+    : Entities::MeshesPort;
+}
+
 /// Draws a view again after its next drawing; owned by the view.
 class DrawAgainCommand : public vtkCommand
 {
@@ -49,13 +59,14 @@ public:
   vtkTypeMacro(DrawAgainCommand, vtkCommand);
 
   vtkWeakPointer<vtkSMSourceProxy> Filter;
+  Entities::Port Port = Entities::MeshesPort;
 
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
     const vtkSmartPointer<vtkSMSourceProxy> filter = this->Filter.GetPointer();
     caller->RemoveObserver(this); // deletes this object
     auto* view = vtkSMViewProxy::SafeDownCast(caller);
-    vtkSMSourceProxy* highlighted = filter ? filter->GetSelectionOutput(Entities::MeshesPort) : nullptr;
+    vtkSMSourceProxy* highlighted = filter ? filter->GetSelectionOutput(this->Port) : nullptr;
     if (view && highlighted)
     {
       highlighted->MarkDirty(highlighted);
@@ -70,6 +81,9 @@ class HighlightCommand : public vtkCommand
 public:
   static HighlightCommand* New() { return new HighlightCommand; }
   vtkTypeMacro(HighlightCommand, vtkCommand);
+
+  /// The port of meshes with the user's pick, or with what is highlighted for rows.
+  Entities::Port PickedPort = Entities::MeshesPort;
 
   void Execute(vtkObject* caller, unsigned long event, void* data) override
   {
@@ -88,13 +102,13 @@ public:
     const unsigned int port =
       data ? *static_cast<unsigned int*>(data) : static_cast<unsigned int>(Entities::SolidsPort);
     const bool isTable = std::find(std::begin(Tables), std::end(Tables), port) != std::end(Tables);
-    if (port != Entities::MeshesPort && !isTable)
+    const auto changed = static_cast<Entities::Port>(port);
+    if (!isTable && (!IsPickable(filter, changed) || !this->TakePickedPort(filter, changed)))
     {
       return;
     }
     this->Busy = true;
-    const bool isChanged =
-      isTable ? this->FollowRows(filter, static_cast<Entities::Port>(port)) : this->FollowMeshes(filter);
+    const bool isChanged = isTable ? this->FollowRows(filter, changed) : this->FollowMeshes(filter);
     this->Busy = false;
     if (isChanged)
     {
@@ -108,6 +122,31 @@ private:
   {
     const auto found = this->Own.find(port);
     return selection && found != this->Own.end() && found->second == selection;
+  }
+
+  static bool IsPickable(vtkSMSourceProxy* filter, Entities::Port port)
+  {
+    return port == Entities::MeshesPort || port == GetShownPort(filter);
+  }
+
+  /// Makes the port of meshes whose selection has changed the one with the user's pick. Returns false if
+  /// nothing is selected there and the pick is on the other port.
+  bool TakePickedPort(vtkSMSourceProxy* filter, Entities::Port port)
+  {
+    if (port != this->PickedPort)
+    {
+      vtkSMSourceProxy* selection = filter->GetSelectionInput(port);
+      if (!selection || this->IsOwn(selection, port))
+      {
+        return false;
+      }
+      this->Busy = true;
+      filter->CleanSelectionInputs(this->PickedPort);
+      this->Busy = false;
+      this->PickedPort = port;
+      this->Picked = Pick();
+    }
+    return true;
   }
 
   void Select(vtkSMSourceProxy* filter, unsigned int port, vtkSMSourceProxy* selection)
@@ -132,11 +171,11 @@ private:
     {
       return false;
     }
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->PickedPort);
     vtkNew<Entities> entities;
     if (!rows->Sets.empty())
     {
-      entities->Select(table, *rows);
+      entities->Select(table, *rows, GetShownPort(filter));
       filter->GatherInformation(entities);
     }
     if (!entities->GetText().empty())
@@ -152,7 +191,7 @@ private:
       this->Show(filter, *entities);
       return true;
     }
-    if (shown && !this->IsOwn(shown, Entities::MeshesPort))
+    if (shown && !this->IsOwn(shown, this->PickedPort))
     {
       // After a selection in a view ParaView clears the rows; those that belong to the user's selection are
       // selected again.
@@ -171,13 +210,15 @@ private:
   void Show(vtkSMSourceProxy* filter, Entities& entities)
   {
     const Entities::Highlight& highlight = entities.GetHighlight();
-    if (highlight == Entities::Highlight())
+    const Entities::Port shown = GetShownPort(filter);
+    if (this->PickedPort != shown || highlight == Entities::Highlight())
     {
-      filter->CleanSelectionInputs(Entities::MeshesPort);
+      filter->CleanSelectionInputs(this->PickedPort);
+      this->PickedPort = shown;
     }
-    else
+    if (!(highlight == Entities::Highlight()))
     {
-      this->Select(filter, Entities::MeshesPort,
+      this->Select(filter, shown,
         MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells));
     }
     this->Highlighted = highlight;
@@ -188,8 +229,8 @@ private:
   /// highlighting changed.
   bool FollowMeshes(vtkSMSourceProxy* filter)
   {
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
-    if (this->IsOwn(shown, Entities::MeshesPort))
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->PickedPort);
+    if (this->IsOwn(shown, this->PickedPort))
     {
       return false;
     }
@@ -197,7 +238,7 @@ private:
     if (shown)
     {
       entities->SetBefore(this->Picked.Solids, this->Picked.Faces);
-      if (!GatherMeshes(filter, *entities))
+      if (!this->GatherMeshes(filter, *entities))
       {
         return false;
       }
@@ -246,23 +287,22 @@ private:
       const auto whole =
         MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells);
       this->Whole = whole;
-      filter->SetSelectionInput(Entities::MeshesPort, whole, 0);
+      filter->SetSelectionInput(this->PickedPort, whole, 0);
     }
     else if (entities.GetFaces().empty() && entities.GetSolids().empty())
     {
-      filter->CleanSelectionInputs(Entities::MeshesPort);
+      filter->CleanSelectionInputs(this->PickedPort);
     }
   }
 
   /// Returns false for a selection whose cells and blocks are not known.
-  static bool GatherMeshes(vtkSMSourceProxy* filter, Entities& entities)
+  bool GatherMeshes(vtkSMSourceProxy* filter, Entities& entities) const
   {
-    const std::optional<SelectionTerms> terms =
-      ReadMeshSelection(filter->GetSelectionInput(Entities::MeshesPort),
-        filter->GetOutputPort(Entities::MeshesPort)->GetDataInformation());
+    const std::optional<SelectionTerms> terms = ReadMeshSelection(filter->GetSelectionInput(this->PickedPort),
+      filter->GetOutputPort(this->PickedPort)->GetDataInformation());
     if (terms)
     {
-      entities.Select(Entities::MeshesPort, *terms);
+      entities.Select(this->PickedPort, *terms);
       filter->GatherInformation(&entities);
     }
     return terms.has_value();
@@ -271,8 +311,8 @@ private:
   /// Updates the selection after a run: figures may have changed, and faces may have other cells.
   void FollowRun(vtkSMSourceProxy* filter)
   {
-    vtkSMSourceProxy* shown = filter->GetSelectionInput(Entities::MeshesPort);
-    if (shown && !this->IsOwn(shown, Entities::MeshesPort))
+    vtkSMSourceProxy* shown = filter->GetSelectionInput(this->PickedPort);
+    if (shown && !this->IsOwn(shown, this->PickedPort))
     {
       this->RenewPick(filter);
       return;
@@ -283,7 +323,7 @@ private:
       return;
     }
     vtkNew<Entities> entities;
-    entities->Select(this->Shown, *rows);
+    entities->Select(this->Shown, *rows, GetShownPort(filter));
     filter->GatherInformation(entities);
     if (entities->GetHighlight() == this->Highlighted)
     {
@@ -292,7 +332,7 @@ private:
     else
     {
       this->Show(filter, *entities);
-      DrawAgain(filter);
+      this->DrawAgain(filter);
     }
   }
 
@@ -301,46 +341,47 @@ private:
   void RenewPick(vtkSMSourceProxy* filter)
   {
     vtkNew<Entities> now;
-    if (!GatherMeshes(filter, *now))
+    if (!this->GatherMeshes(filter, *now))
     {
       return;
     }
     if (!this->Picked.IsSame(*now))
     {
       vtkNew<Entities> before;
-      before->Select(Entities::FacesPort, MakeRowTerms(this->Picked.FaceRows));
+      before->Select(Entities::FacesPort, MakeRowTerms(this->Picked.FaceRows), this->PickedPort);
       filter->GatherInformation(before);
       Entities::Highlight highlight = before->GetHighlight();
       highlight.Solids.insert(this->Picked.Solids.begin(), this->Picked.Solids.end());
-      filter->SetSelectionInput(Entities::MeshesPort,
+      filter->SetSelectionInput(this->PickedPort,
         MakeMeshSelection(filter->GetSessionProxyManager(), highlight.Solids, highlight.Cells), 0);
-      if (!GatherMeshes(filter, *now) || now->GetSolidIds() != this->Picked.SolidIds)
+      if (!this->GatherMeshes(filter, *now) || now->GetSolidIds() != this->Picked.SolidIds)
       {
-        filter->CleanSelectionInputs(Entities::MeshesPort);
+        filter->CleanSelectionInputs(this->PickedPort);
         for (const Entities::Port table : Tables)
         {
           this->Clear(filter, table);
         }
-        now->Select(Entities::MeshesPort, {});
+        now->Select(this->PickedPort, {});
         filter->GatherInformation(now);
       }
       this->Picked.Remember(*now);
-      DrawAgain(filter);
+      this->DrawAgain(filter);
     }
     Describe(filter, *now);
   }
 
   /// Draws the views again: a drawing that runs the filter uses the highlighting of before the run and then
   /// counts as up to date.
-  static void DrawAgain(vtkSMSourceProxy* filter)
+  void DrawAgain(vtkSMSourceProxy* filter) const
   {
     VisitViews(filter,
-      [filter](vtkSMViewProxy* view)
+      [filter, port = this->PickedPort](vtkSMViewProxy* view)
       {
-        if (view->FindRepresentation(filter, Entities::MeshesPort))
+        if (view->FindRepresentation(filter, port))
         {
           vtkNew<DrawAgainCommand> command;
           command->Filter = filter;
+          command->Port = port;
           view->AddObserver(vtkCommand::EndEvent, command);
         }
       });
@@ -384,7 +425,7 @@ private:
           vtkSMPropertyHelper(summary, "SelectedText").Set(entities.GetText().c_str());
           summary->UpdateVTKObjects();
         }
-        vtkSMProxy* meshes = view->FindRepresentation(filter, Entities::MeshesPort);
+        vtkSMProxy* meshes = view->FindRepresentation(filter, GetShownPort(filter));
         if (meshes && meshes->GetProperty("SelectedEdges"))
         {
           vtkSMPropertyHelper(meshes, "SelectedEdges").Set(entities.GetEdgeLines().c_str());
@@ -400,7 +441,7 @@ private:
       {
         const auto shows = [view, filter](unsigned int port)
         { return view->FindRepresentation(filter, static_cast<int>(port)) != nullptr; };
-        if (shows(Entities::MeshesPort) || shows(SummaryPort) ||
+        if (shows(Entities::MeshesPort) || shows(GetShownPort(filter)) || shows(SummaryPort) ||
           std::any_of(std::begin(Tables), std::end(Tables), shows))
         {
           view->StillRender();
@@ -443,6 +484,7 @@ private:
 void HighlightSelectedEntities(vtkSMSourceProxy* filter)
 {
   vtkNew<HighlightCommand> command;
+  command->PickedPort = GetShownPort(filter);
   filter->AddObserver(vtkCommand::SelectionChangedEvent, command);
   filter->AddObserver(vtkCommand::UpdateDataEvent, command);
 }

@@ -6,8 +6,9 @@
  * edges of these rows; a selection of cells or blocks, as a click in a view makes it, selects the rows of
  * their solids and faces. The summary in a view describes the selection. The views that show the filter are
  * rendered again. An empty selection clears what was selected in this way and leaves a selection that the
- * user made; one by other means, such as a query, changes nothing. Works on the client without Qt, so also in
- * scripts.
+ * user made; one by other means, such as a query, changes nothing. Views show the selection on Bodies, or, if
+ * the filter's hints have HighlightClipped, on the clipped meshes; both can be picked. Works on the client
+ * without Qt, so also in scripts.
  */
 #ifndef smSolidHighlight_h
 #define smSolidHighlight_h

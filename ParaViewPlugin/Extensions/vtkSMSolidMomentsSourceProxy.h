@@ -6,7 +6,8 @@
  * InitializationHelper in the hints runs only for proxies made by Apply or a script; this class also serves
  * those of a loaded state. It adds
  * - highlighting of the solids, faces and edges whose rows are selected in tables, and rows of what is picked
- * (smSolidHighlight.h), where the hints have `<HighlightRows/>`;
+ * (smSolidHighlight.h), where the hints have `<HighlightRows/>`; with `<HighlightClipped/>` on the clipped
+ * meshes;
  * - the key Esc in ParaView's window, which stops a run in this process (smEscapeKey.h); ParaView 5.11 never
  * enables its own button next to the progress bar. During such a run the status bar shows "Mass Properties,
  * Esc stops it". A run on a server cannot be stopped by the client: limit it by the property MaximumSeconds.

@@ -34,14 +34,14 @@ constexpr std::size_t MostHighlightedCells = 50000;
 constexpr std::size_t MostSolidsWithHighlightedCells = 50;
 constexpr std::size_t MostDrawnEdges = 1000;
 
-vtkNURBSDataSet* GetMesh(vtkPartitionedDataSetCollection* meshes, vtkIdType solid)
+vtkPolyData* GetMesh(vtkPartitionedDataSetCollection* meshes, vtkIdType solid)
 {
   return meshes && solid >= 0 && solid < static_cast<vtkIdType>(meshes->GetNumberOfPartitionedDataSets())
-    ? vtkNURBSDataSet::SafeDownCast(meshes->GetPartitionAsDataObject(static_cast<unsigned int>(solid), 0))
+    ? vtkPolyData::SafeDownCast(meshes->GetPartitionAsDataObject(static_cast<unsigned int>(solid), 0))
     : nullptr;
 }
 
-vtkDataArray* GetFaceIndices(vtkNURBSDataSet* mesh)
+vtkDataArray* GetFaceIndices(vtkPolyData* mesh)
 {
   return mesh ? mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName()) : nullptr;
 }
@@ -140,9 +140,10 @@ void vtkSelectedEntitiesInformation::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Text: " << this->Text << "\n";
 }
 
-void vtkSelectedEntitiesInformation::Select(Port port, const sm::SelectionTerms& terms)
+void vtkSelectedEntitiesInformation::Select(Port port, const sm::SelectionTerms& terms, Port meshes)
 {
   this->Selected = port;
+  this->Meshes = port == ClippedPort ? port : meshes;
   this->Terms = terms;
 }
 
@@ -169,12 +170,13 @@ void vtkSelectedEntitiesInformation::CopyFromObject(vtkObject* object)
   this->Clear();
   auto* solids = vtkTable::SafeDownCast(sm::GetOutputData(object, SolidsPort));
   auto* faces = vtkTable::SafeDownCast(sm::GetOutputData(object, FacesPort));
-  auto* meshes = vtkPartitionedDataSetCollection::SafeDownCast(sm::GetOutputData(object, MeshesPort));
   if (this->Selected == EdgesPort)
   {
-    this->FindEdges(solids, vtkTable::SafeDownCast(sm::GetOutputData(object, EdgesPort)), meshes);
+    this->FindEdges(solids, vtkTable::SafeDownCast(sm::GetOutputData(object, EdgesPort)),
+      vtkPartitionedDataSetCollection::SafeDownCast(sm::GetOutputData(object, MeshesPort)));
     return;
   }
+  auto* meshes = vtkPartitionedDataSetCollection::SafeDownCast(sm::GetOutputData(object, this->Meshes));
   if (this->Selected == SolidsPort)
   {
     this->FindSolidsOfRows(solids);
@@ -314,7 +316,7 @@ void vtkSelectedEntitiesInformation::FindHighlight(vtkPartitionedDataSetCollecti
   }
   if (count > MostHighlightedCells || this->Shown.Cells.size() > MostSolidsWithHighlightedCells)
   {
-    if (this->Selected == MeshesPort)
+    if (this->Selected == MeshesPort || this->Selected == ClippedPort)
     {
       // The cells that were picked stay as they are.
       this->Shown = {};
@@ -347,7 +349,7 @@ void vtkSelectedEntitiesInformation::FindEdges(
   for (std::size_t i = 0; i < drawn; ++i)
   {
     const vtkIdType solid = sm::GetIndex(edges, names::Solid, rows[i]);
-    vtkNURBSDataSet* mesh = GetMesh(meshes, solid);
+    auto* mesh = vtkNURBSDataSet::SafeDownCast(GetMesh(meshes, solid));
     vtkTrimmedNURBSModel* model = mesh ? mesh->GetModel() : nullptr;
     const auto [known, isNew] = edgesOfSolids.try_emplace(solid);
     if (isNew && model)
@@ -449,7 +451,7 @@ void vtkSelectedEntitiesInformation::CopyFromStream(const vtkClientServerStream*
 
 void vtkSelectedEntitiesInformation::CopyParametersToStream(vtkMultiProcessStream& stream)
 {
-  stream << static_cast<int>(this->Selected);
+  stream << static_cast<int>(this->Selected) << static_cast<int>(this->Meshes);
   sm::Write(this->Terms, stream);
   WriteNumbers(stream, ToList(this->SolidsBefore));
   WriteNumbers(stream, ToPairs(this->FacesBefore));
@@ -458,8 +460,10 @@ void vtkSelectedEntitiesInformation::CopyParametersToStream(vtkMultiProcessStrea
 void vtkSelectedEntitiesInformation::CopyParametersFromStream(vtkMultiProcessStream& stream)
 {
   int port = 0;
-  stream >> port;
+  int meshes = 0;
+  stream >> port >> meshes;
   this->Selected = static_cast<Port>(port);
+  this->Meshes = static_cast<Port>(meshes);
   sm::Read(this->Terms, stream);
   const std::vector<vtkTypeInt64> solids = ReadNumbers(stream);
   this->SolidsBefore = { solids.begin(), solids.end() };

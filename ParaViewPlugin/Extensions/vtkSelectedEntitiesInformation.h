@@ -33,13 +33,15 @@ public:
   vtkTypeMacro(vtkSelectedEntitiesInformation, vtkPVInformation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The ports of vtkSurfaceIntegralBase with the tables and the meshes. */
+  /** The ports of vtkSurfaceIntegralBase with the tables and the meshes, and that of the clipped meshes of
+   * vtkSolidSection. */
   enum Port
   {
     SolidsPort = 1,
     FacesPort = 3,
     EdgesPort = 4,
-    MeshesPort = 5
+    MeshesPort = 5,
+    ClippedPort = 7
   };
 
 #ifndef __VTK_WRAP__
@@ -56,9 +58,10 @@ public:
 
   /**
    * Sets the selection on a port: rows of its table, or cells of its meshes. The row of the total stands for
-   * all solids. Default: nothing.
+   * all solids. `meshes` is the port whose cells are highlighted for rows: MeshesPort or ClippedPort.
+   * Default: nothing.
    */
-  void Select(Port port, const sm::SelectionTerms& terms);
+  void Select(Port port, const sm::SelectionTerms& terms, Port meshes = MeshesPort);
   /**
    * Sets the solids and faces that were selected before. A face with some selected cells is selected; but if
    * it was so before and lacks cells now, the user has deselected it. Default: none.
@@ -88,7 +91,8 @@ public:
   /**
    * Returns the elements by which a view shows the selection: all cells of selected faces. A solid all of
    * whose faces are selected is highlighted as a whole, and so are all solids of selected rows if there are
-   * too many cells for ParaView; of picked cells the result is empty then. Empty for edges.
+   * too many cells for ParaView; of picked cells the result is empty then. Empty for edges. In clipped meshes
+   * the section of a solid is a face with the index -1.
    */
   const Highlight& GetHighlight() const
   {
@@ -137,6 +141,7 @@ private:
 
   /// The request: port and selection, and what was selected before.
   Port Selected = MeshesPort;
+  Port Meshes = MeshesPort;
   sm::SelectionTerms Terms;
   std::set<vtkIdType> SolidsBefore;
   std::map<vtkIdType, std::set<vtkIdType>> FacesBefore;

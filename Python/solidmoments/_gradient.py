@@ -2,6 +2,7 @@
 import dataclasses
 import os
 
+from . import _arguments as arguments
 from ._results import SolidMomentsError
 
 
@@ -41,7 +42,14 @@ class MomentGradient:
 
     def index(self, quantity):
         """The index of a quantity on the last axis. ValueError if there is none of that name."""
-        return self.quantities.index(quantity)
+        return find_quantity(self.quantities, quantity)
+
+
+def find_quantity(quantities, quantity):
+    """The index of a name. Raises ValueError with the names that there are."""
+    if quantity not in quantities:
+        raise ValueError(f"there is no quantity {quantity!r}; give one of {', '.join(quantities)}")
+    return quantities.index(quantity)
 
 
 def moment_gradient(source, *, solids=(), faces=(), tied=True, tolerance=1e-9, backend="auto"):
@@ -53,23 +61,25 @@ def moment_gradient(source, *, solids=(), faces=(), tied=True, tolerance=1e-9, b
     "cpu" or "opengl", whose values differ within the bounds. Formulas, and what is meant on trimmed faces:
     Documentation/Gradients.md.
 
-    Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result.
+    Raises FileNotFoundError and IsADirectoryError, TypeError and ValueError for a wrong argument, and SolidMomentsError when there is no result.
     """
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     from .smFiltersMomentGradient import vtkMomentGradient
 
-    if not 1e-15 <= tolerance <= 1.0:
-        raise ValueError(f"tolerance is {tolerance}; it has to be from 1e-15 to 1")
+    from ._run import check_tolerance
+
     backends = {"auto": vtkMomentGradient.AUTOMATIC, "cpu": vtkMomentGradient.CPU, "opengl": vtkMomentGradient.OPENGL}
-    if backend not in backends:
-        raise ValueError(f"backend is {backend!r}; it has to be one of {', '.join(backends)}")
+    tolerance, tied = check_tolerance(tolerance), arguments.truth("tied", tied)
+    arguments.choice("backend", backend, tuple(backends))
+    solids, faces = arguments.indices("solids", solids), arguments.indices("faces", faces)
     name, data = _get_data(source)
     gradient = vtkMomentGradient()
     gradient.SetBackend(backends[backend])
     # The filter's status and reason say what went wrong; the observer keeps VTK from printing it.
-    gradient.AddObserver("ErrorEvent", lambda _caller, _event: None)
+    for caller in (gradient, gradient.GetExecutive()):
+        caller.AddObserver("ErrorEvent", lambda _caller, _event: None)
     gradient.SetTied(tied)
     gradient.SetRelativeTolerance(tolerance)
     for index in solids:
@@ -116,11 +126,13 @@ def _get_data(source):
         data = vtkNURBSDataSet()
         data.SetModel(source.vtk_model)
         return source.name, data
-    if isinstance(source, (str, os.PathLike)):
+    if isinstance(source, (str, bytes, os.PathLike)):
         from ._run import make_reader, read
 
-        file = os.fspath(source)
+        file = arguments.path("source", source)
         reader = make_reader(file)
         read(file, reader)
         return file, reader.GetOutputDataObject(0)
+    if not hasattr(source, "IsA") or not source.IsA("vtkDataObject"):
+        raise TypeError(f"source is {arguments.show(source)}; it has to be the path of a file, a solidmoments.Model or a VTK dataset")
     return type(source).__name__, source

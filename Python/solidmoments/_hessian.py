@@ -1,8 +1,9 @@
 """The Hessian of moments by control points, times a direction, as NumPy arrays."""
 import dataclasses
 
+from . import _arguments as arguments
 from ._arrays import to_numpy
-from ._gradient import _get_data
+from ._gradient import _get_data, find_quantity
 from ._results import SolidMomentsError
 
 
@@ -35,7 +36,7 @@ class MomentHessianProduct:
 
     def index(self, quantity):
         """The index of a quantity on the last axis. ValueError if there is none of that name."""
-        return self.quantities.index(quantity)
+        return find_quantity(self.quantities, quantity)
 
 
 def moment_hessian_product(source, direction, *, tied=True, tolerance=1e-9):
@@ -45,25 +46,30 @@ def moment_hessian_product(source, direction, *, tied=True, tolerance=1e-9):
     faces from 0, or of (solid, face), and arrays (n_u, n_v, 3) in world coordinates; other faces stay. tied: coinciding control points are one
     variable, and have to move alike; False: each is one by itself. tolerance: of the quadrature, from 1e-15 to 1.
 
-    Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result.
+    Raises FileNotFoundError and IsADirectoryError, TypeError and ValueError for a wrong argument, and SolidMomentsError when there is no result.
     """
     import numpy
     from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
     from .smFiltersMomentGradient import vtkMomentGradient, vtkMomentHessian
 
-    if not 1e-15 <= tolerance <= 1.0:
-        raise ValueError(f"tolerance is {tolerance}; it has to be from 1e-15 to 1")
+    from ._run import check_tolerance
+
+    tolerance, tied = check_tolerance(tolerance), arguments.truth("tied", tied)
+    if not hasattr(direction, "items"):
+        raise TypeError(f"direction is {arguments.show(direction)}; it has to be a dict with the displacements of faces")
     name, data = _get_data(source)
     hessian = vtkMomentHessian()
     hessian.SetTied(tied)
     hessian.SetRelativeTolerance(tolerance)
     for key, displacements in direction.items():
-        solid, face = key if isinstance(key, tuple) else (0, key)
-        net = numpy.ascontiguousarray(to_numpy(displacements))
+        if isinstance(key, tuple) and len(key) != 2:
+            raise ValueError(f"a key of direction is {key}; it has to be the index of a face, or (solid, face)")
+        solid, face = (arguments.index("a key of direction", part) for part in (key if isinstance(key, tuple) else (0, key)))
+        net = numpy.ascontiguousarray(to_numpy(displacements, f"the displacements of face {face}"))
         if net.ndim != 3 or net.shape[2] != 3:
             raise ValueError(f"the displacements of face {face} have the shape {net.shape}; it has to be (n_u, n_v, 3)")
-        hessian.AddDisplacements(int(solid), int(face), numpy_to_vtk(net.reshape(-1, 3), deep=True))
+        hessian.AddDisplacements(solid, face, numpy_to_vtk(net.reshape(-1, 3), deep=True))
     if not hessian.Compute(data):
         reason = hessian.GetReason()
         if hessian.GetStatus() == "not-computed":

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 
+from . import _arguments as arguments
 from ._results import SolidMomentsError
 from ._version import PYTHON, VTK_FOLDER
 
@@ -37,16 +38,13 @@ def display_mesh(file, *, unit="mm", input_unit="mm", deflection=0.001):
     file: path. unit: of lengths, mm, cm, m, um, inch, ft, or file. input_unit: that of a BREP file, which states none. deflection: largest distance from
     the exact faces as a fraction of the diagonal of the solid, at least 1e-7.
 
-    Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when the file cannot be read.
+    Raises FileNotFoundError and IsADirectoryError, TypeError and ValueError for a wrong argument, and SolidMomentsError when the file cannot be read.
     """
     from ._run import check_unit
 
-    file = os.fspath(file)
     check_unit(unit, input_unit)
-    if not 1e-7 <= deflection <= 1.0:
-        raise ValueError(f"deflection is {deflection}; it has to be from 1e-7 to 1")
-    if not os.path.exists(file):
-        raise FileNotFoundError(file)
+    deflection = arguments.share("deflection", deflection, minimum=1e-7, expected="from 1e-7 to 1")
+    file = arguments.existing("file", file)
     here = os.path.dirname(os.path.abspath(__file__))
     python = PYTHON if os.path.exists(PYTHON) else sys.executable
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONHOME"}

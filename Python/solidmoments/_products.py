@@ -3,16 +3,24 @@ import json
 import os
 import warnings
 
+from . import _arguments as arguments
 from ._run import make_result, run_filter
 
 
 def _run(file, density, options):
     """Reader and filter after their run. Errors and warnings are those of mass_properties()."""
-    strict = options.pop("strict", False)
-    file = os.fspath(file)
+    strict = arguments.truth("strict", options.pop("strict", False))
+    file = arguments.path("file", file)
     reader, mass = run_filter(file, density, **options)
     make_result(file, (reader, mass), strict, level=4)
     return reader, mass
+
+
+def _check_limit(limit):
+    limit = arguments.number("limit", limit, "a number from 0 to below 1")
+    if not 0.0 <= limit < 1.0:
+        raise ValueError(f"limit is {limit:g}; it has to be from 0 to below 1")
+    return limit
 
 
 def materials():
@@ -45,8 +53,7 @@ def compare(old, new, density=None, *, limit=1e-9, **options):
     """
     from .smFiltersProducts import vtkProducts
 
-    if not 0.0 <= limit < 1.0:
-        raise ValueError(f"limit is {limit}; it has to be from 0 to below 1")
+    limit = _check_limit(limit)
     before = _run(old, density, dict(options))
     after = _run(new, density, dict(options))
     text = vtkProducts.Compare(before[1], after[1], limit)
@@ -68,11 +75,10 @@ def validation(file, density=None, *, limit=1e-3, **options):
     from .smFiltersProducts import vtkProducts
     from .smReadersSTEP import vtkSTEPReader
 
-    if not 0.0 <= limit < 1.0:
-        raise ValueError(f"limit is {limit}; it has to be from 0 to below 1")
+    limit = _check_limit(limit)
     reader, mass = _run(file, density, options)
     stated = vtkTable()
-    if not vtkSTEPReader.ReadStatedProducts(os.fspath(file), stated):
+    if not vtkSTEPReader.ReadStatedProducts(arguments.path("file", file), stated):
         return []
     return json.loads(vtkProducts.CompareValidation(mass, stated, limit))
 
@@ -88,9 +94,16 @@ def robot(file, format="urdf", density=None, *, joints="", fuse=(), **options):
     """
     from .smFiltersProducts import vtkProducts
 
+    arguments.choice("format", format, ("urdf", "sdf", "mjcf"))
+    arguments.text("joints", joints, "a text with a line for each joint")
+    if isinstance(fuse, str):
+        fuse = [fuse]
+    if isinstance(fuse, (bytes, dict)) or not hasattr(fuse, "__iter__"):
+        raise TypeError(f"fuse is {arguments.show(fuse)}; it has to be the name of a product, or a list of names")
+    fuse = [arguments.text("an entry of fuse", name, "the name of a product") for name in fuse]
     reader, mass = _run(file, density, options)
-    name = os.path.splitext(os.path.basename(os.fspath(file)))[0]
-    found = json.loads(vtkProducts.MakeRobot(mass, name, format, joints, "\n".join([fuse] if isinstance(fuse, str) else fuse)))
+    name = os.path.splitext(os.path.basename(arguments.path("file", file)))[0]
+    found = json.loads(vtkProducts.MakeRobot(mass, name, format, joints, "\n".join(fuse)))
     if found["problem"]:
         raise ValueError(f"{file}: {found['problem']}")
     for message in found["messages"]:

@@ -3,6 +3,7 @@ import math
 import os
 import warnings
 
+from . import _arguments as arguments
 from ._results import FlaggedResultWarning, MassProperties, SolidMomentsError
 
 # Statuses that have results; with any other status there is none.
@@ -52,26 +53,30 @@ def _make(file, data, row, **more):
                           material=_get_text(data, row, "Material"), open_edges=None if edges is None else int(edges), **values, **more)
 
 
-def _check(density, tolerance, density_tolerance, backend, max_seconds):
-    """Raises ValueError for a setting that the filter would clamp or report on the console."""
-    if density is not None and not 0.0 < density < math.inf:
-        raise ValueError(f"density is {density}; it has to be above 0 and finite, in kg/m^3, or None for those of the file")
-    if not 1e-15 <= tolerance <= 1.0:
-        raise ValueError(f"tolerance is {tolerance}; it has to be from 1e-15 to 1")
-    if backend not in ("auto", "opengl", "cpu"):
-        raise ValueError(f"backend is {backend!r}; it has to be 'auto', 'opengl' or 'cpu'")
-    if not 0.0 <= density_tolerance <= 1.0:
-        raise ValueError(f"density_tolerance is {density_tolerance}; it has to be from 0 to 1, 0.01 for one per cent")
-    if max_seconds is not None and not 0.0 < max_seconds < math.inf:
-        raise ValueError(f"max_seconds is {max_seconds}; it has to be above 0 and finite, or None")
+def _check_positive(name, value, expected):
+    """A float above 0, or 0.0 for None. Raises TypeError and ValueError."""
+    if value is None:
+        return 0.0
+    value = arguments.number(name, value, f"a number {expected}")
+    if not 0.0 < value < math.inf:
+        raise ValueError(f"{name} is {value:g}; it has to be {expected}")
+    return value
+
+
+def check_tolerance(tolerance):
+    """A tolerance of the quadrature. Raises TypeError and ValueError."""
+    return arguments.share("tolerance", tolerance, minimum=1e-15, expected="from 1e-15 to 1")
+
+
+def _check_seconds(seconds):
+    return _check_positive("max_seconds", seconds, "above 0 and finite, or None")
 
 
 def check_unit(unit, input_unit, input_name="input_unit"):
     """Raises ValueError for a unit that a reader does not know."""
-    if unit not in ("mm", "cm", "m", "um", "inch", "ft", "file"):
-        raise ValueError(f"unit is {unit!r}; it has to be mm, cm, m, um, inch, ft or file")
-    if input_unit not in ("mm", "cm", "m", "um", "inch", "ft"):
-        raise ValueError(f"{input_name} is {input_unit!r}; it has to be mm, cm, m, um, inch or ft")
+    units = ("mm", "cm", "m", "um", "inch", "ft")
+    arguments.choice("unit", unit, (*units, "file"))
+    arguments.choice(input_name, input_unit, units)
 
 
 def _messages(*algorithms):
@@ -90,10 +95,11 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
     repair: needed, OpenCASCADE repairs the solids and shells that are not sound as the file has them; always, all; or never.
     hidden: count, bodies that a STEP file hides (INVISIBILITY) count, with a message; skip, they are left out; or only, all others are.
 
-    Raises FileNotFoundError, ValueError for a wrong argument, and SolidMomentsError when there is no result. A result with another status
-    than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
+    Raises FileNotFoundError and IsADirectoryError, TypeError and ValueError for a wrong argument, with what is expected, and SolidMomentsError when
+    there is no result. A result with another status than ok gives a FlaggedResultWarning; with strict=True it raises SolidMomentsError, too.
     """
-    file = os.fspath(file)
+    file = arguments.path("file", file)
+    strict = arguments.truth("strict", strict)
     reader, mass = run_filter(file, density, content=content, unit=unit, input_unit=input_unit, tolerance=tolerance,
                               density_tolerance=density_tolerance, materials=materials, backend=backend, max_seconds=max_seconds, repair=repair,
                               hidden=hidden)
@@ -106,19 +112,40 @@ def run_filter(file, density=None, *, content=None, unit="mm", input_unit="mm", 
     mass = make_filter(density, tolerance, backend, density_tolerance, max_seconds)
     reader = make_reader(file, content=content, unit=unit, input_unit=input_unit, max_seconds=max_seconds, repair=repair, hidden=hidden)
     mass.SetInputConnection(reader.GetOutputPort())
-    for row in materials:
+    for row in _list_rows(materials):
         _add_material(mass, *row)
     read(file, reader)
     mass.Update()
     return reader, mass
 
 
+def _list_rows(materials):
+    """The rows of `materials`. Raises TypeError for what is none."""
+    expected = "(pattern of names, material, density), with a mass and its tolerance after it where they are stated"
+    if isinstance(materials, (str, bytes, dict)) or not hasattr(materials, "__iter__"):
+        raise TypeError(f"materials is {arguments.show(materials)}; it has to be a list of rows {expected}")
+    rows = list(materials)
+    for row in rows:
+        if not isinstance(row, (tuple, list)) or not 3 <= len(row) <= 5:
+            raise TypeError(f"a row of materials is {arguments.show(row)}; it has to be {expected}")
+    return rows
+
+
+def _write_number(pattern, value):
+    """A number of a row as a text of the program's table."""
+    if value is None or isinstance(value, str):
+        return value or ""
+    return repr(arguments.number(f"a value of the solids {pattern!r}", value, "a number, a text such as '250 g', or None"))
+
+
 def _add_material(mass, pattern, material, density, stated=None, tolerance=None):
     """Adds a row of `materials`: a line of the program's table, so that both mean the same."""
     from .smFiltersProducts import vtkProducts
+    arguments.text("a pattern of names in materials", pattern)
+    arguments.text(f"the material of the solids {pattern!r}", material)
     if stated is None and tolerance is not None and not isinstance(density, str):
         raise ValueError(f"the solids {pattern!r} have the tolerance {tolerance} of a mass, which is missing; density_tolerance is that of densities")
-    texts = ["" if value is None else value if isinstance(value, str) else repr(float(value)) for value in (density, tolerance, stated)]
+    texts = [_write_number(pattern, value) for value in (density, tolerance, stated)]
     problem = vtkProducts.AddMaterial(mass, pattern, material, *texts)
     if problem:
         raise ValueError(f"the solids {pattern!r}, material {material!r}: {problem}")
@@ -129,13 +156,14 @@ def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=N
     from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
-    if repair not in ("needed", "always", "never"):
-        raise ValueError(f"repair is {repair!r}; it has to be 'needed', 'always' or 'never'")
-    if hidden not in ("count", "skip", "only"):
-        raise ValueError(f"hidden is {hidden!r}; it has to be 'count', 'skip' or 'only'")
+    arguments.choice("repair", repair, ("needed", "always", "never"))
+    arguments.choice("hidden", hidden, ("count", "skip", "only"))
     check_unit(unit, input_unit)
-    if content is None and not os.path.exists(file):
-        raise FileNotFoundError(file)
+    seconds = _check_seconds(max_seconds)
+    if content is None:
+        arguments.existing("file", file)
+    elif not isinstance(content, (bytes, bytearray, memoryview)):
+        raise TypeError(f"content is {arguments.show(content)}; it has to be the bytes of a file, or None to read the file")
     is_brep = vtkBREPReader.CanReadFile(file) if content is None else vtkBREPReader.CanReadContent(bytes(content))
     reader = vtkBREPReader() if is_brep else vtkSTEPReader()
     _silence(reader)
@@ -149,7 +177,7 @@ def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=N
     else:
         reader.SetRepair({"needed": reader.ON_NEED, "always": reader.ALWAYS, "never": reader.NEVER}[repair])
         reader.SetHidden({"count": reader.COUNT_HIDDEN, "skip": reader.SKIP_HIDDEN, "only": reader.ONLY_HIDDEN}[hidden])
-    reader.SetMaximumSeconds(max_seconds or 0.0)
+    reader.SetMaximumSeconds(seconds)
     return reader
 
 
@@ -164,13 +192,13 @@ def make_filter(density, tolerance, backend, density_tolerance=0.0, max_seconds=
     """A vtkMassPropertiesGPU with these properties, which writes nothing to the console."""
     from .smFiltersMassProperties import vtkMassPropertiesGPU
 
-    _check(density, tolerance, density_tolerance, backend, max_seconds)
+    arguments.choice("backend", backend, ("auto", "opengl", "cpu"))
     mass = vtkMassPropertiesGPU()
     _silence(mass)
-    mass.SetDensity(density or 0.0)
-    mass.SetDensityTolerance(density_tolerance)
-    mass.SetRelativeTolerance(tolerance)
-    mass.SetMaximumSeconds(max_seconds or 0.0)
+    mass.SetDensity(_check_positive("density", density, "above 0 and finite, in kg/m^3, or None for those of the file"))
+    mass.SetDensityTolerance(arguments.share("density_tolerance", density_tolerance, expected="from 0 to 1, 0.01 for one per cent"))
+    mass.SetRelativeTolerance(check_tolerance(tolerance))
+    mass.SetMaximumSeconds(_check_seconds(max_seconds))
     mass.SetBackend({"auto": mass.AUTOMATIC, "opengl": mass.OPENGL, "cpu": mass.CPU}[backend])
     return mass
 
@@ -207,10 +235,15 @@ def to_dataframe(files, density=None, **options):
     Options are those of `mass_properties`, except strict. A file without result has a row with its status and the reason in `message`, and
     so do flagged results; nothing is raised or warned. Lengths are in `length_unit`, other units follow from it (`MassProperties.units`).
     """
+    if "strict" in options:
+        raise TypeError("strict does not apply to a table, whose column status has the states of the files")
+    if isinstance(files, (str, bytes, os.PathLike)):
+        files = [files]
+    if isinstance(files, dict) or not hasattr(files, "__iter__"):
+        raise TypeError(f"files is {arguments.show(files)}; it has to be a path, or a list of paths")
+    files = [arguments.path("an entry of files", file) for file in files]
     import pandas
 
-    if isinstance(files, (str, os.PathLike)):
-        files = [files]
     rows = []
     for file in files:
         try:
@@ -218,9 +251,11 @@ def to_dataframe(files, density=None, **options):
                 warnings.simplefilter("ignore", FlaggedResultWarning)
                 total = mass_properties(file, density, **options)
         except FileNotFoundError:
-            rows.append({"file": os.fspath(file), "row": "total", "status": "unreadable", "message": "The file does not exist."})
+            rows.append({"file": file, "row": "total", "status": "unreadable", "message": "The file does not exist."})
+        except IsADirectoryError:
+            rows.append({"file": file, "row": "total", "status": "unreadable", "message": "It is a folder; name a file in it."})
         except SolidMomentsError as error:
-            rows.append({"file": os.fspath(file), "row": "total", "status": error.status, "message": "\n".join(error.messages)})
+            rows.append({"file": file, "row": "total", "status": error.status, "message": "\n".join(error.messages)})
         else:
             rows.append({"row": "total", **total.to_dict(), "message": "\n".join(total.messages)})
             rows += [{"row": "solid", **solid.to_dict()} for solid in total.solids]

@@ -5,6 +5,7 @@ the derivatives of that scalar by the argument, as jax.vjp() does. For PyTorch, 
 backward(); for JAX, jax.custom_vjp with jax.pure_callback calls both. Documentation/Gradients.md has these few lines. All arrays are float64
 NumPy arrays in the memory of the processor, which also have DLPack and __array_interface__.
 """
+from . import _arguments as arguments
 from ._arrays import to_numpy
 from ._gradient import moment_gradient
 
@@ -19,14 +20,24 @@ def mass_properties(build, points, nets, quantities=("Volume",), *, tolerance=1e
     points. Weights, knots and trim curves are constants. quantities: names of MomentGradient.quantities, at density 1.
 
     Returns the values (q,) and pullback: pullback(cotangent (q,)) gives (m, 3). moment_gradient() has the bounds of these derivatives. A principal moment that coincides with another one has NaN where its cotangent is not 0.
-    Raises ValueError for a wrong argument, and SolidMomentsError unless the status is ok.
+    Raises TypeError and ValueError for a wrong argument, and SolidMomentsError unless the status is ok.
     """
     import numpy
 
+    from ._model import Model
+
     points = _check_points(points)
+    if not callable(build):
+        raise TypeError(f"build is {arguments.show(build)}; it has to be a function of points that returns a solidmoments.Model")
+    if isinstance(nets, (str, dict)) or not hasattr(nets, "__iter__"):
+        raise TypeError(f"nets is {arguments.show(nets)}; it has to be a list of arrays with indices of points")
     nets = [numpy.asarray(net) for net in nets]
+    if isinstance(quantities, (str, dict)) or not hasattr(quantities, "__iter__"):
+        raise TypeError(f"quantities is {arguments.show(quantities)}; it has to be a list of names, for example ('Volume',)")
     quantities = tuple(quantities)
     model = build(points)
+    if not isinstance(model, Model):
+        raise TypeError(f"build(points) returned {arguments.show(model)}; it has to return a solidmoments.Model")
     part = model.mass_properties(tolerance=tolerance, backend="cpu", strict=True)
     gradient = moment_gradient(model, faces=range(len(nets)), tied=False, tolerance=tolerance)
     places = []
@@ -59,7 +70,11 @@ def variants(moments, c):
     """
     import numpy
 
-    c = numpy.atleast_2d(to_numpy(c))
+    from ._variants import Variants
+
+    if not isinstance(moments, Variants):
+        raise TypeError(f"moments is {arguments.show(moments)}; it has to be a solidmoments.Variants")
+    c = numpy.atleast_2d(to_numpy(c, "c"))
     result = moments.evaluate(c, bounds=False, gradients=True)
 
     def pullback(cotangent):
@@ -69,14 +84,18 @@ def variants(moments, c):
 
 
 def _check_points(points):
-    points = to_numpy(points)
+    import numpy
+
+    points = to_numpy(points, "points")
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"points has the shape {points.shape}; it has to be (m, 3)")
+    if not numpy.isfinite(points).all():
+        raise ValueError("points has values that are not finite; give numbers")
     return points
 
 
 def _check_cotangent(cotangent, shape):
-    cotangent = to_numpy(cotangent)
+    cotangent = to_numpy(cotangent, "the cotangent")
     if cotangent.shape != shape:
         raise ValueError(f"the cotangent has the shape {cotangent.shape}; it has to be {shape}, as the value")
     return cotangent

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <system_error>
 
 namespace sm
 {
@@ -46,7 +48,10 @@ bool LoadFile(
   // On some systems a folder can be opened, and its size is then a huge number.
   if (size < 0 || size == std::numeric_limits<std::streamoff>::max())
   {
-    problem = "it cannot be opened; check that it exists and may be read";
+    std::error_code error;
+    problem = std::filesystem::is_directory(name, error)
+      ? "it is a folder; name a file in it"
+      : "it cannot be opened; check that it exists and may be read";
     return true;
   }
   constexpr std::streamoff PieceSize = std::streamoff{ 1 } << 26;

@@ -51,6 +51,53 @@ def check_selection(what, solids, number_of_cells):
     check_equal(f"{what}: rows", solids, get_selected_rows(mass, 1))
 
 
+def check_section():
+    """Picks on *Clipped* of Section: whole faces, their rows, the same faces after the plane has moved."""
+    box = Manifest(folder).special("assembly")["path"]
+    section = Section(Input=simple.OpenDataFile(box))  # noqa: F821
+    servermanager.vtkSMParaViewPipelineControllerWithRendering().ShowInPreferredView(section.SMProxy, 2, view.SMProxy)
+    section.UpdatePipeline()
+    shown = simple.GetRepresentation(servermanager.OutputPort(section, 2), view).SMProxy.GetProperty("SelectedText")
+
+    def get_faces():
+        """The face of each cell of each block, by its index; -1 is the section."""
+        merged = servermanager.Fetch(simple.MergeBlocks(Input=servermanager.OutputPort(section, 7))).GetCellData()
+        faces = [[] for _ in range(500)]
+        for cell in range(merged.GetArray("Solid").GetNumberOfTuples()):
+            faces[int(merged.GetArray("Solid").GetTuple1(cell))].append(int(merged.GetArray("FaceIndex").GetTuple1(cell)))
+        return faces
+
+    faces = get_faces()
+    block = next(block for block, found in enumerate(faces) if -1 in found)
+    cells_of = faces[block]
+    face = next(face for face in cells_of if face >= 0 and 1 < cells_of.count(face) < len(cells_of))
+    section.SMProxy.SetSelectionInput(7, cells((block, cells_of.index(face))), 0)
+    check_equal("Clipped: all cells of the face", cells_of.count(face), count_selected_cells(section, 7))
+    rows = get_selected_rows(section, 3)
+    table = servermanager.Fetch(section, idx=3)
+    check_equal("Clipped: the row of the face", [(block, face)],
+                [(table.GetValueByName(row, "Solid").ToInt(), table.GetValueByName(row, "FaceIndex").ToInt()) for row in rows])
+    check_true("Clipped: the text", shown.GetElement(0).startswith(f"face {face} (#"), shown.GetElement(0))
+    # The window clears the rows of the tables after each pick.
+    for port in (1, 3, 4):
+        section.SMProxy.CleanSelectionInputs(port)
+    check_equal("Clipped: the rows are back", rows, get_selected_rows(section, 3))
+    section.Point = [x + 0.01 for x in section.Point]
+    section.UpdatePipeline()
+    moved = get_faces()[block]
+    check_equal("the plane has moved: the same face", (moved.count(face), rows), (count_selected_cells(section, 7), get_selected_rows(section, 3)))
+    section.SMProxy.SetSelectionInput(7, cells((block, moved.index(-1))), 0)
+    check_equal("the section as a whole, without a row of the faces", (moved.count(-1), []), (count_selected_cells(section, 7), get_selected_rows(section, 3)))
+    section.SMProxy.SetSelectionInput(5, cells((block, 0)), 0)
+    check_equal("a pick on Bodies ends that on Clipped", (True, 1), (section.SMProxy.GetSelectionInput(7) is None, len(get_selected_rows(section, 3))))
+    section.SMProxy.CleanSelectionInputs(5)
+    select_rows(section, 3, rows)
+    check_equal("a row of a face: its cells on Clipped", (moved.count(face), True),
+                (count_selected_cells(section, 7), section.SMProxy.GetSelectionInput(5) is None))
+    section.SMProxy.CleanSelectionInputs(3)
+    check_equal("cleared", (True, ""), (section.SMProxy.GetSelectionInput(7) is None, shown.GetElement(0)))
+
+
 select(blocks(2, 4, 6))
 check_selection("three solids", [2, 4, 6], 3 * ONE)
 check_true("three solids: the text", "3 solids: mass" in get_text(), get_text())
@@ -170,4 +217,6 @@ check_true("a coarser mesh: cells of the face", 0 < count_selected_cells(mass, 5
 mass.Selectors = ["//*[dataset[@id='5']]"]
 mass.UpdatePipeline()
 check_equal("another solid: the pick is gone", (True, [], ""), (mass.SMProxy.GetSelectionInput(5) is None, get_selected_rows(mass, 3), get_text()))
+if "Section" in globals():
+    check_section()
 finish()

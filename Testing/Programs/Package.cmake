@@ -34,6 +34,9 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
   solidmoments_add_test(NAME PythonPackage LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestPythonPackage.py" "$<TARGET_FILE:solidmoments>"
       "${SOLIDMOMENTS_TEST_SOLIDS}" "${SOLIDMOMENTS_SAMPLE_PART}" "${PROJECT_VERSION}")
+  solidmoments_add_test(NAME PythonArguments LABELS error package NODISPLAY ENVIRONMENT "${python_path}"
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestPythonArguments.py" "${SOLIDMOMENTS_SAMPLE_PART}"
+      "${SOLIDMOMENTS_TEST_SOLIDS}/box-plain.step" "${SOLIDMOMENTS_TEST_OUTPUT}")
   solidmoments_add_test(NAME PythonProducts LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestPythonProducts.py" "$<TARGET_FILE:solidmoments>" "${SOLIDMOMENTS_TEST_OUTPUT}")
   solidmoments_add_test(NAME DisplayMesh LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"

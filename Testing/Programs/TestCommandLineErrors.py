@@ -20,11 +20,12 @@ def check_inputs_that_are_no_files():
     """Reading a pipe or a device may never end: each is refused at once."""
     pipe = os.path.join(make_folder("special"), "pipe.step")
     os.mkfifo(pipe)
-    for path in (pipe, "/dev/zero", make_folder("no-steps")):
+    for path, said in ((pipe, "it is not a regular file; "), ("/dev/zero", "it is not a regular file; "),
+                       (make_folder("no-steps"), "it is a folder without STEP or BREP files; name a file")):
         result, files = run_json(path)
         check_equal(f"exit status of {path}", 2, result.returncode)
         check_unreadable(files[0])
-        check_true("it says what is wrong", "not a regular file" in files[0]["messages"][0], str(files[0]["messages"]))
+        check_true("it says what is wrong", said in files[0]["messages"][0], str(files[0]["messages"]))
 
 
 def check_quiet_reason(good):

@@ -65,6 +65,14 @@ def inputs():
         check_true("it says why", file["status"] == "unreadable" and any(said in text for text in file["messages"]), str(file["messages"]))
         check_true("by the name that was given", not any(temporary in text for text in file["messages"]), str(file["messages"]))
     check_equal("no copy is left", [], os.listdir(temporary))
+    nowhere = os.path.join(folder, "nowhere")
+    for data, given, said in ((b"", temporary, "it is empty; write a STEP or BREP file to the standard input"),
+                              (content, nowhere, f"its content cannot be kept in the folder for temporary files, {nowhere} (No such file or directory); set TMPDIR")):
+        result = subprocess.run([options.program, "--quiet", "-"], input=data, stderr=subprocess.PIPE, env=dict(os.environ, TMPDIR=given), timeout=200, check=False)
+        check_equal("standard input: exit status", 2, result.returncode)
+        check_true("standard input: it says why", said in result.stderr.decode(), result.stderr.decode())
+    result = subprocess.run([options.program, "--quiet", write("packed.step.gz", packed)], stderr=subprocess.PIPE, env=dict(os.environ, TMPDIR=nowhere), timeout=200, check=False)
+    check_true("a packed file without TMPDIR", result.returncode == 2 and f"{nowhere} (No such file" in result.stderr.decode(), result.stderr.decode())
     # A folder stands for the STEP files in it, but not for those of its folders.
     shelf = os.path.join(folder, "shelf")
     os.makedirs(os.path.join(shelf, "below"), exist_ok=True)

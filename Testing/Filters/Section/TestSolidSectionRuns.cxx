@@ -5,6 +5,7 @@
 #include "smSectionTesting.h"
 #include "smWrongSamples.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
 #include <vtkDataSetAttributes.h>
@@ -17,8 +18,11 @@
 #include <vtkTriangle.h>
 #include <vtkTrimmedNURBSModel.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
+#include <string>
 
 namespace
 {
@@ -103,6 +107,35 @@ vtkPolyData* GetClipped(vtkSolidSection* filter)
   return vtkPolyData::SafeDownCast(clipped->GetPartitionAsDataObject(0, 0));
 }
 
+/// The box has five faces below the plane, whose cells lie in the plane of their face; the section has none.
+void CheckFaceIndices(vtkPolyData* mesh)
+{
+  vtkDataArray* indices = mesh->GetCellData()->GetArray(vtkNURBSDataSet::FaceIndexArrayName());
+  vtkDataArray* caps = mesh->GetCellData()->GetArray(sm::names::SectionCap);
+  if (!CheckTrue("clipped cells have the index of their face", indices && caps))
+  {
+    return;
+  }
+  std::map<int, vtkBoundingBox> boxes;
+  bool isCap = true;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    double bounds[6];
+    mesh->GetCellBounds(cell, bounds);
+    const int index = static_cast<int>(indices->GetComponent(cell, 0));
+    boxes[index].AddBounds(bounds);
+    isCap = isCap && (index == -1) == (caps->GetComponent(cell, 0) != 0.0);
+  }
+  CheckTrue("-1 on the section only", isCap);
+  CheckEqual("five faces and the section", 6, static_cast<long long>(boxes.size()));
+  for (const auto& [index, box] : boxes)
+  {
+    double sides[3];
+    box.GetLengths(sides);
+    CheckRange("thickness of face " + std::to_string(index), 0.0, *std::min_element(sides, sides + 3), 1e-9);
+  }
+}
+
 /// Number of edges of the mesh that one cell has, with points at one place merged.
 vtkIdType CountOpenEdges(vtkPolyData* mesh)
 {
@@ -167,6 +200,7 @@ void CheckOutputs(const Manifest& manifest)
   double bounds[6];
   mesh->GetBounds(bounds);
   Check("the picture ends at the plane", 2.5, bounds[5], 1e-12);
+  CheckFaceIndices(mesh);
   auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(scene.Reader->GetOutputDataObject(0));
   auto* leaf = vtkNURBSDataSet::SafeDownCast(parts->GetPartition(0, 0));
   leaf->GetBounds(bounds);

@@ -1,5 +1,6 @@
 """TestPluginState.py PLUGIN.so FOLDER: a loaded state has the saved properties, and rows of a table highlight solids in it."""
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Support"))
@@ -62,6 +63,14 @@ with open(states[1], "w", encoding="utf-8") as file:
     # As File > Save State does for Python; SaveState() of 5.11 writes XML whatever the name.
     text = smstate.get_state()
     file.write(text)
+# As a state of an earlier version, whose reader had a property that is gone.
+with open(states[0], encoding="utf-8") as file:
+    saved = file.read()
+found = re.search(r'<Proxy group="sources" type="STEPReader" id="(\d+)"[^>]*>', saved)
+if check_true("the state has the reader", found is not None):
+    old = f'<Property name="Isolated" id="{found[1]}.Isolated" number_of_elements="1"><Element index="0" value="0"/></Property>'
+    with open(states[0], "w", encoding="utf-8") as file:
+        file.write(saved[:found.end()] + old + saved[found.end():])
 check_true("a state in Python has the rules of materials, not the table", "Materials" in text and "MaterialTable" not in text)
 del reader, shown
 for state in states:
