@@ -158,8 +158,9 @@ void DeclareMass(CLI::App& app, sm::Arguments& arguments)
     "lines NAME,MATERIAL,DENSITY[,TOLERANCE[,MASS]], or JSON; in NAME, * and ? stand for\n"
     "any letters; the line of the very name counts, else the first that fits. Without\n"
     "a density: that of --list-materials. MASS, 0.25 or 250 g, overrides volume times\n"
-    "density; the MATERIAL \"left out\" leaves these solids out. A header may give\n"
-    "other columns: name,material,mass");
+    "density; 250 g per product is that of all solids of each product of that NAME;\n"
+    "the MATERIAL \"left out\" leaves these solids out. A header may give other columns:\n"
+    "name,material,mass");
   app.add_flag(
     "--list-materials", arguments.ListMaterials, "Print the common materials with their densities, and end");
 }

@@ -335,8 +335,9 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   }
   if (!options.ValidationTarget.empty())
   {
-    const std::string problem = sm::WriteValidation(GetSource(options),
-      sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationTarget);
+    const std::string problem =
+      sm::WriteValidation(GetSource(options), sm::MakeProductTree(reader->GetOutputDataObject(0)),
+        file.GetProduct(), sm::FindLeftOutNote(reader->GetOutputDataObject(0)), options.ValidationTarget);
     if (!problem.empty())
     {
       messages.AddEcho(problem);

@@ -48,6 +48,10 @@ void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options)
     {
       filter->AddLeftOut(rule.Pattern.c_str());
     }
+    else if (rule.IsOfProduct)
+    {
+      filter->AddProductMass(rule.Pattern.c_str(), material.Name.c_str(), material.Mass, material.Tolerance);
+    }
     else if (material.Mass > 0.0)
     {
       filter->AddMass(rule.Pattern.c_str(), material.Name.c_str(), material.Mass, material.Tolerance);

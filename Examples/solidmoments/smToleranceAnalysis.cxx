@@ -91,8 +91,10 @@ void AddMassShares(const std::vector<std::unique_ptr<ToleranceResult>>& toleranc
   {
     SolidResult& solid = file.Solids[i];
     const double share = GetMassShare(solid, *tolerances[i]);
-    // Bodies without a volume have no mass that could be off.
-    sum += std::isnan(share) && !solid.Mass.IsKnown() ? 0.0 : ShareExcess * share;
+    // Bodies without a volume have no mass that could be off, and stated masses do not change with a volume,
+    // those of products in their sum.
+    const bool isFixed = solid.OverriddenMass > 0.0 || (std::isnan(share) && !solid.Mass.IsKnown());
+    sum += isFixed ? 0.0 : ShareExcess * share;
     AddMassShare(solid, share);
   }
   AddMassShare(file.Total, std::isnan(total.Mass.Maximum) ? Unknown : sum);

@@ -31,8 +31,15 @@ std::vector<StatedProduct> StatedFile::List() const
 }
 
 std::string WriteValidation(const std::string& fileName, const ProductTreeNode& tree,
-  const ProductResults& results, const std::string& target)
+  const ProductResults& results, const std::string& leftOut, const std::string& target)
 {
+  if (!leftOut.empty())
+  {
+    // The note is a message of its own.
+    return target +
+      " is not written: bodies are left out, and it would state volumes and centroids of products without "
+      "them; use --hidden count";
+  }
   const StatedFile file(fileName);
   if (!file.IsRead())
   {

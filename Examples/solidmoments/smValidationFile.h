@@ -33,9 +33,10 @@ private:
 };
 
 /// Writes the text of the file with the validation properties and densities of the products that were
-/// computed. Existing statements are kept. Returns an error message; empty if the file was written.
+/// computed. Existing statements are kept. `leftOut` is FindLeftOutNote() of the reader: nothing is written
+/// unless it is empty. Returns an error message; empty if the file was written.
 std::string WriteValidation(const std::string& fileName, const ProductTreeNode& tree,
-  const ProductResults& results, const std::string& target);
+  const ProductResults& results, const std::string& leftOut, const std::string& target);
 
 /// Returns the number of entries with that result.
 long long CountValidation(const FileResult& file, const std::string& result);

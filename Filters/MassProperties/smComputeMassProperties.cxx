@@ -155,6 +155,7 @@ MassPropertiesResult Compute(vtkDataObject* model, const MassPropertiesOptions& 
   wanted.Density = options.Density;
   wanted.DensityTolerance = options.DensityTolerance;
   wanted.Materials = options.Materials;
+  wanted.TakeProducts(model);
   wanted.GapLimit = options.GapLimit;
   IntegralLimits limits;
   limits.Backend = BackendChoice::CPU;

@@ -9,6 +9,8 @@
 #include "smMassIntegrands.h"
 #include "smMaterials.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -59,9 +61,10 @@ public:
     this->Change[0] = this->Change[1] = 0.0;
   }
 
-  /// `density` is in mass per volume in model units; NaN without one.
+  /// `density` is what a volume that is added weighs, in mass per volume in model units; NaN without one.
   void Add(const BodyIntegrals& body, const MassRow& row, const OffsetGeometry& geometry,
-    const std::vector<OffsetRange>& ranges, const OffsetChange& lower, const OffsetChange& upper)
+    const std::vector<OffsetRange>& ranges, const OffsetChange& lower, const OffsetChange& upper,
+    double density)
   {
     Vector3 way;
     for (int d = 0; d < 3; ++d)
@@ -71,8 +74,6 @@ public:
     double areaError = 0.0;
     double thickness = 0.0;
     Vector3 reach{};
-    // A stated mass does not change with the volume.
-    const double density = row.OverriddenMass > 0.0 ? 0.0 : row.Mass / row.Properties.Volume;
     // A solid of the set may grow at one place and shrink at another.
     const double movable = lower.Second + upper.Second;
     const double step = std::max(lower.Reach, upper.Reach);
@@ -434,11 +435,17 @@ FaceToleranceResults ComputeFaceTolerances(const std::vector<BodyIntegrals>& bod
     }
     ReportFaces(body, lower, upper, results.Messages);
     ToleranceSums own(rows[b].Properties, options);
-    own.Add(body, rows[b], offsets.Get(b), results.Ranges[b], lower, upper);
+    // A stated mass does not change with the volume. What solids have of that of a product changes with the
+    // volumes of the others, too, and the sum does not.
+    const bool isStated = rows[b].OverriddenMass > 0.0;
+    const bool isShared = rows[b].ShareOfProduct > 0.0;
+    own.Add(body, rows[b], offsets.Get(b), results.Ranges[b], lower, upper,
+      isShared ? vtkMath::Nan() : rows[b].GetAddedDensity());
     results.Rows[b] = own.Finish(rows[b]);
     if (isWhole)
     {
-      all.Add(body, rows[b], offsets.Get(b), results.Ranges[b], lower, upper);
+      all.Add(body, rows[b], offsets.Get(b), results.Ranges[b], lower, upper,
+        isStated ? 0.0 : rows[b].GetAddedDensity());
     }
   }
   if (isWhole)

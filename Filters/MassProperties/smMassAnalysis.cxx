@@ -3,6 +3,7 @@
 #include "Detail/smMassSpread.h"
 #include "Detail/smMirroredTwins.h"
 #include "Detail/smPlausibility.h"
+#include "Detail/smProductMasses.h"
 #include "Detail/smSelfCrossing.h"
 #include "Detail/smTotalMass.h"
 #include "smBodyScales.h"
@@ -407,7 +408,8 @@ void RemoveLeftOut(
     {
       isComplete = false;
       analysis.Rows[b] = MassRow();
-      SetMass(analysis.Rows[b], ChooseMaterial(bodies[b], options), bodies[b].Model->GetLengthUnit());
+      SetMass(
+        analysis.Rows[b], ChooseMaterial(bodies[b], options), nullptr, bodies[b].Model->GetLengthUnit());
     }
     else
     {
@@ -486,8 +488,18 @@ void AnalyzeTotal(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
 }
 }
 
-MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& options)
+void MassAnalysisOptions::TakeProducts(vtkDataObject* input)
 {
+  if (std::any_of(this->Materials.begin(), this->Materials.end(),
+        [](const MaterialRule& rule) { return rule.IsOfProduct; }))
+  {
+    this->Products = MakeProductTree(input);
+  }
+}
+
+MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisOptions& given)
+{
+  MassAnalysisOptions options = given;
   MassAnalysis analysis;
   if (bodies.empty())
   {
@@ -496,8 +508,6 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
   // The unit of the total is that of the first body; a reader gives all its bodies the same unit.
   analysis.Unit = bodies.front().Model->GetLengthUnit();
   analysis.HasOneUnit = HaveOneUnit(bodies);
-  analysis.HasMass = std::any_of(bodies.begin(), bodies.end(),
-    [&options](const BodyIntegrals& body) { return ChooseMaterial(body, options).HasMass(); });
   MassRow& total = analysis.Total;
   if (analysis.HasOneUnit)
   {
@@ -519,23 +529,32 @@ MassAnalysis AnalyzeMass(std::vector<BodyIntegrals>& bodies, const MassAnalysisO
     {
       row.InFrame = ComputeInFrame(moments, options.Frame);
     }
-    SetMass(row, ChooseMaterial(body, options), body.Model->GetLengthUnit());
-    if (!options.HasBounds && std::isfinite(row.Properties.Volume))
-    {
-      row.RemoveBounds();
-    }
-    AddRow(row, total);
     if (std::isfinite(row.Properties.Volume))
     {
       parts.push_back(moments);
     }
     analysis.Rows.push_back(row);
+  }
+  const std::vector<std::string> shared = ShareProductMasses(bodies, analysis.Rows, options);
+  analysis.HasMass = std::any_of(bodies.begin(), bodies.end(),
+    [&options](const BodyIntegrals& body) { return ChooseMaterial(body, options).HasMass(); });
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    const BodyIntegrals& body = bodies[b];
+    MassRow& row = analysis.Rows[b];
+    SetMass(row, ChooseMaterial(body, options), FindShare(body, options), body.Model->GetLengthUnit());
+    if (!options.HasBounds && std::isfinite(row.Properties.Volume))
+    {
+      row.RemoveBounds();
+    }
+    AddRow(row, total);
     analysis.OpenEdges += body.OpenEdges;
     analysis.FlippedShells += body.FlippedShells;
   }
   AnalyzeTotal(bodies, parts, options, analysis);
   RemoveLeftOut(bodies, options, analysis);
   NoteUnknownUnits(bodies, options, analysis);
+  analysis.Messages.insert(analysis.Messages.end(), shared.begin(), shared.end());
   NoteStatedMasses(bodies, options, analysis);
   NoteUnusedRules(bodies, options, analysis);
   NoteCoincidences(bodies, analysis);

@@ -13,6 +13,7 @@
 #include "smMassTable.h"
 #include "smMaterials.h"
 #include "smPartsList.h"
+#include "smProducts.h"
 #include "smStatus.h"
 
 #include <functional>
@@ -23,6 +24,18 @@
 namespace sm
 {
 class SelfCrossingCheck;
+
+/// What a solid has of the mass that materials state for a product.
+struct ProductShare
+{
+  /// The density with which the solid has its share. A contradiction leaves it without a density.
+  sm::Material Material;
+  /// The part of the mass that is distributed, above 0 and at most 1; 0 after a contradiction.
+  double Share = 0.0;
+  /// Largest relative error of the density, and how far other closings of the gaps may change it.
+  double Error = 0.0;
+  double Spread = 0.0;
+};
 
 /// Options of AnalyzeMass().
 struct MassAnalysisOptions
@@ -36,6 +49,13 @@ struct MassAnalysisOptions
   std::vector<MaterialRule> Materials;
   /// Materials of bodies without one, by their ids, from their mirror images.
   std::map<std::string, Material> Twins;
+  /// The products of the input, for rules that state masses of products; else empty.
+  ProductTreeNode Products;
+  /// Shares by the ids of solids, which come before their materials. AnalyzeMass() sets them.
+  std::map<std::string, ProductShare> Shares;
+
+  /// Takes the products of `input` if a rule states the mass of one.
+  void TakeProducts(vtkDataObject* input);
   /// The frame of reference of InFrame in MassRow, which must be valid if Frame.IsGiven is true.
   ReferenceFrame Frame;
   /// False if the integrals have no bounds and belong to no closed chain (the paper's schemes). Then every

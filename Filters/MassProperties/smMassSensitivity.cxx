@@ -272,11 +272,12 @@ FaceSensitivity ComputeSensitivity(
   }
   result.Volume = area.Area;
   result.VolumeBound = area.AreaBound;
-  // A stated mass does not change with the volume.
-  const double density = row.OverriddenMass > 0.0 ? 0.0 : row.Mass / p.Volume;
+  const double density = row.GetAddedDensity();
   result.Mass = density * area.Area;
   result.MassBound = std::abs(density) * area.AreaBound +
-    area.Area * ((row.OverriddenMass > 0.0 ? 0.0 : row.MassBound) + std::abs(density) * p.VolumeBound) /
+    area.Area *
+      ((density != 0.0 ? row.MassBound : 0.0) * (1.0 + 2.0 * row.ShareOfProduct) +
+        std::abs(density) * p.VolumeBound) /
       (p.Volume - p.VolumeBound) +
     FewRoundings * std::abs(result.Mass);
   double largest = 0.0;

@@ -128,6 +128,13 @@ MassRow::MassRow()
   this->MeasuredBounds.fill(this->Mass);
 }
 
+double MassRow::GetAddedDensity() const
+{
+  return this->OverriddenMass > 0.0 && !(this->ShareOfProduct > 0.0)
+    ? 0.0
+    : (1.0 - this->ShareOfProduct) * this->Mass / this->Properties.Volume;
+}
+
 void MassRow::RemoveBounds()
 {
   MassProperties& p = this->Properties;

@@ -39,6 +39,8 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   std::array<double, 5> MassUncertainty;
   /// The part of the mass that materials state instead of a density; NaN without a mass.
   double OverriddenMass;
+  /// The part of the stated mass of a product that this solid has; 0 for a solid that shares none.
+  double ShareOfProduct = 0.0;
   /// Properties with the density as weight: kg, kg L, kg L^2. For all bodies together only if each has a
   /// density.
   MassProperties Weighted;
@@ -63,8 +65,11 @@ struct SMFILTERSMASSPROPERTIES_EXPORT MassRow
   double GapArea;
   double ClosureResidual;
 
-  /// Sets all values to NaN.
+  /// Sets all values but ShareOfProduct to NaN.
   MassRow();
+  /// Returns kg of a volume 1 that is added to the solid: 0 where its mass is stated; where it shares the
+  /// stated mass of a product, what the others do not lose. NaN without a mass.
+  double GetAddedDensity() const;
   /// Sets all bounds to NaN.
   void RemoveBounds();
 };

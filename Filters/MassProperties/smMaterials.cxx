@@ -120,6 +120,18 @@ double ParseMassTolerance(const std::string& text, double mass)
   return share < 0.0 && absolute <= mass ? absolute / mass : share;
 }
 
+/// Removes ProductMassSuffix from the end of a text. Returns true if it was there.
+bool TakeProductSuffix(std::string& text)
+{
+  if (!MatchesPattern(std::string("* ") + ProductMassSuffix, text))
+  {
+    return false;
+  }
+  text.resize(text.size() - std::string(ProductMassSuffix).size());
+  text.resize(text.find_last_not_of(' ') + 1);
+  return true;
+}
+
 /// Sets the mass that the texts state. Returns an error message; empty if there is none.
 std::string TakeMass(const MaterialTexts& texts, Material& material)
 {
@@ -135,7 +147,7 @@ std::string TakeMass(const MaterialTexts& texts, Material& material)
   {
     return text +
       " is not a mass; give a number above 0 in kg, or with one of the units kg, g, mg, t, lb, oz" +
-      DescribeCase(text);
+      (isInDensity ? ", which it needs in the place of a density" : "") + DescribeCase(text);
   }
   return {};
 }
@@ -157,13 +169,15 @@ std::string TakeDensity(const MaterialTexts& texts, Material& material)
 }
 }
 
-std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule)
+std::string MakeRule(const MaterialTexts& given, MaterialRule& rule)
 {
+  MaterialTexts texts = given;
   MaterialRule made{ texts.Pattern, { texts.Material } };
   if (texts.Pattern.empty())
   {
     return "the name is empty";
   }
+  made.IsOfProduct = TakeProductSuffix(texts.Mass.empty() ? texts.Density : texts.Mass);
   made.IsLeftOut = MatchesPattern(LeftOutMaterial, texts.Material);
   if (made.IsLeftOut)
   {
@@ -174,7 +188,7 @@ std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule)
     rule = made;
     return {};
   }
-  const bool isMass = !texts.Mass.empty() || ParseMass(texts.Density, true) > 0.0;
+  const bool isMass = !texts.Mass.empty() || made.IsOfProduct || ParseMass(texts.Density, true) > 0.0;
   const std::string problem = isMass ? TakeMass(texts, made.Material) : TakeDensity(texts, made.Material);
   if (!problem.empty())
   {
@@ -270,6 +284,11 @@ std::string FindRuleProblem(const MaterialRule& rule)
     return "the density " + FormatDigits(material.Density, 6) + " and the mass " +
       FormatDigits(material.Mass, 6) + " contradict each other; give one of them";
   }
+  if (rule.IsOfProduct && material.Density != 0.0)
+  {
+    return "a product has a mass, not the density " + FormatDigits(material.Density, 6) +
+      "; give its mass, or densities for its solids";
+  }
   const double value = material.Mass != 0.0 ? material.Mass : material.Density;
   if (!(value > 0.0) || !std::isfinite(value))
   {
@@ -280,10 +299,31 @@ std::string FindRuleProblem(const MaterialRule& rule)
   return {};
 }
 
+namespace
+{
+const MaterialRule* FindRuleOf(bool product, const std::vector<MaterialRule>& rules, const std::string& name)
+{
+  std::vector<const MaterialRule*> candidates;
+  for (const MaterialRule& rule : rules)
+  {
+    if (rule.IsOfProduct == product)
+    {
+      candidates.push_back(&rule);
+    }
+  }
+  const std::size_t found = FindPattern(
+    candidates.size(), [&](std::size_t i) -> const std::string& { return candidates[i]->Pattern; }, name);
+  return found == candidates.size() ? nullptr : candidates[found];
+}
+}
+
 const MaterialRule* FindRule(const std::vector<MaterialRule>& rules, const std::string& name)
 {
-  const std::size_t found = FindPattern(
-    rules.size(), [&rules](std::size_t i) -> const std::string& { return rules[i].Pattern; }, name);
-  return found == rules.size() ? nullptr : &rules[found];
+  return FindRuleOf(false, rules, name);
+}
+
+const MaterialRule* FindProductRule(const std::vector<MaterialRule>& rules, const std::string& name)
+{
+  return FindRuleOf(true, rules, name);
 }
 }

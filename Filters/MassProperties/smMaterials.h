@@ -23,7 +23,8 @@ struct Material
   /// Largest relative deviation of the density, or of the mass, 0 to 1; negative if none is stated for this
   /// material: then that of the options counts for a density, and 0 for a mass.
   double Tolerance = -1.0;
-  /// Mass in kg of each solid, which overrides volume times density; 0 if none is stated. Then Density is 0.
+  /// Mass in kg of each solid, or of each product (MaterialRule::IsOfProduct), which overrides volume times
+  /// density; 0 if none is stated. Then Density is 0.
   double Mass = 0.0;
 
   bool HasMass() const { return this->Density > 0.0 || this->Mass > 0.0; }
@@ -37,7 +38,13 @@ struct MaterialRule
   sm::Material Material;
   /// True if these solids are left out of everything. Then Material has no meaning.
   bool IsLeftOut = false;
+  /// True if the pattern is that of products, parts or assemblies, and the mass that of all solids of each
+  /// occurrence together. Such a rule gives no solid a density.
+  bool IsOfProduct = false;
 };
+
+/// What follows a mass that is that of a product.
+constexpr const char* ProductMassSuffix = "per product";
 
 /// The material of rules that leave solids out.
 constexpr const char* LeftOutMaterial = "left out";
@@ -64,8 +71,9 @@ struct MaterialTexts
   std::string Pattern, Material, Density, Tolerance, Mass;
 };
 
-/// Makes a rule: of a density, of a common material, of a mass, or of the material LeftOutMaterial alone.
-/// Returns an error message with a remedy, and leaves `rule` as it is; empty if the texts make a rule.
+/// Makes a rule: of a density, of a common material, of a mass, perhaps followed by ProductMassSuffix, or of
+/// the material LeftOutMaterial alone. Returns an error message with a remedy, and leaves `rule` as it is;
+/// empty if the texts make a rule.
 SMFILTERSMASSPROPERTIES_EXPORT std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule);
 
 /// Returns true if the name is the pattern, in which * stands for any characters and ? for one byte. Letters
@@ -78,11 +86,15 @@ SMFILTERSMASSPROPERTIES_EXPORT std::size_t FindPattern(std::size_t count,
   const std::function<const std::string&(std::size_t)>& getPattern, const std::string& name);
 
 /// Returns why a rule is none, with a remedy; empty if it is one: either a density or a mass, finite and
-/// above 0, and a tolerance of at most 1; or a pattern of solids that are left out.
+/// above 0, the latter for a product, and a tolerance of at most 1; or a pattern of solids that are left out.
 SMFILTERSMASSPROPERTIES_EXPORT std::string FindRuleProblem(const MaterialRule& rule);
 
-/// Returns the rule whose pattern FindPattern() finds, or null.
+/// Returns the rule whose pattern FindPattern() finds among those of solids, or null.
 SMFILTERSMASSPROPERTIES_EXPORT const MaterialRule* FindRule(
+  const std::vector<MaterialRule>& rules, const std::string& name);
+
+/// Returns the rule whose pattern FindPattern() finds among those of products, or null.
+SMFILTERSMASSPROPERTIES_EXPORT const MaterialRule* FindProductRule(
   const std::vector<MaterialRule>& rules, const std::string& name);
 }
 

@@ -9,7 +9,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkTrimmedNURBSModel.h"
 
+#include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <system_error>
 #include <utility>
 
 namespace sm
@@ -44,6 +47,29 @@ std::vector<Bodies> GroupBodies(vtkPartitionedDataSetCollection* collection)
   return groups;
 }
 
+/// Reads the numbers of PlacementAttribute; none if the node has no such attribute.
+std::optional<std::array<double, 12>> ReadPlacement(vtkDataAssembly* assembly, int node)
+{
+  const std::string text = assembly->GetAttributeOrDefault(node, PlacementAttribute, "");
+  std::array<double, 12> numbers{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (double& number : numbers)
+  {
+    while (at != end && *at == ' ')
+    {
+      ++at;
+    }
+    const auto [next, error] = std::from_chars(at, end, number);
+    if (error != std::errc() || !std::isfinite(number))
+    {
+      return std::nullopt;
+    }
+    at = next;
+  }
+  return numbers;
+}
+
 /// Moves bodies from `groups` into a product and those below it: a body that several nodes have counts in the
 /// first.
 void AddNode(
@@ -68,6 +94,7 @@ void AddNode(
     ProductTreeNode below;
     below.Name = GetFileName(*assembly, child);
     below.Layer = assembly->GetAttributeOrDefault(child, "layer", "");
+    below.Placement = ReadPlacement(assembly, child);
     AddNode(assembly, child, level + 1, groups, below);
     if (!below.Bodies.empty() || !below.Children.empty())
     {

@@ -7,6 +7,8 @@
 
 #include "smFiltersMassPropertiesModule.h"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,8 @@ struct ProductTreeNode
   std::string Name;
   /// Layer of the product; empty where the file states none.
   std::string Layer;
+  /// The first three rows of the matrix from the product to the world, which is rigid; none if not known.
+  std::optional<std::array<double, 12>> Placement;
   std::vector<Body> Bodies;
   std::vector<ProductTreeNode> Children;
 };

@@ -26,9 +26,9 @@ double GetFactor(double density, const std::string& unit)
   return density > 0.0 && metres > 0.0 ? density * metres * metres * metres : vtkMath::Nan();
 }
 
-/// Multiplies values and their bound by a factor with a relative error of up to FactorRounding.
+/// Multiplies values and their bound by a factor with a relative error of up to FactorRounding and `error`.
 template <std::size_t N>
-void Scale(std::array<double, N>& values, double& bound, double factor)
+void Scale(std::array<double, N>& values, double& bound, double factor, double error = 0.0)
 {
   double largest = 0.0;
   for (double& value : values)
@@ -36,13 +36,7 @@ void Scale(std::array<double, N>& values, double& bound, double factor)
     value *= factor;
     largest = std::max(largest, std::abs(value));
   }
-  bound = factor * bound + FactorRounding * largest;
-}
-
-/// Returns the largest relative change of 1 / volume where the volume changes by at most `change`.
-double GetReciprocalChange(double volume, double change)
-{
-  return change < volume ? change / (volume - change) : std::numeric_limits<double>::infinity();
+  bound = factor * bound * (1.0 + error) + (FactorRounding + error) * largest;
 }
 
 /// A mass that overrides volume times density: what has the volume as weight is multiplied by mass / volume.
@@ -50,12 +44,13 @@ struct StatedScale
 {
   /// kg of a volume 1.
   double Factor;
-  /// Largest relative error of the reciprocal of the volume.
+  /// Largest relative error of the factor, without its rounding.
   double Reciprocal;
 
-  StatedScale(double mass, double volume, double volumeBound)
+  /// `error` is the largest relative error of the mass.
+  StatedScale(double mass, double volume, double volumeBound, double error)
     : Factor(mass / volume)
-    , Reciprocal(GetReciprocalChange(volume, volumeBound))
+    , Reciprocal(GetReciprocalChange(volume, volumeBound) * (1.0 + error) + error)
   {
   }
 
@@ -82,10 +77,10 @@ struct StatedScale
 /// Largest relative error of a mass as a table has it: its decimals, and its unit.
 constexpr double StatedRounding = 2.0 * UnitRoundoff;
 
-/// Gives moments the mass as their weight.
-void StateMoments(Moments& moments, double mass)
+/// Gives moments the mass, with a relative error of up to `error`, as their weight.
+void StateMoments(Moments& moments, double mass, double error)
 {
-  const StatedScale scale(mass, moments.Volume, moments.VolumeBound);
+  const StatedScale scale(mass, moments.Volume, moments.VolumeBound, error);
   for (int i = 0; i < 3; ++i)
   {
     scale.Scale(moments.First[i], moments.FirstBound[i]);
@@ -95,7 +90,7 @@ void StateMoments(Moments& moments, double mass)
     scale.Scale(moments.Second[i], moments.SecondBound[i]);
   }
   moments.Volume = mass;
-  moments.VolumeBound = StatedRounding * mass;
+  moments.VolumeBound = (StatedRounding + error) * mass;
 }
 
 /// Gives the spread of moments about the centre the mass as their weight: the mass stays, and the second
@@ -117,12 +112,30 @@ void StateSpread(Moments& spread, const MassRow& row)
   spread.VolumeBound = 0.0;
 }
 
-void ScaleMoments(Moments& moments, double factor)
+/// Multiplies the spread of moments about the centre by a density that other closings may change, too: by a
+/// share of up to `change`.
+void ShareSpread(Moments& spread, const MassRow& row, double change)
 {
-  const auto scale = [factor](double& value, double& bound)
+  const double factor = row.Mass / row.Properties.Volume;
+  spread.VolumeBound = factor * spread.VolumeBound * (1.0 + change) + change * row.Mass;
+  for (double& bound : spread.FirstBound)
+  {
+    bound *= factor * (1.0 + change);
+  }
+  for (std::size_t i = 0; i < spread.SecondBound.size(); ++i)
+  {
+    const double second = std::abs(row.Properties.Second[i]) + row.Properties.SecondBound;
+    spread.SecondBound[i] = factor * (spread.SecondBound[i] * (1.0 + change) + second * change);
+  }
+}
+
+/// Multiplies moments by a factor with a relative error of up to FactorRounding and `error`.
+void ScaleMoments(Moments& moments, double factor, double error = 0.0)
+{
+  const auto scale = [factor, error](double& value, double& bound)
   {
     value *= factor;
-    bound = factor * bound + FactorRounding * std::abs(value);
+    bound = factor * bound * (1.0 + error) + (FactorRounding + error) * std::abs(value);
   };
   scale(moments.Volume, moments.VolumeBound);
   for (int i = 0; i < 3; ++i)
@@ -142,7 +155,9 @@ std::array<double, 5> GetMassUncertainty(const MassRow& row, double tolerance, d
 {
   const bool isStated = row.OverriddenMass > 0.0;
   const double share = tolerance * std::abs(row.Mass);
-  const double gaps = isStated ? 0.0 : (1.0 + tolerance) * factor * row.Spread.Volume;
+  const double gaps = row.ShareOfProduct > 0.0 ? (1.0 + tolerance) * row.WeightedSpread.Volume
+    : isStated                                 ? 0.0
+                                               : (1.0 + tolerance) * factor * row.Spread.Volume;
   const double numerical = (1.0 + tolerance) * row.MassBound;
   return { (1.0 + 1e-6) * (share + gaps + numerical), isStated ? 0.0 : share, gaps, numerical,
     isStated ? share : 0.0 };
@@ -176,10 +191,25 @@ std::string NameBodiesWithoutDensity(
 }
 }
 
+double GetReciprocalChange(double volume, double change)
+{
+  return change < volume ? change / (volume - change) : std::numeric_limits<double>::infinity();
+}
+
+const ProductShare* FindShare(const BodyIntegrals& body, const MassAnalysisOptions& options)
+{
+  const auto found = options.Shares.find(body.Id);
+  return found == options.Shares.end() ? nullptr : &found->second;
+}
+
 Material ChooseMaterial(const BodyIntegrals& body, const MassAnalysisOptions& options)
 {
   Material material;
-  if (const MaterialRule* rule = FindRule(options.Materials, body.Name))
+  if (const ProductShare* share = FindShare(body, options))
+  {
+    material = share->Material;
+  }
+  else if (const MaterialRule* rule = FindRule(options.Materials, body.Name))
   {
     material = rule->Material;
   }
@@ -203,36 +233,59 @@ Material ChooseMaterial(const BodyIntegrals& body, const MassAnalysisOptions& op
 
 namespace
 {
-/// Multiplies the properties of a row by a density. `factor` is kg of a volume 1; NaN without a density.
-void SetMassOfDensity(MassRow& row, double factor)
+/// Multiplies the properties of a row by a density with a relative error of up to `error`. `factor` is kg of
+/// a volume 1; NaN without a density.
+void SetMassOfDensity(MassRow& row, double factor, double error)
 {
   MassProperties& weighted = row.Weighted;
   std::array<double, 1> mass = { weighted.Volume };
-  Scale(mass, weighted.VolumeBound, factor);
+  Scale(mass, weighted.VolumeBound, factor, error);
   weighted.Volume = mass[0];
-  Scale(weighted.First, weighted.FirstBound, factor);
-  Scale(weighted.Second, weighted.SecondBound, factor);
-  Scale(weighted.Inertia, weighted.InertiaBound, factor);
-  Scale(weighted.InertiaAtOrigin, weighted.InertiaAtOriginBound, factor);
-  Scale(weighted.Principal, weighted.PrincipalBound, factor);
+  Scale(weighted.First, weighted.FirstBound, factor, error);
+  Scale(weighted.Second, weighted.SecondBound, factor, error);
+  Scale(weighted.Inertia, weighted.InertiaBound, factor, error);
+  Scale(weighted.InertiaAtOrigin, weighted.InertiaAtOriginBound, factor, error);
+  Scale(weighted.Principal, weighted.PrincipalBound, factor, error);
   row.WeightedSpread = row.Spread.GetWeighted(factor);
   if (!(factor > 0.0))
   {
     weighted = MassProperties();
     return;
   }
-  Scale(row.WeightedInFrame.Inertia, row.WeightedInFrame.InertiaBound, factor);
-  Scale(row.WeightedInFrame.CentralInertia, row.WeightedInFrame.CentralInertiaBound, factor);
+  Scale(row.WeightedInFrame.Inertia, row.WeightedInFrame.InertiaBound, factor, error);
+  Scale(row.WeightedInFrame.CentralInertia, row.WeightedInFrame.CentralInertiaBound, factor, error);
 }
 
-/// Gives the properties of a row a mass that does not depend on the volume.
-void SetStatedMass(MassRow& row, double stated)
+/// Returns the largest of the values without their signs.
+template <std::size_t N>
+double GetLargest(const std::array<double, N>& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+/// Adds to the spreads of a row what a relative change of its density by up to `change` does.
+void AddChangeOfDensity(MassRow& row, double change)
+{
+  const MassProperties& weighted = row.Weighted;
+  MassSpread& spread = row.WeightedSpread;
+  spread.Inertia += change * (spread.Inertia + GetLargest(weighted.Inertia));
+  spread.Principal += change * (spread.Principal + GetLargest(weighted.Principal));
+}
+
+/// Gives the properties of a row a mass that does not depend on the volume, with a relative error of up to
+/// `error`.
+void SetStatedMass(MassRow& row, double stated, double error)
 {
   MassProperties& weighted = row.Weighted;
   const double volume = weighted.Volume;
-  const StatedScale scale(stated, volume, weighted.VolumeBound);
+  const StatedScale scale(stated, volume, weighted.VolumeBound, error);
   weighted.Volume = stated;
-  weighted.VolumeBound = StatedRounding * stated;
+  weighted.VolumeBound = (StatedRounding + error) * stated;
   scale.Scale(weighted.First, weighted.FirstBound);
   scale.Scale(weighted.Second, weighted.SecondBound);
   scale.Scale(weighted.Inertia, weighted.InertiaBound);
@@ -241,47 +294,83 @@ void SetStatedMass(MassRow& row, double stated)
   scale.Scale(row.WeightedInFrame.Inertia, row.WeightedInFrame.InertiaBound);
   scale.Scale(row.WeightedInFrame.CentralInertia, row.WeightedInFrame.CentralInertiaBound);
   // Other closings of the gaps move the shape, not the mass.
-  const double change = GetReciprocalChange(volume, row.Spread.Volume);
-  const auto getLargest = [](const auto& values)
-  {
-    double largest = 0.0;
-    for (const double value : values)
-    {
-      largest = std::max(largest, std::abs(value));
-    }
-    return largest;
-  };
   row.WeightedSpread = row.Spread.GetWeighted(scale.Factor);
   row.WeightedSpread.Volume = 0.0;
-  row.WeightedSpread.Inertia += change * (row.WeightedSpread.Inertia + getLargest(weighted.Inertia));
-  row.WeightedSpread.Principal += change * (row.WeightedSpread.Principal + getLargest(weighted.Principal));
+  AddChangeOfDensity(row, GetReciprocalChange(volume, row.Spread.Volume));
 }
 }
 
-void SetMass(MassRow& row, const Material& material, const std::string& unit)
+void SetMass(MassRow& row, const Material& material, const ProductShare* share, const std::string& unit)
 {
   const double factor = GetFactor(material.Density, unit);
   const bool isStated = material.Mass > 0.0 && row.Properties.Volume > 0.0;
+  const bool isShared = share && share->Share > 0.0;
   row.Material = material.Name;
   row.Density = material.Density > 0.0 ? material.Density : vtkMath::Nan();
   row.Weighted = row.Properties;
   row.WeightedInFrame = row.InFrame;
   if (isStated)
   {
-    SetStatedMass(row, material.Mass);
+    SetStatedMass(row, material.Mass, share ? share->Error : 0.0);
     row.Density = material.Mass / (row.Properties.Volume * GetFactor(1.0, unit));
   }
   else
   {
     row.WeightedInFrame = factor > 0.0 ? row.InFrame : FrameProperties();
-    SetMassOfDensity(row, factor);
+    SetMassOfDensity(row, factor, isShared ? share->Error : 0.0);
   }
   row.Mass = row.Weighted.Volume;
   row.MassBound = row.Weighted.VolumeBound;
-  row.OverriddenMass = isStated ? row.Mass : 0.0 * row.Mass;
+  row.OverriddenMass = isStated || isShared ? row.Mass : 0.0 * row.Mass;
+  if (isShared)
+  {
+    row.ShareOfProduct = share->Share;
+    row.WeightedSpread.Volume += share->Spread * (row.WeightedSpread.Volume + row.Mass);
+    AddChangeOfDensity(row, share->Spread);
+  }
   row.MassUncertainty = GetMassUncertainty(row, material.Tolerance, factor);
   row.MassInertia = row.Weighted.Inertia;
   row.MassInertiaBound = row.Weighted.InertiaBound;
+}
+
+namespace
+{
+/// Adds the shares of a row to those of the total. Gaps do not change the sum of what solids have of the mass
+/// of a product.
+void AddUncertainty(const MassRow& row, std::array<double, 5>& uncertainty)
+{
+  std::array<double, 5> shares = row.MassUncertainty;
+  if (row.ShareOfProduct > 0.0)
+  {
+    shares[2] = 0.0;
+    shares[0] = (1.0 + 1e-6) * (shares[3] + shares[4]);
+  }
+  for (std::size_t k = 0; k < uncertainty.size(); ++k)
+  {
+    uncertainty[k] += shares[k];
+  }
+}
+
+/// Gives moments of a row and their spread the mass as their weight. `factor` is kg of a volume 1 where the
+/// row has a density.
+void SetWeight(const MassRow& row, const ProductShare* share, double factor, Moments& part, Moments& spread)
+{
+  if (share && share->Share > 0.0)
+  {
+    ScaleMoments(part, factor, share->Error);
+    ShareSpread(spread, row, share->Spread);
+  }
+  else if (row.OverriddenMass > 0.0)
+  {
+    StateMoments(part, row.Mass, share ? share->Error : 0.0);
+    StateSpread(spread, row);
+  }
+  else
+  {
+    ScaleMoments(part, factor);
+    ScaleMoments(spread, factor);
+  }
+}
 }
 
 void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Moments>& parts,
@@ -295,9 +384,11 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   std::array<double, 5> uncertainty{};
   std::vector<Moments> weighted;
   std::vector<Moments> weightedSpreads;
+  double spreadOfMass = 0.0;
   std::size_t next = 0;
-  for (const MassRow& row : analysis.Rows)
+  for (std::size_t b = 0; b < bodies.size(); ++b)
   {
+    const MassRow& row = analysis.Rows[b];
     if (!std::isfinite(row.Properties.Volume))
     {
       continue;
@@ -312,20 +403,10 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
       bound += row.MassBound + rounding;
       uncertainty[0] += rounding;
       uncertainty[3] += rounding;
-      for (std::size_t k = 0; k < uncertainty.size(); ++k)
-      {
-        uncertainty[k] += row.MassUncertainty[k];
-      }
-      if (row.OverriddenMass > 0.0)
-      {
-        StateMoments(part, row.Mass);
-        StateSpread(spread, row);
-      }
-      else
-      {
-        ScaleMoments(part, GetFactor(row.Density, analysis.Unit));
-        ScaleMoments(spread, GetFactor(row.Density, analysis.Unit));
-      }
+      AddUncertainty(row, uncertainty);
+      // What solids have of the mass of a product depends on the gaps, their sum does not.
+      spreadOfMass += row.ShareOfProduct > 0.0 ? 0.0 : row.WeightedSpread.Volume;
+      SetWeight(row, FindShare(bodies[b], options), GetFactor(row.Density, analysis.Unit), part, spread);
       weighted.push_back(part);
       weightedSpreads.push_back(spread);
     }
@@ -340,7 +421,7 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
   }
   if (options.Materials.empty() && (options.Density > 0.0 || bodies.size() == 1))
   {
-    SetMass(total, ChooseMaterial(bodies.front(), options), analysis.Unit);
+    SetMass(total, ChooseMaterial(bodies.front(), options), nullptr, analysis.Unit);
   }
   else if (!weighted.empty() && weighted.size() == parts.size())
   {
@@ -349,6 +430,7 @@ void SetTotalMass(const std::vector<BodyIntegrals>& bodies, const std::vector<Mo
     total.MassBound = bound;
     SetWeighted(total, Moments::Sum(weighted), options);
     total.WeightedSpread = ComputeSpread(weightedSpreads, mass, total.Weighted.Center);
+    total.WeightedSpread.Volume = options.Shares.empty() ? total.WeightedSpread.Volume : spreadOfMass;
     const MassRow& first = *std::find_if(analysis.Rows.begin(), analysis.Rows.end(),
       [](const MassRow& row) { return std::isfinite(row.Properties.Volume); });
     const bool isUniform = std::all_of(analysis.Rows.begin(), analysis.Rows.end(),
@@ -392,9 +474,9 @@ void NoteUnusedRules(
 {
   for (const MaterialRule& rule : options.Materials)
   {
-    if (std::none_of(bodies.begin(), bodies.end(),
-          [&](const BodyIntegrals& body) { return FindRule(options.Materials, body.Name) == &rule; }) &&
-      !rule.IsLeftOut)
+    if (!rule.IsLeftOut && !rule.IsOfProduct &&
+      std::none_of(bodies.begin(), bodies.end(),
+        [&](const BodyIntegrals& body) { return FindRule(options.Materials, body.Name) == &rule; }))
     {
       analysis.Messages.push_back("no solid gets its material from the pattern " + rule.Pattern);
     }
@@ -424,6 +506,10 @@ void NoteStatedMasses(
   for (std::size_t b = 0; b < bodies.size(); ++b)
   {
     const Material material = ChooseMaterial(bodies[b], options);
+    if (FindShare(bodies[b], options))
+    {
+      continue;
+    }
     if (material.Mass > 0.0 && analysis.Rows[b].OverriddenMass > 0.0)
     {
       if (material.Tolerance == 0.0)

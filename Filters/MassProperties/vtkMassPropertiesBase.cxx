@@ -102,6 +102,13 @@ void vtkMassPropertiesBase::AddMass(const char* pattern, const char* material, d
   this->AppendMaterial({ pattern ? pattern : "", { material ? material : "", 0.0, tolerance, mass } });
 }
 
+void vtkMassPropertiesBase::AddProductMass(
+  const char* pattern, const char* material, double mass, double tolerance)
+{
+  this->AppendMaterial(
+    { pattern ? pattern : "", { material ? material : "", 0.0, tolerance, mass }, false, true });
+}
+
 void vtkMassPropertiesBase::AddLeftOut(const char* pattern)
 {
   this->AppendMaterial({ pattern ? pattern : "", { sm::LeftOutMaterial }, true });
@@ -259,6 +266,7 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   options.DensityTolerance = this->DensityTolerance;
   options.Materials = this->Materials;
   options.Frame = *this->Frame;
+  options.TakeProducts(this->GetInputDataObject(0, 0));
   *this->Analysis = sm::AnalyzeRun(bodies, options, this->CheckEditedSolids, this->MakeLimits(),
     *this->CrossingCheck, this->GetEngine().GetReport());
   for (std::size_t i = 0; i < this->Materials.size(); ++i)

@@ -120,6 +120,12 @@ public:
    * counts as exact. The order of the calls counts as for AddMaterial(), which takes a mass with a unit in
    * place of a density, too ("250 g"; kg, g, mg, t, lb, oz), and the material "left out" for AddLeftOut(). */
   void AddMass(const char* pattern, const char* material, double mass, double tolerance = -1.0);
+  /** As AddMass(), for all solids of every product of that name together, part or assembly: each occurrence
+   * has that mass. Solids of it with a stated mass of their own, and products in it, keep theirs; the others
+   * share the rest in proportion to volume times density, or to volume where one has no density. Statements
+   * that contradict each other leave all solids of the product without a mass, and a message names it. A rule
+   * counts for the outermost product that it fits. AddMaterial() takes "250 g per product", too. */
+  void AddProductMass(const char* pattern, const char* material, double mass, double tolerance = -1.0);
   /** Leaves these solids out of all results; a message names them. */
   void AddLeftOut(const char* pattern);
   void ClearMaterials();

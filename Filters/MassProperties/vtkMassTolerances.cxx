@@ -241,11 +241,8 @@ std::vector<sm::MeshArray> vtkMassTolerances::GetMeshArrays(
   arrays.push_back({ sm::names::ToleranceUpper,
     [&ranges](std::size_t body, std::size_t face) { return ranges[body][face].Upper; } });
   arrays.push_back({ sm::names::VolumeByTolerance, getVolume });
-  arrays.push_back({ sm::names::MassByTolerance,
-    [this, getVolume](std::size_t body, std::size_t face)
-    {
-      const sm::MassRow& row = this->GetAnalysis().Rows[body];
-      return getVolume(body, face) * (row.OverriddenMass > 0.0 ? 0.0 : row.Mass / row.Properties.Volume);
-    } });
+  arrays.push_back({ sm::names::MassByTolerance, [this, getVolume](std::size_t body, std::size_t face) {
+                      return getVolume(body, face) * this->GetAnalysis().Rows[body].GetAddedDensity();
+                    } });
   return arrays;
 }

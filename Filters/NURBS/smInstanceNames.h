@@ -25,6 +25,10 @@ namespace sm
 /// replacement.
 constexpr const char* FileNameAttribute = "name";
 
+/// Attribute of an assembly's node with the placement of its product: twelve numbers, the rows of the matrix
+/// from the product to the world, in the unit of the output; it is rigid. Missing where it is not known.
+constexpr const char* PlacementAttribute = "placement";
+
 /// Returns the node name that VTK makes of a name, also of one that is empty or reserved.
 SMFILTERSNURBS_EXPORT std::string MakeNodeName(const std::string& name);
 

@@ -188,7 +188,7 @@ private:
       bodies.clear();
       ListBelow(node, bodies);
     }
-    this->AddLink(node.Name, bodies, isFused);
+    this->AddLink(node, bodies, isFused);
     for (const ProductTreeNode& child : node.Children)
     {
       if (!isFused)
@@ -221,11 +221,12 @@ private:
     }
   }
 
-  void AddLink(const std::string& product, const std::vector<ProductTreeNode::Body>& bodies, bool isFused)
+  void AddLink(const ProductTreeNode& node, const std::vector<ProductTreeNode::Body>& bodies, bool isFused)
   {
+    const std::string& product = node.Name;
     std::vector<const SolidResults*> solids;
     RobotLink link;
-    const double* placement = nullptr;
+    const double* placement = node.Placement ? node.Placement->data() : nullptr;
     for (const ProductTreeNode::Body& body : bodies)
     {
       if (const SolidResults* solid = this->FindSolid(body.Id))

@@ -69,8 +69,8 @@ Vector3 PlaceBack(const Vector3& c, const double* placement)
   return result;
 }
 
-/// Returns the sums of the solids below a node: in the coordinates of the part if there is a single part,
-/// otherwise in world coordinates.
+/// Returns the sums of the solids below a node, in the coordinates of the product if these are known,
+/// otherwise in those of the world.
 ComputedProduct Compute(const ProductTreeNode& node, bool isRoot, const SolidsById& byId, double millimetres)
 {
   ComputedProduct sum;
@@ -82,6 +82,7 @@ ComputedProduct Compute(const ProductTreeNode& node, bool isRoot, const SolidsBy
   }
   const double cube = millimetres * millimetres * millimetres;
   const bool isPart = node.Children.empty();
+  const bool isPlaced = isPart || node.Placement.has_value();
   std::vector<Vector3> centers;
   Vector3 first{};
   double rounding = 0.0;
@@ -95,18 +96,19 @@ ComputedProduct Compute(const ProductTreeNode& node, bool isRoot, const SolidsBy
     sum.Area += millimetres * millimetres * values.Area.Get();
     sum.AreaBound += millimetres * millimetres * values.Area.Bound;
     const Vector3& world = values.Center.Value;
-    centers.push_back(isPart ? PlaceBack(world, solid.Placement) : world);
+    const double* placement = node.Placement ? node.Placement->data() : solid.Placement;
+    centers.push_back(isPlaced ? PlaceBack(world, placement) : world);
     for (size_t i = 0; i < 3; ++i)
     {
       centers.back()[i] *= millimetres;
       first[i] += volume * centers.back()[i];
       rounding += 1e-15 * millimetres * (std::abs(world[i]) + std::abs(centers.back()[i]) / millimetres);
-      rounding += isPart ? 1e-15 * millimetres * std::abs(solid.Placement[4 * i + 3]) : 0.0;
+      rounding += isPlaced ? 1e-15 * millimetres * std::abs(placement[4 * i + 3]) : 0.0;
     }
   }
   sum.VolumeBound += 1e-15 * sum.Volume;
   sum.AreaBound += 1e-15 * sum.Area;
-  sum.NoCenter = isPart || isRoot ? "" : "the place of a sub-assembly is not known";
+  sum.NoCenter = isPlaced || isRoot ? "" : "the place of a sub-assembly is not known";
   // c = sum V_i c_i / sum V_i, with bounds e_i of V_i and d_i of c_i, is off by at most (sum V_i d_i + e_i
   // (|c_i - c| + d_i)) / (sum V_i - e_i).
   double error = 0.0;

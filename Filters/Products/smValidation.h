@@ -33,8 +33,8 @@ struct StatedProduct
   std::array<double, 3> Centroid{ Unknown, Unknown, Unknown };
 };
 
-/// The sums of the solids of a product, in millimetres: in the coordinates of the part if it is one,
-/// otherwise in those of the world; NaN if not known.
+/// The sums of the solids of a product, in millimetres: in the coordinates of the product if its placement is
+/// known or if it is a part, otherwise in those of the world; NaN if not known.
 struct ComputedProduct
 {
   /// The reason why no value is known.

@@ -55,6 +55,10 @@ std::string vtkProducts::AddMaterial(vtkMassPropertiesBase* filter, const std::s
   {
     filter->AddLeftOut(pattern.c_str());
   }
+  else if (problem.empty() && rule.IsOfProduct)
+  {
+    filter->AddProductMass(pattern.c_str(), material.c_str(), rule.Material.Mass, rule.Material.Tolerance);
+  }
   else if (problem.empty() && rule.Material.Mass > 0.0)
   {
     filter->AddMass(pattern.c_str(), material.c_str(), rule.Material.Mass, rule.Material.Tolerance);

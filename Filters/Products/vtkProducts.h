@@ -31,9 +31,9 @@ public:
 
   /**
    * Adds the line of a table of materials to those of a filter, as the option --materials of the program:
-   * `density` in kg/m^3 or a mass with a unit, `mass` in kg or with a unit, `tolerance` relative or a mass
-   * with a unit; each may be empty. Returns why the texts make no line, with a remedy, and adds none then;
-   * empty if it was added.
+   * `density` in kg/m^3 or a mass with a unit, `mass` in kg or with a unit, both perhaps followed by "per
+   * product", `tolerance` relative or a mass with a unit; each may be empty. Returns why the texts make no
+   * line, with a remedy, and adds none then; empty if it was added.
    */
   static std::string AddMaterial(vtkMassPropertiesBase* filter, const std::string& pattern,
     const std::string& material, const std::string& density, const std::string& tolerance,

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,8 @@ struct ProductNode
 {
   std::string Name;
   std::string Layer;
+  /// From the coordinates of the product to those of the world, in mm; none where it is not known.
+  std::optional<Placement> Place;
   std::vector<int> Instances;
   std::vector<ProductNode> Children;
 };

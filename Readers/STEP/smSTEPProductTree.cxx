@@ -196,6 +196,7 @@ private:
   {
     this->Open.insert(product.Id);
     ProductNode node;
+    node.Place = placement;
     node.Name = GetOwnName(product.Name);
     node.Name = node.Name.empty() ? GetOwnName(occurrenceName) : node.Name;
     const auto stated = this->Stated.find(product.Id);

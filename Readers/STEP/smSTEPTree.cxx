@@ -1,6 +1,7 @@
 #include "smSTEPTree.h"
 
 #include "smFailureReason.h"
+#include "smFormat.h"
 #include "smInstanceNames.h"
 
 #include "vtkCompositeDataSet.h"
@@ -35,12 +36,27 @@ void CollectNodeNames(const ProductNode& product, std::unordered_set<std::string
   }
 }
 
+/// Returns the numbers of PlacementAttribute.
+std::string WritePlacement(const Placement& placement, double unit)
+{
+  std::string text;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      const double value = j < 3 ? placement.Linear[i][j] : unit * placement.Translation[i];
+      text += (text.empty() ? "" : " ") + FormatDigits(value, 17);
+    }
+  }
+  return text;
+}
+
 void AddProducts(vtkDataAssembly* assembly, int parent, const std::vector<ProductNode>& products,
-  const std::unordered_set<std::string>& taken);
+  const std::unordered_set<std::string>& taken, double unit);
 
 /// Adds a node below `parent`. Its attribute "label" is the given one, and its node name is made of it.
 void AddProduct(vtkDataAssembly* assembly, int parent, const ProductNode& product, const std::string& label,
-  const std::unordered_set<std::string>& taken)
+  const std::unordered_set<std::string>& taken, double unit)
 {
   const int node = assembly->AddNode(MakeNodeName(label).c_str(), parent);
   assembly->SetAttribute(node, "label", label.c_str());
@@ -57,15 +73,19 @@ void AddProduct(vtkDataAssembly* assembly, int parent, const ProductNode& produc
   {
     assembly->SetAttribute(node, "layer", product.Layer.c_str());
   }
+  if (product.Place)
+  {
+    assembly->SetAttribute(node, PlacementAttribute, WritePlacement(*product.Place, unit).c_str());
+  }
   // All at once: every call reads the indices that the node has.
   assembly->AddDataSetIndices(
     node, std::vector<unsigned int>(product.Instances.begin(), product.Instances.end()));
-  AddProducts(assembly, node, product.Children, taken);
+  AddProducts(assembly, node, product.Children, taken, unit);
 }
 
 /// Adds nodes for the products, with numbers where names repeat.
 void AddProducts(vtkDataAssembly* assembly, int parent, const std::vector<ProductNode>& products,
-  const std::unordered_set<std::string>& taken)
+  const std::unordered_set<std::string>& taken, double unit)
 {
   std::vector<std::string> names;
   names.reserve(products.size());
@@ -76,7 +96,7 @@ void AddProducts(vtkDataAssembly* assembly, int parent, const std::vector<Produc
   const std::vector<std::string> labels = NumberNames(names, taken);
   for (std::size_t i = 0; i < products.size(); ++i)
   {
-    AddProduct(assembly, parent, products[i], labels[i], taken);
+    AddProduct(assembly, parent, products[i], labels[i], taken, unit);
   }
 }
 
@@ -90,7 +110,7 @@ std::string GetStem(const std::string& path)
 }
 
 vtkSmartPointer<vtkDataAssembly> MakeAssembly(
-  const ProductNode& root, const char* format, const std::string& fileName)
+  const ProductNode& root, const char* format, const std::string& fileName, double unit)
 {
   auto assembly = vtkSmartPointer<vtkDataAssembly>::New();
   const std::string stem = GetStem(fileName);
@@ -98,7 +118,7 @@ vtkSmartPointer<vtkDataAssembly> MakeAssembly(
   assembly->SetAttribute(vtkDataAssembly::GetRootNode(), "label", stem.c_str());
   std::unordered_set<std::string> names;
   CollectNodeNames(root, names);
-  AddProducts(assembly, vtkDataAssembly::GetRootNode(), root.Children, names);
+  AddProducts(assembly, vtkDataAssembly::GetRootNode(), root.Children, names, unit);
   return assembly;
 }
 

@@ -24,9 +24,9 @@ namespace sm
 /// Makes the vtkDataAssembly of the products. Its root is named `format`; the attribute "label" of it is the
 /// file's name without folder and extension. Nodes of one parent have different names: where those of the
 /// file repeat, their labels have a number, "nut (1)", and their attribute "name" is that of the file
-/// (smInstanceNames.h).
+/// (smInstanceNames.h). `unit` is the length of a millimetre in the unit of the output.
 vtkSmartPointer<vtkDataAssembly> MakeAssembly(
-  const ProductNode& root, const char* format, const std::string& fileName);
+  const ProductNode& root, const char* format, const std::string& fileName, double unit);
 
 /// More bytes than the field data of an output need.
 constexpr std::size_t SpareMemory = std::size_t{ 1 } << 20;

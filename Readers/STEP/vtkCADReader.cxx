@@ -394,8 +394,8 @@ void vtkCADReader::ReadFile(vtkPartitionedDataSetCollection* output)
     reading->Sources.push_back(makers[instance.Body]->MakeSource(instance));
     reading->Names.push_back(instance.Name);
   }
-  reading->Assembly =
-    sm::MakeAssembly(document.Root, this->GetFormatName(), this->FileName ? this->FileName : "");
+  reading->Assembly = sm::MakeAssembly(
+    document.Root, this->GetFormatName(), this->FileName ? this->FileName : "", options.Unit);
   reading->NameInstances();
   this->Last->Bodies = static_cast<int>(document.Bodies.size());
   this->Last->Instances = static_cast<int>(document.Instances.size());

@@ -7,7 +7,8 @@
  * partitioned dataset (vtkCompositeDataSet::NAME()) is that of the product, with a number where it repeats:
  * `nut (1)`, `nut (2)`. A vtkDataAssembly mirrors the product structure: its node names are valid XML names,
  * the attribute "label" has the name in the file, with a number where siblings have the same one, and then
- * "name" the name itself; "layer" has its layer. Every leaf has its name in the file and its path in the
+ * "name" the name itself; "layer" has its layer; "placement", of STEP files, twelve numbers, the rows of the
+ * matrix from the product to the world. Every leaf has its name in the file and its path in the
  * product structure (vtkNURBSDataSet::GetPartName(), GetPartPath()). Instances of one part share a
  * vtkTrimmedNURBSModel, which stays in the coordinates of the part.
  *

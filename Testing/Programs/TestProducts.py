@@ -339,6 +339,9 @@ def validation():
     rail = Part("rail", [((0, 0, 0), (200, 10, 10))], None, validation=(None, "8200.", ("100.", "5.", "5.1")))
     twins = [Part("twin", [((0, 0, 0), (1, 1, size))], None, validation=(str(size) + ".", None, None)) for size in (1, 2)]
     station = Assembly("station", [(plate, (0, 0, 0), None), (bolt, (40, 5, "6.35"), QUARTER), (bolt, (5, 5, 0), None)])
+    # A sub-assembly states its centroid in its own coordinates.
+    inner = get_properties(expand(station))
+    station.validation = (repr(float(inner[0])), None, tuple(repr(float(x)) for x in inner[1]))
     machine = Assembly("machine", [(station, (100, 0, 10), QUARTER), (rail, (0, 0, 0), None), (twins[0], (0, 50, 0), None), (twins[1], (0, 60, 0), None)])
     path = write_product(os.path.join(folder, "validation.step"), machine)
     for unit, length in (("mm", 1), ("inch", 25.4)):
@@ -346,7 +349,7 @@ def validation():
         found = {(e["product"], e["quantity"]): e for e in file["validation"]}
         check_equal("results", {("bolt", "volume"): "pass", ("bolt", "area"): "pass", ("bolt", "centroid"): "pass", ("plate", "volume"): "fail",
                                 ("plate", "area"): "pass", ("plate", "centroid"): "pass", ("rail", "area"): "pass", ("rail", "centroid"): "fail",
-                                ("twin", "volume"): "not-comparable"}, {key: e["result"] for key, e in found.items()})
+                                ("station", "volume"): "pass", ("station", "centroid"): "pass", ("twin", "volume"): "not-comparable"}, {key: e["result"] for key, e in found.items()})
         check_true("the reason", "several products" in found["twin", "volume"]["reason"], str(found["twin", "volume"]))
         entry = found["plate", "volume"]
         for key, inches in (("stated", 0.505), ("computed", 0.5), ("difference", 0.005)):
@@ -354,8 +357,10 @@ def validation():
         check("rail: difference", 0.1 / length, found["rail", "centroid"]["difference"], 1e-12)
         for i, expected in enumerate((2, 3, 8)):
             check(f"centre of the bolt {i}", expected / length, found["bolt", "centroid"]["computed"][i], found["bolt", "centroid"]["bound"])
+        for i, expected in enumerate(inner[1]):
+            check(f"centre of the station {i}", float(expected) / length, found["station", "centroid"]["computed"][i], found["station", "centroid"]["bound"])
     result = run("--validate", path)
-    check_true("in the table", re.search(r"validation +6 pass, 2 fail, 2 not comparable", result.stdout), result.stdout)
+    check_true("in the table", re.search(r"validation +8 pass, 2 fail, 2 not comparable", result.stdout), result.stdout)
     check_true("what fails is named", "plate: volume" in result.stdout and "rail: centroid" in result.stdout, result.stdout)
     check_equal("exit statuses", [0, 3, 0], [run("--validate", "-q", *more, path).returncode
                                              for more in ((), ("--require", "validation"), ("--require", "validation", "--validation-limit", "0.02"))])
@@ -374,6 +379,30 @@ def validation():
         found = {(e["product"], e["quantity"]): e for e in run_json("--validate", "--hidden", hidden, hiding)["validation"]}
         check_equal(f"--hidden {hidden}", expected, tuple(found[key]["result"] for key in (("plate", "volume"), ("rail", "centroid"), ("bolt", "area"))))
     check_true("the reason", "compare with --hidden count" in found["plate", "area"]["reason"] and "plate" in found["plate", "area"]["reason"], str(found))
+    # Nor are statements written without them.
+    target = os.path.join(folder, "validation_hidden_stated.step")
+    for hidden, status in (("count", 0), ("skip", 3), ("only", 3)):
+        if os.path.exists(target):
+            os.remove(target)
+        result = run("--hidden", hidden, "--write-validation", target, hiding)
+        check_equal(f"--hidden {hidden}: exit status", status, result.returncode)
+        check_equal(f"--hidden {hidden}: written", status == 0, os.path.exists(target))
+        check_true(f"--hidden {hidden}: said", status == 0 or ("is not written: bodies are left out" in result.stdout and
+                                                               "use --hidden count" in result.stdout), result.stdout)
+
+    # A part whose body is mapped into it has its own coordinates, not those of the body.
+    mapped = write_product(os.path.join(folder, "validation_mapped.step"), Assembly("frame", [
+        (Part("block", [((0, 0, 0), (10, 10, 10))], None, validation=("1000.", None, ("105.", "5.", "5."))), (7, 0, 0), QUARTER)]))
+    with open(mapped, encoding="ascii") as file:
+        text = file.read()
+    found = re.search(r"ADVANCED_BREP_SHAPE_REPRESENTATION\('block',\((#\d+),(#\d+)\),(#\d+)\)", text)
+    origin, solid, context = found.groups()
+    text = text.replace(found.group(0), f"SHAPE_REPRESENTATION('block',({origin},#9101),{context})")
+    text = text.replace("ENDSEC;\nEND-ISO", f"#9100=ADVANCED_BREP_SHAPE_REPRESENTATION('inner',({origin},{solid}),{context});\n#9101=MAPPED_ITEM('',#9102,#9103);\n"
+                        f"#9102=REPRESENTATION_MAP({origin},#9100);\n#9103=AXIS2_PLACEMENT_3D('',#9104,$,$);\n#9104=CARTESIAN_POINT('',(100.,0.,0.));\nENDSEC;\nEND-ISO")
+    with open(mapped, "w", encoding="ascii") as file:
+        file.write(text)
+    check_equal("mapped", {"volume": "pass", "centroid": "pass"}, {e["quantity"]: e["result"] for e in run_json("--validate", mapped)["validation"]})
 
     # Written: the text stays as it is except for what is added, the file can be read, and states what was
     # computed.

@@ -15,7 +15,7 @@ from smmachine import KG, check_bounded, check_mass, make_machine  # noqa: E402
 from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["stated", "hidden"])
+parser.add_argument("mode", choices=["stated", "products", "hidden"])
 for name in ("--program", "--output"):
     parser.add_argument(name, required=True)
 options = parser.parse_args()
@@ -139,6 +139,108 @@ def stated():
     check_true("flagged", any("same volume and centre of mass: they overlap, and both are counted" in m for m in file["messages"]), str(file["messages"]))
 
 
+def products():
+    """Masses that the table states for products of several solids: each occurrence has it, by volume times density."""
+    machine = make_machine()
+    path = write_product(os.path.join(folder, "products.step"), machine)
+    boxes = expand(machine)
+    volumes = [(h[0] - l[0]) * (h[1] - l[1]) * (h[2] - l[2]) for _, _, l, h in boxes]
+    density = {"plate": Fraction(2700), "bolt": Fraction(7850), "rail": Fraction(1400)}
+    own = [density[b[0]] for b in boxes]
+    in_station = [b[0] != "rail" for b in boxes]
+    # What a station weighs by its densities, in kg.
+    station = sum(w * v for w, v, inside in zip(own, volumes, in_station) if inside) * KG / 2
+    kilograms = Fraction("0.9")
+
+    def get_file(text, *more, name="products.csv"):
+        return run_json("--materials", write_table(name, text), *more, path)
+
+    # The solids of each station share 0.9 kg.
+    shared = [w * kilograms / station if inside else w for w, inside in zip(own, in_station)]
+    for name, text in (("products.csv", "name,material,mass,tolerance\nstation,,900 g per product,2%\n"),
+                       ("positional.csv", "station,,0.9 kg per product,2%\n"), ("pattern.csv", "name,mass,tolerance\nST*on,0.9 per product,0.02\n"),
+                       ("products.json", json.dumps([{"name": "station", "mass": "0.9 kg per product", "tolerance": "18 g"}]))):
+        file = get_file(text, name=name)
+        total = file["total"]
+        check_mass(total, boxes, shared)
+        check("both stations are stated", 1.8, total["overridden_mass"], 1e-13)
+        doubt = total["mass_uncertainty"]
+        check("in doubt by them", 0.036, doubt["overridden"], 1e-13)
+        check("in all", doubt["overridden"] + doubt["numerical"], doubt["total"], 2e-6 * doubt["total"])
+        for solid, weight, volume in zip(file["solids"], shared, volumes):
+            check_bounded(f"mass of {solid['name']}", weight * volume * KG, solid["mass"], solid["bounds"]["mass"])
+            check(f"density of {solid['name']}", float(weight), solid["density"], 1e-11 * float(weight))
+            check(f"stated of {solid['name']}", solid["mass"] if solid["name"] != "rail" else 0.0, solid["overridden_mass"], 0.0)
+        check_true("said", any("masses of products, which their solids share in proportion to volume times density: station 0.9 kg for 4 solids (2 times)" in m
+                               for m in file["messages"]), str(file["messages"]))
+    parts = {part["name"]: part for part in get_file("station,,0.9 kg per product\n", "--bom")["parts"][0]["children"]}
+    check("parts list", 0.9, parts["station"]["each"]["mass"], 1e-13)
+    check_true("exact", any("count as exact: station (2 times)" in m for m in get_file("station,,0.9 kg per product\n")["messages"]))
+
+    # Solids with a mass of their own keep it, and the others share the rest.
+    bolts = Fraction("0.1")
+    plate = volumes[boxes.index(next(b for b in boxes if b[0] == "plate"))]
+    rest = {"plate": (kilograms - 3 * bolts) / plate / KG, "bolt": bolts / 40 / KG, "rail": density["rail"]}
+    check_mass(get_file("bolt*,,100 g\nstation,,0.9 kg per product\n")["total"], boxes, [rest[b[0]] for b in boxes])
+    # So do products in a product: the rail has what the stations leave.
+    nested = [w if inside else (5 - 2 * kilograms) / 20000 / KG for w, inside in zip(shared, in_station)]
+    total = get_file("machine,,5 kg per product,1%\nstation,,0.9 kg per product,2%\n")["total"]
+    check_mass(total, boxes, nested)
+    check("all is stated", 5.0, total["overridden_mass"], 1e-12)
+    check("what is in it counts for itself and for the rest", 2 * 0.018 + 0.05 + 2 * 0.018, total["mass_uncertainty"]["overridden"], 1e-12)
+    # A line counts for the outermost product that it fits.
+    whole = sum(w * v for w, v in zip(own, volumes)) * KG
+    check_mass(get_file("*,,5 kg per product\n")["total"], boxes, [w * 5 / whole for w in own])
+
+    # Statements that contradict each other leave the product without a mass.
+    for text in ("bolt*,,400 g\nstation,,0.9 kg per product\n", "bolt*,,300 g\nstation,,0.9 kg per product\n",
+                 "bolt*,,100 g\nplate,,100 g\nstation,,0.9 kg per product\n"):
+        file = get_file(text)
+        check_equal("no mass", [None] * 8, [s["mass"] for s in file["solids"] if s["name"] != "rail"])
+        check_equal("nor has the total", None, file["total"]["mass"])
+        check("that of the rail is known", float(1400 * 20000 * KG), file["total"]["known_mass"], 1e-13)
+        check_true("said", any("contradict those that are stated for what is in them" in m and m.endswith(": station (2 times)") for m in file["messages"]),
+                   str(file["messages"]))
+    sums = "bolt*,,100 g\nplate,,600 g\nstation,,0.9 kg per product\n"
+    check_mass(get_file(sums)["total"], boxes, [rest[b[0]] for b in boxes])
+
+    # Without densities volumes count.
+    bare = write_product(os.path.join(folder, "products_bare.step"), make_machine(None, None))
+    even = kilograms / sum(v for v, inside in zip(volumes, in_station) if inside) * 2 / KG
+    file = run_json("--materials", write_table("even.csv", "station,foam,0.9 kg per product\n"), bare)
+    check_mass(file["total"], boxes, [even if inside else 1400 for inside in in_station])
+    check_equal("material", {"foam"}, {s["material"] for s in file["solids"] if s["name"] != "rail"})
+    check_true("said", any("shared in proportion to volume, since not all solids" in m for m in file["messages"]), str(file["messages"]))
+    check_mass(run_json("--materials", write_table("even.csv", "station,,0.9 kg per product\n"), "--density", "steel", bare)["total"], boxes,
+               [even if inside else 7850 for inside in in_station])
+
+    # Solids that are left out have no share, and are said to.
+    file = get_file("bolt*,left out\nstation,,0.9 kg per product\n")
+    kept = [b for b in boxes if b[0] != "bolt"]
+    check_mass(file["total"], kept, [kilograms / plate / KG if b[0] == "plate" else 1400 for b in kept])
+    check_true("said", any("are left out, and the others have all of the stated mass: station (2 times)" in m for m in file["messages"]), str(file["messages"]))
+
+    # What an offset of a face adds to one solid, the others lose; the mass of the product stays.
+    file = get_file("station,,0.9 kg per product\n", "--sensitivity", "--face-tolerance", "0.1", "--budget", os.path.join(folder, "products.png"))
+    for solid, weight, volume in zip(file["solids"], shared, volumes):
+        share = weight * volume * KG / kilograms if solid["name"] != "rail" else 0
+        for face in solid["sensitivity"]:
+            check(f"kg/mm of a face of {solid['name']}", float(weight * (1 - share) * KG) * face["volume"], face["mass"], face["bounds"]["mass"] + 1e-16)
+        grown = solid["tolerance"]["mass"]
+        check_equal(f"interval of {solid['name']}", solid["name"] == "rail", grown["maximum"] is not None)
+    rail = Fraction("200.2") * Fraction("10.2") ** 2 - 20000
+    total = file["total"]
+    check("the rail alone may grow", float(1400 * rail * KG) + total["mass"], total["tolerance"]["mass"]["maximum"], 1e-6 * float(1400 * rail * KG))
+    check("in the budget", float(1400 * rail * KG), {line["name"]: line["mass"] for line in total["budget"]["lines"]}["tolerance"], 1e-12)
+
+    # A name that no product has, and masses that are none.
+    check_true("unused", any("no product gets its mass from the pattern pump" in m for m in get_file("pump,,2 kg per product\n")["messages"]))
+    for text, said in (("station,,400 per product\n", "400 is not a mass"), ("name,mass\nstation,many per product\n", "many is not a mass"),
+                       ("station,,0.9 kg per assembly\n", "is not a density")):
+        result = run("--materials", write_table("wrong.csv", text), path)
+        check_true(f"{text!r} is wrong usage", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
+
+
 def hidden():
     """Bodies, occurrences and layers that the file hides (INVISIBILITY)."""
     def write(name, hide):
@@ -220,5 +322,5 @@ def hidden():
     check_true("refused", result.returncode == 1 and "count, skip or only" in result.stderr, result.stderr)
 
 
-{"stated": stated, "hidden": hidden}[options.mode]()
+{"stated": stated, "products": products, "hidden": hidden}[options.mode]()
 finish()

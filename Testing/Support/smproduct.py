@@ -33,9 +33,9 @@ class Part:
 
 
 class Assembly:
-    def __init__(self, name, uses, unit="mm"):
-        """uses: (node, shift in the unit, rotation or None)."""
-        self.name, self.uses, self.unit = name, uses, unit
+    def __init__(self, name, uses, unit="mm", validation=None):
+        """uses: (node, shift in the unit, rotation or None); validation: as of a part."""
+        self.name, self.uses, self.unit, self.validation = name, uses, unit, validation
 
 
 class Writer(Part21):
@@ -120,6 +120,8 @@ class Writer(Part21):
             relation = self.add(f"(REPRESENTATION_RELATIONSHIP('','',{child[1]},{whole})"
                                 f"REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({moved})SHAPE_REPRESENTATION_RELATIONSHIP())")
             self.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({relation},{described})")
+        if assembly.validation:
+            self._add_validation(assembly, definition, context)
         return definition, whole, origin, context
 
 

@@ -9,13 +9,19 @@
 
 namespace sm
 {
-/// Returns the material of a body: that of the first rule that its name matches; else the density of the
-/// options; else what its file states.
+/// Returns the material of a body: what it has of the mass of a product; else that of the first rule that its
+/// name matches; else the density of the options; else what its file states.
 Material ChooseMaterial(const BodyIntegrals& body, const MassAnalysisOptions& options);
 
+/// Returns the share of a body in the mass of a product, or null.
+const ProductShare* FindShare(const BodyIntegrals& body, const MassAnalysisOptions& options);
+
+/// Returns the largest relative change of 1 / volume where the volume changes by at most `change`.
+double GetReciprocalChange(double volume, double change);
+
 /// Sets the properties of a row that is of one material: those of the volume times the density, or scaled to
-/// the mass that the material states. `unit` is the length unit of the row.
-void SetMass(MassRow& row, const Material& material, const std::string& unit);
+/// the mass that the material states. `share` is FindShare() of the body, `unit` the length unit of the row.
+void SetMass(MassRow& row, const Material& material, const ProductShare* share, const std::string& unit);
 
 /// Sets the mass properties of the total, of bodies that all have the same unit, and adds a message about
 /// those without a density. `parts` are the moments of the bodies with a volume, in their order, and `sum`
