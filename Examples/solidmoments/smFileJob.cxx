@@ -112,7 +112,8 @@ bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobList
   messages.AddReader(reader);
   if (reader->GetStatus() != vtkCADReader::OK && reader->GetStatus() != vtkCADReader::EMPTY)
   {
-    file.Status = names::StatusUnreadable;
+    file.Status =
+      reader->GetStatus() == vtkCADReader::UNREADABLE ? names::StatusUnreadable : names::StatusNotComputed;
     return false;
   }
   file.LengthUnit = reader->GetLengthUnit();

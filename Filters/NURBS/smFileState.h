@@ -16,7 +16,7 @@ namespace sm
 {
 struct FileState
 {
-  /// "ok", "empty", "unreadable" or "aborted"; empty for data that no reader made.
+  /// "ok", "empty", "unreadable", "aborted" or "failed"; empty for data that no reader made.
   std::string Status;
   /// Why the status is not "ok": a sentence with the file's name.
   std::string Problem;

@@ -185,7 +185,7 @@ def read(file, reader):
     """Runs a reader. Raises SolidMomentsError if the file cannot be read."""
     reader.Update()
     if reader.GetStatus() not in (reader.OK, reader.EMPTY):
-        raise _no_result(file, "unreadable", _messages(reader))
+        raise _no_result(file, "unreadable" if reader.GetStatus() == reader.UNREADABLE else "not-computed", _messages(reader))
 
 
 def make_filter(density, tolerance, backend, density_tolerance=0.0, max_seconds=None):

@@ -29,6 +29,7 @@ sm::ProductNode AddNode(const sm::ShapeNode& shape, sm::ShapeAdder& adder)
 sm::ReadStatus FindStatus(const sm::BREPContent& content, const sm::Document& document)
 {
   return content.IsStopped     ? sm::ReadStatus::Aborted
+    : content.HasFailed        ? sm::ReadStatus::Failed
     : !content.Problem.empty() ? sm::ReadStatus::Unreadable
     : document.Bodies.empty()  ? sm::ReadStatus::Empty
                                : sm::ReadStatus::Ok;

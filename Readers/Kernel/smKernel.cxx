@@ -103,6 +103,7 @@ BREPContent ReadBREPShapes(std::string_view bytes, const ProgressCallback& progr
   if (answer.IsStopped || !answer.Problem.empty())
   {
     content.Problem = "OpenCASCADE could not read it (" + answer.Problem + ")";
+    content.HasFailed = !answer.IsCrash;
     return content;
   }
   ByteReader from(answer.Result);
@@ -113,6 +114,7 @@ BREPContent ReadBREPShapes(std::string_view bytes, const ProgressCallback& progr
   if (!reader.Get(content.Shapes) || !reader.Get(content.Root))
   {
     content.Problem = std::string("OpenCASCADE could not read it (") + BadAnswer + ")";
+    content.HasFailed = true;
   }
   return content;
 }

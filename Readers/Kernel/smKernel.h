@@ -52,6 +52,9 @@ struct BREPContent
   /// The reason why there are none: a clause without the file's name; empty if there are.
   std::string Problem;
   bool IsStopped = false;
+  /// True if the reason may not be in the file: the program is missing, was ended from outside, or did not
+  /// answer.
+  bool HasFailed = false;
   /// What the file has and Root lacks; a sentence each.
   std::vector<std::string> Defects;
   /// All shapes of the file.

@@ -3,8 +3,11 @@
 #include "smHelperProcess.h"
 #include "smKernelMessages.h"
 
+#include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -21,6 +24,14 @@ constexpr double Patience = 0.1;
 /// A request may take so many seconds, and more for each of its bytes.
 constexpr double MinSeconds = 60.0;
 constexpr double SecondsPerByte = 20e-6;
+
+/// Returns true for a process that ended by an error of its own, and was not ended from outside.
+bool IsError(const ProcessEnd& end)
+{
+  constexpr int errors[] = { SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP };
+  return !end.IsForced() &&
+    std::find(std::begin(errors), std::end(errors), end.GetSignal()) != std::end(errors);
+}
 
 /// A running solidmoments-kernel.
 class Server
@@ -83,6 +94,7 @@ public:
     else if (!this->IsStopped)
     {
       answer.Problem = this->DescribeEnd(seconds);
+      answer.IsCrash = !this->IsOther && IsError(this->Process.GetEnd());
     }
     this->Fraction = 0.0;
     return answer;

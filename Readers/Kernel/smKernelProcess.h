@@ -21,6 +21,8 @@ struct KernelAnswer
   /// empty if there is one, or if it was stopped.
   std::string Problem;
   bool IsStopped = false;
+  /// True if the process ended by an error of its own.
+  bool IsCrash = false;
 };
 
 /// Sends a request and waits for its answer. `progress` gets the fraction of the work that is done about ten

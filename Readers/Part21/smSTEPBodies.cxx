@@ -168,7 +168,6 @@ void STEPCensusTaker::AddShells(CensusBody& body, Index item)
     this->Census.ShellUses.push_back(
       { static_cast<std::uint32_t>(this->Census.Shells.size()), this->File.GetId(item), false });
     this->Census.Shells.push_back(shell);
-    this->ShellEntities.push_back(item);
   }
 }
 
@@ -255,7 +254,6 @@ std::uint32_t STEPCensusTaker::AddShell(Index entity)
     this->Add(CensusDefect::EmptyShell, entity, 0, FacesOfShell.Name);
   }
   this->Census.Shells.push_back(shell);
-  this->ShellEntities.push_back(entity);
   return found->second;
 }
 
@@ -300,10 +298,6 @@ void STEPCensusTaker::CheckBounds()
   {
     if (uses[k].first == uses[k - 1].first)
     {
-      for (const Index face : { uses[k - 1].second, uses[k].second })
-      {
-        this->GeometricDamage[face] = true;
-      }
       this->Add(CensusDefect::SharedBound, uses[k].second, uses[k].first, BoundsOfFace.Name);
     }
   }

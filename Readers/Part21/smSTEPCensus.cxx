@@ -7,7 +7,6 @@ namespace sm
 STEPCensus STEPCensusTaker::Take()
 {
   this->Census.Uses.assign(this->File.GetNumberOfInstances(), 0);
-  this->GeometricDamage.assign(this->File.GetNumberOfInstances(), false);
   this->Visited.assign(this->File.GetNumberOfInstances(), 0);
   this->SortEntities();
   this->FindPlacements();
@@ -15,6 +14,7 @@ STEPCensus STEPCensusTaker::Take()
   this->AddBodies();
   this->AddArcs();
   this->CountAll();
+  this->ListProducts();
   this->SolidsBelow = this->FindAbove({ CensusBodyKind::Solid }, true);
   this->SetInstances();
   this->CheckTwicePlaced();
@@ -22,31 +22,23 @@ STEPCensus STEPCensusTaker::Take()
   this->CheckVersions();
   this->FindAlternatives();
   this->FindShapelessProducts();
-  this->ListProducts();
   this->ReadQuantities();
   this->WalkBodies();
   this->FindCycles();
   this->MarkStructure();
   this->CheckBounds();
-  this->CheckLoops();
-  this->CheckEdges();
   this->FindUnused();
-  this->SpreadDamage();
   this->ReportUnits();
   return std::move(this->Census);
 }
 
 void STEPCensusTaker::Add(CensusDefect defect, Index entity, std::uint64_t other, const char* place)
 {
-  if (this->Census.Counts[static_cast<std::size_t>(defect)]++ < STEPCensus::ProblemLimit)
-  {
-    this->Census.Problems.push_back({ defect, this->File.GetId(entity), other, place });
-  }
+  this->Census.AddProblem(defect, this->File.GetId(entity), other, place);
 }
 
 void STEPCensusTaker::AddPeril(CensusDefect defect, Index entity, std::uint64_t other, const char* place)
 {
-  this->GeometricDamage[entity] = true;
   this->Add(defect, entity, other, place);
   this->Census.Perils.push_back({ defect, this->File.GetId(entity), other, place });
 }
@@ -82,6 +74,14 @@ STEPCensusTaker::Index STEPCensusTaker::Follow(
   return to;
 }
 
+void STEPCensus::AddProblem(CensusDefect defect, std::uint64_t id, std::uint64_t other, const char* place)
+{
+  if (this->Counts[static_cast<std::size_t>(defect)]++ < ProblemLimit)
+  {
+    this->Problems.push_back({ defect, id, other, place });
+  }
+}
+
 std::size_t STEPCensus::CountBodies(CensusBodyKind kind) const
 {
   std::size_t count = 0;
@@ -98,6 +98,31 @@ CensusCount STEPCensus::CountInstances(CensusBodyKind kind) const
   for (const CensusBody& body : this->Bodies)
   {
     count = AddCounts(count, body.Kind == kind ? body.Instances : 0);
+  }
+  return count;
+}
+
+CensusCount STEPCensus::CountNodes() const
+{
+  CensusCount count = this->CountInstances(CensusBodyKind::Solid);
+  if (count == 0)
+  {
+    count = this->CountInstances(CensusBodyKind::SurfaceModel);
+  }
+  for (const CensusOccurrence& occurrence : this->Occurrences)
+  {
+    count = AddCounts(count, occurrence.Instances);
+  }
+  for (const CensusMappedItem& item : this->MappedItems)
+  {
+    count = AddCounts(count, item.Instances);
+  }
+  for (const CensusShape& shape : this->Shapes)
+  {
+    for (std::size_t k = 0; k < shape.Placed.size(); ++k)
+    {
+      count = AddCounts(count, shape.Instances);
+    }
   }
   return count;
 }

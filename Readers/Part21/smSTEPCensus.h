@@ -77,8 +77,6 @@ struct CensusFace
   /// Range of its bounds in STEPCensus::Bounds.
   std::uint32_t FirstBound = 0;
   std::uint32_t NumberOfBounds = 0;
-  /// True if it depends on an entity with a defect.
-  bool Damaged = false;
 };
 
 enum class CensusShellKind : unsigned char
@@ -96,7 +94,6 @@ struct CensusShell
   /// Range of its faces in STEPCensus::FaceUses, each once.
   std::uint32_t FirstFace = 0;
   std::uint32_t NumberOfFaces = 0;
-  bool Damaged = false;
 };
 
 /// A shell as part of a body.
@@ -142,17 +139,26 @@ struct CensusBody
   /// kg/m^3, of its product or else of the assemblies that it occurs in; 0: none is stated, or they differ.
   double Density = 0.0;
   bool DensitiesDiffer = false;
-  /// True if it depends on an entity with a defect of geometry.
-  bool Damaged = false;
   /// True for triangles whose products all have exact faces, too, or that name the solid which they
   /// approximate.
   bool Alternative = false;
+};
+
+/// A shape that a mapped item, or a relationship with a transformation, places in another one.
+struct CensusPlacedShape
+{
+  /// Number of the entity that places it.
+  std::uint64_t Id = 0;
+  /// Index into STEPCensus::Shapes.
+  std::size_t Shape = 0;
 };
 
 /// Representations that are one shape, by their numbers, in the order of the file.
 struct CensusShape
 {
   std::vector<std::uint64_t> Representations;
+  /// The shapes that relationships place in it, without those that an occurrence places.
+  std::vector<CensusPlacedShape> Placed;
   CensusCount Instances = 0;
   /// True if a product has it, or another shape contains it.
   bool IsUsed = false;
@@ -187,9 +193,9 @@ struct CensusOccurrence
   std::uint64_t ParentShape = 0;
   /// True if the placement names that of the parent first.
   bool IsReversed = false;
-  /// True if it has no placement, and a mapped item of the shape of the child into that of the parent places
-  /// it.
-  bool IsMapped = false;
+  /// If it has no placement: the mapped items of shapes of the child into those of the parent, which place
+  /// it, one for each shape.
+  std::vector<CensusPlacedShape> MappedItems;
   /// Number of instances, that of its parent.
   CensusCount Instances = 0;
   /// True if the product or one below it has a solid.
@@ -316,9 +322,9 @@ enum Bit : unsigned char
  * - Problems, only at entities that bodies, structure or units depend on: damage elsewhere, for example in
  * text annotations, is not reported. The parameters of all geometric entities below a face are checked
  * against ISO 10303-42: number, kind, type of what they refer to, ranges, and for splines that knots,
- * multiplicities, poles and degree agree. Lines, circles and ellipses of edges must pass through the edges'
- * vertices. Not checked are the positions of other curves and of points relative to each other, and
- * validation rules of the schemas beyond those named.
+ * multiplicities, poles and degree agree. Not checked are the positions of curves and of points relative to
+ * each other, which readers check as they make them and add (AddProblem), and validation rules of the schemas
+ * beyond those named.
  *
  * Time and memory are linear in the file (a file of 2^17 leaves in 17 levels takes no more than its 34
  * occurrences), and there is no recursion over the depth of the file. Only std::bad_alloc is thrown.
@@ -361,6 +367,8 @@ struct SMREADERSPART21_EXPORT STEPCensus
   /// True if the file has no product with a shape, so that the roots are representations.
   bool WithoutProducts = false;
 
+  /// Counts a problem, and lists it if it is among the first of its kind.
+  void AddProblem(CensusDefect defect, std::uint64_t id, std::uint64_t other, const char* place);
   std::size_t GetNumberOfProblems(CensusDefect defect) const
   {
     return this->Counts[static_cast<std::size_t>(defect)];
@@ -369,6 +377,9 @@ struct SMREADERSPART21_EXPORT STEPCensus
   std::size_t CountBodies(CensusBodyKind kind) const;
   /// Returns the number of instances of bodies of a kind.
   CensusCount CountInstances(CensusBodyKind kind) const;
+  /// Returns the number of nodes of the expanded product tree: instances of bodies with faces, and of the
+  /// products and representations above them.
+  CensusCount CountNodes() const;
   /// Returns the number of faces in the shells of bodies of a kind that occur; a face of two shells counts
   /// twice.
   std::uint64_t CountFaces(CensusBodyKind kind) const;

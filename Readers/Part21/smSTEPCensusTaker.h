@@ -7,8 +7,6 @@
 
 #include "smSTEPAttributes.h"
 #include "smSTEPCensus.h"
-#include "smSTEPFrames.h"
-#include "smVector.h"
 
 #include <array>
 #include <set>
@@ -41,8 +39,6 @@ private:
     Index To;
     /// The occurrence, mapped item or relationship that states it.
     Index By;
-    /// True for an arc to a product that `By` does not name.
-    bool OfKernel = false;
     bool operator<(const Arc& other) const
     {
       return this->From != other.From ? this->From < other.From : this->To < other.To;
@@ -118,35 +114,7 @@ private:
   /// Returns the shell or face to which a chain of oriented ones refers.
   Index Unwrap(Index i, const STEPAttribute& element, const char* oriented);
   void FindUnused();
-
-  // smSTEPLoops.cxx: the order of edges
-  /// An edge with its vertices.
-  struct VertexPair
-  {
-    Index Edge;
-    Point3 Ends[2];
-    bool Straight;
-  };
-  void CheckLoops();
-  const VertexPair* ReadEdge(Index edge);
-  void CheckLoop(Index face, Index loop);
-  /// Reads the coordinates of a vertex; returns false if that fails.
-  bool ReadVertex(Index vertex, Point3& point);
-  Index FindSpatialCurve(Index edge) const;
-  void CheckVertexLoop(Index face, Index loop);
   void CheckBounds();
-
-  // smSTEPEdges.cxx: curves and vertices of edges
-  void CheckEdges();
-  void CheckEdges(const CensusBody& body);
-  void CheckEdge(Index edge, const Point3 ends[2], double limit);
-  bool ReadNumbers(Index entity, const STEPAttribute& attribute, Point3& numbers) const;
-  bool ReadLine(Index line, Point3& point, Point3& direction) const;
-  bool IsAgainstSpline(Index spline, bool isForward, const Point3 ends[2], double limit) const;
-  bool ReadConic(Index conic, STEPFrame& frame, double radii[2]) const;
-  bool IsClosedEdge(Index edge) const;
-  double GetConicDistance(Index conic, const Point3& point) const;
-  void AddEdgeExtent(const VertexPair& edge, Point3& low, Point3& high) const;
 
   // smSTEPDependence.cxx: the entities on which bodies depend, and their damage
   void WalkBodies();
@@ -162,7 +130,6 @@ private:
   void CheckLocation(Index placement);
   void CheckSplineCurve(Index i);
   void CheckSplineSurface(Index i);
-  void SpreadDamage();
 
   // smSTEPUnits.cxx
   int AddContext(Index representation);
@@ -186,11 +153,6 @@ private:
   std::vector<Index> Groups;
   /// Arcs from products and shapes, sorted.
   std::vector<Arc> Arcs;
-  /// Arcs to products that occurrences do not name, but that own the representations which they place:
-  /// OpenCASCADE follows these.
-  std::vector<Arc> KernelArcs;
-  /// The product of each representation, of several the first one that the file names.
-  std::unordered_map<Index, Index> Owners;
   /// (product, shape) pairs, sorted.
   std::vector<std::pair<Index, Index>> ShapesOfProducts;
   /// Number of instances of each product and, at its group's entity, of each shape.
@@ -209,6 +171,8 @@ private:
   std::set<Index> ExactGroups;
   std::vector<std::pair<Index, std::uint32_t>> MappedFrom;
   std::vector<bool> SolidsBelow;
+  /// Occurrences by their places in the census, and the arcs of the mapped items that place them.
+  std::vector<std::pair<std::size_t, Arc>> JoinedItems;
   /// Products that are parts by mapped items alone, and the product of each of their shapes; empty if there
   /// are no mapped items.
   std::vector<bool> IsMapped;
@@ -217,15 +181,8 @@ private:
   std::unordered_map<Index, std::uint32_t> BodyIndices;
   std::unordered_map<Index, std::uint32_t> ShellIndices;
   std::unordered_map<Index, std::uint32_t> FaceIndices;
-  std::vector<Index> ShellEntities;
   std::vector<Index> FaceEntities;
   std::unordered_map<Index, int> ContextIndices;
-  /// The edges of all loops, in the order in which they are found; the place in it of each edge; and the
-  /// first edge of each face.
-  std::vector<VertexPair> Edges;
-  std::vector<Index> EdgePlaces;
-  std::vector<std::size_t> FirstEdges;
-  std::vector<bool> GeometricDamage;
   std::vector<unsigned char> Visited;
 };
 }

@@ -261,6 +261,11 @@ void STEPCensusTaker::ListProducts()
     }
     this->Census.Shapes[place->second].Representations.push_back(this->File.GetId(i));
   }
+  for (const auto& [occurrence, arc] : this->JoinedItems)
+  {
+    this->Census.Occurrences[occurrence].MappedItems.push_back(
+      { this->File.GetId(arc.By), places.at(arc.To) });
+  }
   std::unordered_set<Index> parts;
   for (const Arc& arc : this->Arcs)
   {
@@ -268,6 +273,11 @@ void STEPCensusTaker::ListProducts()
     if (shape != places.end())
     {
       this->Census.Shapes[shape->second].IsUsed = true;
+      const auto whole = places.find(arc.From);
+      if (this->Entities.Has(arc.By, STEPRole::Relationship) && whole != places.end())
+      {
+        this->Census.Shapes[whole->second].Placed.push_back({ this->File.GetId(arc.By), shape->second });
+      }
     }
     if (this->IsOfAssembly(arc))
     {

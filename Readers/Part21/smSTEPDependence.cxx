@@ -170,7 +170,6 @@ void STEPCensusTaker::Visit(Index i, bool flat)
 {
   if (this->File.IsDamaged(i))
   {
-    this->GeometricDamage[i] = true;
     const Part21Range<Index> references = this->File.GetReferences(i);
     const bool undefined = std::find(references.begin(), references.end(), None) != references.end();
     this->Add(undefined ? CensusDefect::UndefinedReference : CensusDefect::DamagedEntity, i);
@@ -208,58 +207,6 @@ void STEPCensusTaker::Visit(Index i, bool flat)
   if (this->Entities.Has(i, STEPRole::SplineSurface))
   {
     this->CheckSplineSurface(i);
-  }
-}
-
-/// Marks all entities that refer to damaged ones, directly or not, among those on which bodies depend.
-void STEPCensusTaker::SpreadDamage()
-{
-  std::vector<std::pair<Index, Index>> users;
-  std::vector<Index> open;
-  const Index count = this->File.GetNumberOfInstances();
-  for (Index i = 0; i < count; ++i)
-  {
-    if (this->GeometricDamage[i])
-    {
-      open.push_back(i);
-    }
-  }
-  for (Index i = 0; !open.empty() && i < count; ++i)
-  {
-    for (const Index to : this->File.GetReferences(i))
-    {
-      if (to != None && this->Visited[i] != 0)
-      {
-        users.emplace_back(to, i);
-      }
-    }
-  }
-  std::sort(users.begin(), users.end());
-  while (!open.empty())
-  {
-    const Index i = open.back();
-    open.pop_back();
-    for (auto user = std::lower_bound(users.begin(), users.end(), std::make_pair(i, Index{ 0 }));
-         user != users.end() && user->first == i; ++user)
-    {
-      if (!this->GeometricDamage[user->second])
-      {
-        this->GeometricDamage[user->second] = true;
-        open.push_back(user->second);
-      }
-    }
-  }
-  for (std::size_t k = 0; k < this->Census.Faces.size(); ++k)
-  {
-    this->Census.Faces[k].Damaged = this->GeometricDamage[this->FaceEntities[k]];
-  }
-  for (std::size_t k = 0; k < this->Census.Shells.size(); ++k)
-  {
-    this->Census.Shells[k].Damaged = this->GeometricDamage[this->ShellEntities[k]];
-  }
-  for (std::size_t k = 0; k < this->Census.Bodies.size(); ++k)
-  {
-    this->Census.Bodies[k].Damaged = this->GeometricDamage[this->BodyEntities[k]];
   }
 }
 }

@@ -110,50 +110,89 @@ void STEPCensusTaker::FindMappedProducts()
   }
 }
 
-/// Joins occurrences without a placement with the mapped items that place them: those of the shape of the
-/// part into the shape of the assembly.
+/// Joins occurrences without a placement with the mapped items that place them: for each shape of the part,
+/// one into a shape of the assembly. An item of several shapes, or of a shape that several products or other
+/// shapes have, is not joined: it belongs to all of them.
 void STEPCensusTaker::JoinMappedOccurrences()
 {
   std::map<std::pair<Index, Index>, std::vector<std::size_t>> mapped;
+  std::unordered_map<Index, int> users;
+  for (const auto& [product, shape] : this->ShapesOfProducts)
+  {
+    ++users[shape];
+  }
+  for (const Arc& arc : this->Arcs)
+  {
+    ++users[arc.By];
+  }
   for (std::size_t k = 0; k < this->Arcs.size(); ++k)
   {
-    if (this->Entities.Has(this->Arcs[k].By, STEPRole::MappedItem))
+    const Arc& arc = this->Arcs[k];
+    if (this->Entities.Has(arc.By, STEPRole::MappedItem) && users[arc.By] == 1 && users[arc.From] == 1)
     {
       mapped[{ this->Arcs[k].From, this->Arcs[k].To }].push_back(k);
     }
   }
-  std::vector<bool> isJoined(this->Arcs.size(), false);
-  const auto join = [&](const CensusOccurrence& occurrence)
+  if (mapped.empty())
   {
-    const std::vector<Index> wholes = this->GetShapes(this->File.Find(occurrence.Parent));
-    const std::vector<Index> parts = this->GetShapes(this->File.Find(occurrence.Child));
-    for (const Index whole : wholes)
+    return;
+  }
+  const std::size_t none = this->Census.Occurrences.size();
+  // The occurrence of each arc that is joined.
+  std::vector<std::size_t> joined(this->Arcs.size(), none);
+  const auto join = [&](std::size_t k, Index whole, Index part)
+  {
+    const auto found = mapped.find({ whole, part });
+    const bool isFound = found != mapped.end() && !found->second.empty();
+    if (isFound)
     {
-      for (const Index part : parts)
+      joined[found->second.back()] = k;
+      found->second.pop_back();
+    }
+    return isFound;
+  };
+  for (std::size_t k = 0; k < none; ++k)
+  {
+    const CensusOccurrence& occurrence = this->Census.Occurrences[k];
+    if (occurrence.Placement == 0 && occurrence.Parent != 0 && occurrence.Child != 0)
+    {
+      const std::vector<Index> wholes = this->GetShapes(this->File.Find(occurrence.Parent));
+      for (const Index part : this->GetShapes(this->File.Find(occurrence.Child)))
       {
-        const auto found = mapped.find({ whole, part });
-        if (found != mapped.end() && !found->second.empty())
-        {
-          isJoined[found->second.back()] = true;
-          found->second.pop_back();
-          return true;
-        }
+        std::any_of(wholes.begin(), wholes.end(), [&](Index whole) { return join(k, whole, part); });
       }
     }
-    return false;
-  };
-  for (std::size_t k = 0; k < this->Census.Occurrences.size() && !mapped.empty(); ++k)
+  }
+  for (bool isChanged = true; isChanged;)
   {
-    CensusOccurrence& occurrence = this->Census.Occurrences[k];
-    occurrence.IsMapped =
-      occurrence.Placement == 0 && occurrence.Parent != 0 && occurrence.Child != 0 && join(occurrence);
+    isChanged = false;
+    std::unordered_set<Index> contained;
+    for (std::size_t k = 0; k < this->Arcs.size(); ++k)
+    {
+      if (joined[k] == none && this->Entities.Has(this->Arcs[k].From, STEPRole::Representation))
+      {
+        contained.insert(this->Arcs[k].To);
+      }
+    }
+    for (std::size_t k = 0; k < this->Arcs.size(); ++k)
+    {
+      if (joined[k] != none && contained.count(this->Arcs[k].From) > 0)
+      {
+        joined[k] = none;
+        isChanged = true;
+      }
+    }
   }
   std::vector<Arc> arcs;
   for (std::size_t k = 0; k < this->Arcs.size(); ++k)
   {
-    if (!isJoined[k])
+    if (joined[k] == none)
     {
       arcs.push_back(this->Arcs[k]);
+    }
+    else
+    {
+      this->JoinedItems.emplace_back(joined[k], this->Arcs[k]);
     }
   }
   this->Arcs = std::move(arcs);
@@ -235,12 +274,10 @@ std::vector<bool> STEPCensusTaker::FindRead() const
   return isRead;
 }
 
-/// Reports the cycles of the product structure. Those of mapped items, and of products that an occurrence
-/// places but does not name, are perils: OpenCASCADE relies on their absence.
+/// Reports the cycles of the product structure. Those of mapped items are perils.
 void STEPCensusTaker::ReportCycles()
 {
   std::vector<Arc> arcs = this->Arcs;
-  arcs.insert(arcs.end(), this->KernelArcs.begin(), this->KernelArcs.end());
   // What is left without the entities that lead to no cycle, and of the reverse without those that no cycle
   // leads to.
   for (int turn = 0; turn < 2; ++turn)
@@ -288,11 +325,6 @@ void STEPCensusTaker::ReportCycles()
     if (this->Entities.Has(arc.By, STEPRole::MappedItem) && isRead[arc.From])
     {
       this->AddPeril(CensusDefect::AssemblyCycle, arc.By, this->File.GetId(arc.To), "contains itself");
-    }
-    else if (arc.OfKernel)
-    {
-      this->AddPeril(CensusDefect::AssemblyCycle, this->Placements.at(arc.By), this->File.GetId(arc.To),
-        "the placed product contains this one");
     }
     else if (arc.By != None)
     {
@@ -375,7 +407,7 @@ void STEPCensusTaker::SetInstances()
       occurrence.Instances = this->Counts[this->File.Find(occurrence.Parent)];
       occurrence.HasSolids = this->SolidsBelow[this->File.Find(occurrence.Child)];
     }
-    if (occurrence.HasSolids && occurrence.Placement == 0 && !occurrence.IsMapped)
+    if (occurrence.HasSolids && occurrence.Placement == 0 && occurrence.MappedItems.empty())
     {
       this->Add(CensusDefect::MissingPlacement, i, 0, "no placement");
     }

@@ -110,6 +110,20 @@ const char* FindMismatch(
   }
   return sum == poles + degree + 1 ? nullptr : "multiplicities";
 }
+
+/// Returns true for a list that begins with three numbers.
+bool HasThreeNumbers(const Part21Value& list)
+{
+  Part21Values values(list.Text);
+  Part21Value value;
+  double number = 0.0;
+  int count = 0;
+  while (count < 3 && values.Next(value) && value.GetNumber(number))
+  {
+    ++count;
+  }
+  return list.IsList() && count == 3;
+}
 }
 
 void STEPCensusTaker::CheckRecord(Index i, std::string_view parameters, const char* signature, bool flat)
@@ -124,7 +138,6 @@ void STEPCensusTaker::CheckRecord(Index i, std::string_view parameters, const ch
   }
   else if (rest)
   {
-    this->GeometricDamage[i] = true;
     this->Add(CensusDefect::WrongParameter, i, 0, rest);
   }
 }
@@ -245,7 +258,6 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
   }
   else if (!valid)
   {
-    this->GeometricDamage[i] = true;
     this->Add(defect, i, value.Id, place);
   }
   return valid;
@@ -270,7 +282,6 @@ void STEPCensusTaker::CheckCoordinates(Index i, const Part21Value& value, bool f
                                                          : nullptr;
   if (place)
   {
-    this->GeometricDamage[i] = true;
     this->Add(CensusDefect::ValueOutOfRange, i, 0, place);
   }
 }
@@ -280,9 +291,8 @@ void STEPCensusTaker::CheckLocation(Index placement)
 {
   const Part21Value reference = this->Entities.Get(placement, LocationOfPlacement);
   const Index location = this->Entities.Follow(reference);
-  Point3 point;
   if (this->Entities.Has(location, STEPRole::Point) && !this->File.IsDamaged(location) &&
-    !this->ReadNumbers(location, CoordinatesOfPoint, point))
+    !HasThreeNumbers(this->Entities.Get(location, CoordinatesOfPoint)))
   {
     this->AddPeril(
       CensusDefect::ValueOutOfRange, placement, reference.Id, "location without three coordinates");
@@ -312,7 +322,6 @@ void STEPCensusTaker::CheckSplineCurve(Index i)
   }
   else if (place)
   {
-    this->GeometricDamage[i] = true;
     this->Add(CensusDefect::InconsistentSpline, i, 0, place);
   }
 }
@@ -357,7 +366,6 @@ void STEPCensusTaker::CheckSplineSurface(Index i)
   }
   else if (place)
   {
-    this->GeometricDamage[i] = true;
     this->Add(CensusDefect::InconsistentSpline, i, 0, place);
   }
 }

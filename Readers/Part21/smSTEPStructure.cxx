@@ -138,7 +138,6 @@ void STEPCensusTaker::AddShapes(Index i)
   if (representation != None)
   {
     this->ShapesOfProducts.emplace_back(product, this->FindGroup(representation));
-    this->Owners.emplace(representation, product);
   }
 }
 
@@ -207,13 +206,6 @@ void STEPCensusTaker::CheckPlacement(CensusOccurrence& occurrence, Index placeme
   }
   const bool forward = this->IsShapeOf(first, child) && this->IsShapeOf(second, parent);
   const bool backward = this->IsShapeOf(first, parent) && this->IsShapeOf(second, child);
-  const auto owner = this->Owners.find(first);
-  const auto other = this->Owners.find(second);
-  const bool isReversed = other != this->Owners.end() && other->second == child;
-  if (!isReversed && owner != this->Owners.end() && owner->second != child)
-  {
-    this->KernelArcs.push_back({ parent, owner->second, i, true });
-  }
   occurrence.IsReversed = !forward && backward;
   if (forward || backward)
   {
@@ -399,18 +391,29 @@ void STEPCensusTaker::MarkStructure()
       }
     }
   }
+  const auto addTransformation = [&](Index transformation)
+  {
+    addPlacement(transformation);
+    for (const STEPAttribute& item : ItemsOfTransformation)
+    {
+      this->CheckFrame(transformation, this->Entities.Follow(this->Entities.Get(transformation, item)));
+    }
+  };
+  for (const Arc& arc : this->Arcs)
+  {
+    if (this->Entities.Has(arc.By, STEPRole::Relationship) && this->Counts[arc.From] > 0)
+    {
+      this->Use(arc.By, CensusUse::Structure);
+      addTransformation(this->Follow(arc.By, OperatorOfRelationship, STEPRole::Transformation));
+    }
+  }
   for (std::size_t k = 0; k < this->Census.Occurrences.size(); ++k)
   {
     const CensusOccurrence& occurrence = this->Census.Occurrences[k];
     this->Use(this->OccurrenceEntities[k], CensusUse::Structure);
     if (occurrence.Transformation != 0)
     {
-      const Index transformation = this->File.Find(occurrence.Transformation);
-      addPlacement(transformation);
-      for (const STEPAttribute& item : ItemsOfTransformation)
-      {
-        this->CheckFrame(transformation, this->Entities.Follow(this->Entities.Get(transformation, item)));
-      }
+      addTransformation(this->File.Find(occurrence.Transformation));
     }
   }
   for (const Index i : this->Products)

@@ -6,10 +6,10 @@
 #include "smPart21File.h"
 #include "smRepair.h"
 #include "smReversedShells.h"
+#include "smSTEPCensusReport.h"
 #include "smSTEPDirect.h"
 #include "smSTEPDoubts.h"
 #include "smSTEPFaceStatements.h"
-#include "smSTEPReconciliation.h"
 #include "smSTEPTolerances.h"
 
 #include "vtkTimerLog.h"
@@ -193,8 +193,8 @@ void Read(std::string content, RepairMode repair, HiddenMode hidden, const Progr
   Document& document)
 {
   const double start = vtkTimerLog::GetUniversalTime();
-  const DeclaredContent declared(std::move(content), document);
-  const CensusCount instances = CountDeclaredInstances(declared.Census);
+  DeclaredContent declared(std::move(content), document);
+  const CensusCount instances = declared.Census.CountNodes();
   if (instances > MaxInstances)
   {
     document.Problem = "it declares " +
@@ -220,7 +220,7 @@ void Read(std::string content, RepairMode repair, HiddenMode hidden, const Progr
   }
   ApplyLog(log, document);
   ReportReversedShells(log, document);
-  Reconcile(declared.Census, document);
+  ReportCensus(declared.Census, document);
   for (const STEPDoubt& doubt : FindSTEPDoubts(STEPAttributes(declared.Text)))
   {
     if (declared.Matters(doubt.Id))

@@ -68,7 +68,10 @@ enum class ReadStatus
   Ok,
   Empty,
   Unreadable,
-  Aborted
+  Aborted,
+  /// Not read for a reason that may not be in the file: solidmoments-kernel is missing, was ended, or took
+  /// too long.
+  Failed
 };
 
 struct Document

@@ -5,8 +5,10 @@
 #include "smLengthUnits.h"
 #include "smSTEPAppearance.h"
 #include "smSTEPAttributes.h"
+#include "smSTEPCensusReport.h"
 #include "smSTEPProductTree.h"
 #include "smSTEPShapes.h"
+#include "smShapeAdder.h"
 
 #include <algorithm>
 #include <cctype>
@@ -44,7 +46,7 @@ std::string GetUnitWord(const CensusUnit& unit)
 class DirectReader
 {
 public:
-  DirectReader(const Part21File& file, const STEPCensus& census, Document& document, RepairLog& log)
+  DirectReader(const Part21File& file, STEPCensus& census, Document& document, RepairLog& log)
     : Entities(file)
     , Census(census)
     , Result(document)
@@ -100,9 +102,13 @@ private:
     std::vector<const CensusBody*> bodies;
     for (const CensusBody& body : this->Census.Bodies)
     {
-      if (body.Kind == this->Kind && body.Instances > 0)
+      if (body.Instances > 0 && body.Kind == this->Kind)
       {
         bodies.push_back(&body);
+      }
+      else if (body.Instances > 0)
+      {
+        this->ReportKind(body);
       }
     }
     if (!this->Shapes.MakeGeometry(bodies, [&progress] { return progress(0.0); }))
@@ -112,12 +118,8 @@ private:
     std::uint64_t faces = 0;
     for (const CensusBody* body : bodies)
     {
-      ShapeGroup shapes = this->Shapes.MakeBody(*body);
-      if (!shapes.IsEmpty())
-      {
-        this->Bodies.emplace(
-          static_cast<std::uint32_t>(body - this->Census.Bodies.data()), std::move(shapes));
-      }
+      const auto index = static_cast<std::uint32_t>(body - this->Census.Bodies.data());
+      this->Bodies[index].Shapes = this->Shapes.MakeBody(*body);
       faces += body->Faces;
       if (!progress(0.5 * static_cast<double>(faces) /
             static_cast<double>(std::max<std::uint64_t>(1, this->Census.CountFaces(this->Kind)))))
@@ -128,11 +130,95 @@ private:
     return true;
   }
 
+  /// Reports a body of a kind that is not read.
+  void ReportKind(const CensusBody& body)
+  {
+    if (body.Kind == CensusBodyKind::OtherSolid)
+    {
+      this->Result.Defects.push_back("Solid " + NameEntity(body.Id, body.Name) +
+        " of the file is of the type " + body.Type +
+        ", which has no faces: it is left out. Export it as a boundary representation.");
+    }
+    else if (body.Kind == CensusBodyKind::Tessellated && !body.Alternative)
+    {
+      // Sets of triangles may be annotations.
+      const bool isBody = body.Type.find("TESSELLATED_SOLID") != std::string::npos ||
+        body.Type.find("TESSELLATED_SHELL") != std::string::npos;
+      (isBody ? this->Result.Defects : this->Result.Messages)
+        .push_back("Body " + NameEntity(body.Id, body.Name) + " of the file is of the type " + body.Type +
+          ", of triangles instead of exact faces: it is left out. Export it as a boundary representation.");
+    }
+  }
+
+  /// Accounts for the faces of a solid: each is in one of its shapes, or listed as lost, be it that it was
+  /// not converted or that the repair has dropped it.
+  void AccountFor(const CensusBody& body, STEPBody& read)
+  {
+    if (body.Kind != CensusBodyKind::Solid)
+    {
+      return;
+    }
+    read.Uncertainty = this->Shapes.GetUncertainty(body);
+    const int solids = ShapeAdder::CountSolids(read.Shapes);
+    if (solids == 0)
+    {
+      this->Result.Defects.push_back("Solid " + NameEntity(body.Id, body.Name) + " of the file was lost: " +
+        FormatCount(body.Faces, "face", "faces") + ", " + CountInstances(body.Instances) + ".");
+      return;
+    }
+    if (body.NumberOfShells > 1 && solids > 1)
+    {
+      this->Result.Defects.push_back("Solid " + NameEntity(body.Id, body.Name) +
+        " has a void that does not lie inside its outer shell: it was read as " + std::to_string(solids) +
+        " solids.");
+    }
+    std::unordered_set<std::uint64_t> present;
+    const auto collect = [&present](const ShellUse& use)
+    {
+      for (const FaceUse& face : use.Shell->Faces)
+      {
+        present.insert(static_cast<std::uint64_t>(face.Face->Data.FileId));
+      }
+    };
+    for (const SolidUse& solid : read.Shapes.Solids)
+    {
+      std::for_each(solid.Solid->Shells.begin(), solid.Solid->Shells.end(), collect);
+    }
+    for (const ShellUse& shell : read.Shapes.Shells)
+    {
+      if (shell.Shell->OpenSolid)
+      {
+        collect(shell);
+      }
+    }
+    std::vector<std::uint64_t> missing;
+    for (std::uint32_t s = body.FirstShell; s < body.FirstShell + body.NumberOfShells; ++s)
+    {
+      const CensusShell& shell = this->Census.Shells[this->Census.ShellUses[s].Shell];
+      for (std::uint32_t f = shell.FirstFace; f < shell.FirstFace + shell.NumberOfFaces; ++f)
+      {
+        const std::uint64_t id = this->Census.Faces[this->Census.FaceUses[f]].Id;
+        if (present.count(id) == 0)
+        {
+          missing.push_back(id);
+        }
+      }
+    }
+    if (!missing.empty())
+    {
+      read.LostFaces = static_cast<int>(missing.size());
+      read.Messages.push_back("Solid " + NameEntity(body.Id, body.Name) + " has " +
+        std::to_string(body.Faces) + " faces in the file, and " + std::to_string(missing.size()) +
+        " of them were lost: " + ListEntities(missing) + ".");
+    }
+  }
+
   bool Repair(RepairMode repair, const ProgressCallback& progress)
   {
     std::size_t done = 0;
-    for (auto& [index, shapes] : this->Bodies)
+    for (auto& [index, body] : this->Bodies)
     {
+      ShapeGroup& shapes = body.Shapes;
       const double precision = this->Shapes.GetPrecision(this->Census.Bodies[index]);
       const RepairLimits limits{ precision, std::max(precision, LargestTolerance) };
       const auto report = [&]
@@ -147,6 +233,7 @@ private:
         this->RepairBody(repair, MakeBody(shell), ShapeData(), limits, report, result);
       }
       shapes = std::move(result);
+      this->AccountFor(this->Census.Bodies[index], body);
       ++done;
       if (!report())
       {
@@ -271,10 +358,10 @@ private:
   void ReportHidden(const std::unordered_set<std::uint64_t>& hidden)
   {
     std::vector<std::uint64_t> found;
-    for (const auto& [index, shapes] : this->Bodies)
+    for (const auto& [index, read] : this->Bodies)
     {
       const CensusBody& body = this->Census.Bodies[index];
-      if (hidden.count(body.Id) > 0)
+      if (hidden.count(body.Id) > 0 && !read.Shapes.IsEmpty())
       {
         found.push_back(body.Id);
       }
@@ -323,8 +410,9 @@ private:
         paint(face.Face->Data);
       }
     };
-    for (auto& [index, shapes] : this->Bodies)
+    for (auto& [index, body] : this->Bodies)
     {
+      const ShapeGroup& shapes = body.Shapes;
       for (const SolidUse& solid : shapes.Solids)
       {
         paint(solid.Solid->Data);
@@ -348,12 +436,11 @@ private:
   std::unordered_map<std::uint64_t, Vector3> OccurrenceColors;
   /// The kind of bodies that are read: solids, if the file has any.
   CensusBodyKind Kind = CensusBodyKind::Solid;
-  /// Shapes by the index of their body in the census.
-  std::map<std::uint32_t, ShapeGroup> Bodies;
+  STEPBodies Bodies;
 };
 }
 
-bool ReadSTEPDirectly(const Part21File& file, const STEPCensus& census, RepairMode repair, bool reportsHidden,
+bool ReadSTEPDirectly(const Part21File& file, STEPCensus& census, RepairMode repair, bool reportsHidden,
   const ProgressCallback& progress, Document& document, RepairLog& log)
 {
   return DirectReader(file, census, document, log).Read(repair, reportsHidden, progress);

@@ -68,9 +68,8 @@ class ProductTree
 {
 public:
   ProductTree(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
-    const std::map<std::uint32_t, ShapeGroup>& bodies,
-    const std::unordered_map<std::uint64_t, Vector3>& colors, const std::unordered_set<std::uint64_t>& hidden,
-    Document& document)
+    const STEPBodies& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
+    const std::unordered_set<std::uint64_t>& hidden, Document& document)
     : Entities(entities)
     , Census(census)
     , Kind(kind)
@@ -112,9 +111,20 @@ public:
         this->FreeFaces.emplace(body.Id, body.Faces);
       }
     }
-    for (const auto& [index, shape] : this->Bodies)
+    for (const CensusMappedItem& item : this->Census.MappedItems)
     {
-      this->Adder.Announce(shape);
+      this->MappedItems.emplace(item.Id, &item);
+    }
+    for (const CensusOccurrence& occurrence : this->Census.Occurrences)
+    {
+      for (const CensusPlacedShape& item : occurrence.MappedItems)
+      {
+        this->Joined.insert(this->Entities.File.Find(item.Id));
+      }
+    }
+    for (const auto& [index, body] : this->Bodies)
+    {
+      this->Adder.Announce(body.Shapes);
       this->BodyIndices.emplace(this->Census.Bodies[index].Id, index);
     }
     std::vector<ProductNode>& roots = this->Result.Root.Children;
@@ -122,7 +132,7 @@ public:
     {
       if (!product.IsPart && product.Instances > 0)
       {
-        roots.push_back(this->Visit(product, "", Placement(), Inherited()));
+        roots.push_back(this->Visit(product, nullptr, {}, Inherited()));
       }
     }
     for (std::size_t k = 0; k < this->Census.Shapes.size() && this->Census.WithoutProducts; ++k)
@@ -130,7 +140,8 @@ public:
       if (!this->Census.Shapes[k].IsUsed)
       {
         ProductNode node;
-        this->AddShapeOf(k, PartBody(), Placement(), Inherited(), node);
+        std::set<std::uint32_t> added;
+        this->AddShapeOf(k, PartBody(), Placement(), Inherited(), added, node);
         roots.push_back(std::move(node));
       }
     }
@@ -147,6 +158,13 @@ private:
     double Area = Nothing;
     std::string Material;
     bool IsHidden = false;
+  };
+
+  /// Where an occurrence is: its parts, and those of its shapes that mapped items place.
+  struct Places
+  {
+    Placement Product;
+    std::unordered_map<std::size_t, Placement> Shapes;
   };
 
   /// Counts as hidden what is visited while it exists, if `isHidden`.
@@ -175,11 +193,12 @@ private:
     if (isNew)
     {
       std::size_t count = 0;
+      std::set<std::uint32_t> counted;
       for (const std::size_t shape : product.Shapes)
       {
-        this->VisitItems(shape,
+        this->VisitItems(shape, counted, Placement(),
           [&](std::uint32_t body, const Placement&)
-          { count += this->Adder.CountSolids(this->Bodies.at(body)); });
+          { count += this->Adder.CountSolids(this->Bodies.at(body).Shapes); });
       }
       for (const CensusOccurrence* occurrence : this->Occurrences[product.Id])
       {
@@ -191,14 +210,15 @@ private:
     return this->SolidCounts[product.Id];
   }
 
-  ProductNode Visit(const CensusProduct& product, std::string_view occurrenceName, const Placement& placement,
+  /// Adds a product at a place; `occurrence`: as a part of an assembly.
+  ProductNode Visit(const CensusProduct& product, const CensusOccurrence* occurrence, const Places& places,
     Inherited inherited)
   {
     this->Open.insert(product.Id);
     ProductNode node;
     node.Place = placement;
     node.Name = GetOwnName(product.Name);
-    node.Name = node.Name.empty() ? GetOwnName(occurrenceName) : node.Name;
+    node.Name = node.Name.empty() && occurrence ? GetOwnName(occurrence->Name) : node.Name;
     const auto stated = this->Stated.find(product.Id);
     const bool isSingle = this->CountSolids(product) == 1;
     if (!isSingle)
@@ -212,19 +232,21 @@ private:
     }
     const auto material = this->Materials.find(product.Id);
     inherited.Material = material == this->Materials.end() ? inherited.Material : material->second;
-    for (const CensusOccurrence* occurrence : this->Occurrences[product.Id])
+    for (const CensusOccurrence* part : this->Occurrences[product.Id])
     {
-      const auto child = this->Products.find(occurrence->Child);
-      Placement own;
-      if (child != this->Products.end() && !occurrence->IsMapped &&
-        this->Open.count(occurrence->Child) == 0 && this->GetPlacement(*occurrence, own))
+      const auto child = this->Products.find(part->Child);
+      Places own;
+      // The census reports an occurrence of nothing, and one of a product that contains itself.
+      if (child != this->Products.end() && this->Open.count(part->Child) == 0 &&
+        this->GetPlaces(*part, places.Product, own))
       {
-        const auto color = this->Colors.find(occurrence->Id);
+        const auto color = this->Colors.find(part->Id);
         Inherited passed = inherited;
         passed.Color = color == this->Colors.end() ? inherited.Color : color->second;
-        passed.IsHidden = inherited.IsHidden || this->Hidden.count(occurrence->Id) > 0;
-        node.Children.push_back(
-          this->Visit(*child->second, occurrence->Name, Compose(placement, own), passed));
+        passed.IsHidden = inherited.IsHidden || this->Hidden.count(part->Id) > 0 ||
+          std::any_of(part->MappedItems.begin(), part->MappedItems.end(),
+            [this](const CensusPlacedShape& item) { return this->Hidden.count(item.Id) > 0; });
+        node.Children.push_back(this->Visit(*child->second, part, own, passed));
       }
     }
     this->Open.erase(product.Id);
@@ -233,21 +255,26 @@ private:
     part.FileVolume = inherited.Volume;
     part.FileArea = inherited.Area;
     part.Material = inherited.Material;
+    // A body in several shapes of a product is its shape in other words.
+    std::set<std::uint32_t> added;
     for (const std::size_t shape : product.Shapes)
     {
-      this->AddShapeOf(shape, part, placement, inherited, node);
+      const auto own = places.Shapes.find(shape);
+      this->AddShapeOf(
+        shape, part, own == places.Shapes.end() ? places.Product : own->second, inherited, added, node);
     }
     return node;
   }
 
   void AddShapeOf(std::size_t shape, const PartBody& part, const Placement& placement,
-    const Inherited& inherited, ProductNode& node)
+    const Inherited& inherited, std::set<std::uint32_t>& added, ProductNode& node)
   {
-    this->VisitItems(shape,
+    this->VisitItems(shape, added, Placement(),
       [&](std::uint32_t body, const Placement& motion)
       {
         const std::size_t first = this->Result.Instances.size();
-        this->Adder.Add(this->Bodies.at(body), part, Compose(placement, motion), inherited.Color, node);
+        this->Adder.Add(this->Bodies.at(body).Shapes, this->Describe(body, part), Compose(placement, motion),
+          inherited.Color, node);
         const bool isHidden =
           inherited.IsHidden || this->HiddenDepth > 0 || this->Hidden.count(this->Census.Bodies[body].Id) > 0;
         for (std::size_t i = first; i < this->Result.Instances.size(); ++i)
@@ -305,16 +332,31 @@ private:
     return items;
   }
 
-  /// Calls visit(body, motion) for the bodies of a shape, and of those that are mapped into it.
-  void VisitItems(std::size_t shape, const std::function<void(std::uint32_t, const Placement&)>& visit,
-    const Placement& motion = Placement())
+  /// Returns what is known of a body: what its part is, and what the file states about it.
+  PartBody Describe(std::uint32_t index, const PartBody& part) const
   {
-    // A shape that contains itself is reported by the census.
+    const CensusBody& body = this->Census.Bodies[index];
+    const STEPBody& read = this->Bodies.at(index);
+    PartBody result = part;
+    result.Density = body.Density;
+    result.Uncertainty = read.Uncertainty;
+    result.LostFaces = read.LostFaces;
+    result.Messages = read.Messages;
+    return result;
+  }
+
+  using BodyVisit = std::function<void(std::uint32_t, const Placement&)>;
+
+  /// Calls visit(body, motion) for the bodies of a shape that are not in `seen`, and for those of the shapes
+  /// that are placed in it. What is not visited is reported here, or by the census: an item that is none, and
+  /// a shape that contains itself.
+  void VisitItems(
+    std::size_t shape, std::set<std::uint32_t>& seen, const Placement& motion, const BodyVisit& visit)
+  {
     if (!this->OpenShapes.insert(shape).second)
     {
       return;
     }
-    std::set<std::uint32_t> seen;
     for (const std::uint64_t representation : this->Census.Shapes[shape].Representations)
     {
       const HiddenScope ofRepresentation(this->HiddenDepth, this->Hidden.count(representation) > 0);
@@ -332,20 +374,34 @@ private:
           const auto place = mapped == Part21File::None
             ? this->ShapesOfRepresentations.end()
             : this->ShapesOfRepresentations.find(this->Entities.File.GetId(mapped));
-          if (place != this->ShapesOfRepresentations.end())
+          Placement own;
+          // An occurrence has the items that place it.
+          if (place != this->ShapesOfRepresentations.end() && this->Joined.count(item) == 0 &&
+            this->GetMapping(map, item, representation, this->Entities.File.GetId(mapped), own))
           {
-            Placement own;
-            if (this->GetMapping(map, item, representation, this->Entities.File.GetId(mapped), own))
-            {
-              const HiddenScope ofItem(
-                this->HiddenDepth, this->Hidden.count(this->Entities.File.GetId(item)) > 0);
-              this->VisitItems(place->second, visit, Compose(motion, own));
-            }
+            this->VisitPlaced(
+              { this->Entities.File.GetId(item), place->second }, Compose(motion, own), visit);
           }
         }
       }
     }
+    for (const CensusPlacedShape& placed : this->Census.Shapes[shape].Placed)
+    {
+      Placement own;
+      if (this->GetRelation(placed.Id, own))
+      {
+        this->VisitPlaced(placed, Compose(motion, own), visit);
+      }
+    }
     this->OpenShapes.erase(shape);
+  }
+
+  /// Calls visit(body, motion) for the bodies of a shape that is placed in another one.
+  void VisitPlaced(const CensusPlacedShape& placed, const Placement& motion, const BodyVisit& visit)
+  {
+    const HiddenScope ofItem(this->HiddenDepth, this->Hidden.count(placed.Id) > 0);
+    std::set<std::uint32_t> seen;
+    this->VisitItems(placed.Shape, seen, motion, visit);
   }
 
   /// Gets the motion of a mapped item: from its origin to its target (ISO 10303-43). Returns false, with a
@@ -442,6 +498,33 @@ private:
     return false;
   }
 
+  /// Gets the places of an occurrence in an assembly that is placed itself. Returns false, with a defect, if
+  /// one is not read.
+  bool GetPlaces(const CensusOccurrence& occurrence, const Placement& assembly, Places& places)
+  {
+    Placement own;
+    for (const CensusPlacedShape& placed : occurrence.MappedItems)
+    {
+      const CensusMappedItem& item = *this->MappedItems.at(placed.Id);
+      const Index entity = this->Entities.File.Find(item.Id);
+      if (!this->GetMapping(this->Entities.Follow(this->Entities.Get(entity, MappingSource)), entity,
+            item.Parent, item.Child, own))
+      {
+        return false;
+      }
+      places.Shapes[placed.Shape] = Compose(assembly, own);
+    }
+    if (!occurrence.MappedItems.empty())
+    {
+      // Parts of the product, and shapes without an item, are where its first shape is.
+      places.Product = places.Shapes.at(occurrence.MappedItems.front().Shape);
+      return true;
+    }
+    const bool isRead = this->GetPlacement(occurrence, own);
+    places.Product = Compose(assembly, own);
+    return isRead;
+  }
+
   /// Gets the motion that brings the frame of the part onto that of the assembly; none, with a defect,
   /// if the file states no placement. Returns false, with a defect, if it is not read.
   bool GetPlacement(const CensusOccurrence& occurrence, Placement& motion)
@@ -455,30 +538,52 @@ private:
       }
       return true;
     }
-    const Index transformation = this->Entities.File.Find(occurrence.Transformation);
+    return this->Try("Occurrence", occurrence.Id,
+      [&]
+      {
+        motion = this->ReadMotion(this->Entities.File.Find(occurrence.Transformation), occurrence.ChildShape,
+          occurrence.ParentShape, occurrence.IsReversed);
+      });
+  }
+
+  /// Gets the motion by which a relationship places the first of its representations in the second one.
+  /// Returns false, with a defect, if it is not read.
+  bool GetRelation(std::uint64_t id, Placement& motion)
+  {
+    const Index relation = this->Entities.File.Find(id);
+    const auto follow = [&](const STEPAttribute& attribute)
+    { return this->Entities.Follow(this->Entities.Get(relation, attribute)); };
+    return this->Try("Relationship", id,
+      [&]
+      {
+        motion = this->ReadMotion(follow(OperatorOfRelationship),
+          this->Entities.File.GetId(follow(FirstRepresentation)),
+          this->Entities.File.GetId(follow(SecondRepresentation)), false);
+      });
+  }
+
+  /// Returns the motion of an ITEM_DEFINED_TRANSFORMATION from the frame of a part to that of an assembly.
+  Placement ReadMotion(Index transformation, std::uint64_t child, std::uint64_t parent, bool isReversed)
+  {
     Part21Value frames[2] = { this->Entities.Get(transformation, FirstOfTransformation),
       this->Entities.Get(transformation, SecondOfTransformation) };
-    if (occurrence.IsReversed)
+    if (isReversed)
     {
       std::swap(frames[0], frames[1]);
     }
     // Some files name the frame of the assembly first: what a representation lists is its own.
-    if (this->HasItem(occurrence.ParentShape, frames[0]) && !this->HasItem(occurrence.ChildShape, frames[0]))
+    if (this->HasItem(parent, frames[0]) && !this->HasItem(child, frames[0]))
     {
       std::swap(frames[0], frames[1]);
     }
-    return this->Try("Occurrence", occurrence.Id,
-      [&]
-      {
-        motion = Place(this->ReadFrame(frames[0], this->GetUnit(occurrence.ChildShape)),
-          this->ReadFrame(frames[1], this->GetUnit(occurrence.ParentShape)));
-      });
+    return Place(
+      this->ReadFrame(frames[0], this->GetUnit(child)), this->ReadFrame(frames[1], this->GetUnit(parent)));
   }
 
   const STEPAttributes& Entities;
   const STEPCensus& Census;
   const CensusBodyKind Kind;
-  const std::map<std::uint32_t, ShapeGroup>& Bodies;
+  const STEPBodies& Bodies;
   const std::unordered_map<std::uint64_t, Vector3>& Colors;
   const std::unordered_set<std::uint64_t>& Hidden;
   /// Above 0 while what is visited is in a hidden representation or mapped item.
@@ -491,6 +596,9 @@ private:
   std::unordered_map<std::uint64_t, std::uint64_t> FreeFaces;
   std::unordered_map<std::uint64_t, std::size_t> ShapesOfRepresentations;
   std::unordered_map<std::uint64_t, const CensusProduct*> Products;
+  std::unordered_map<std::uint64_t, const CensusMappedItem*> MappedItems;
+  /// Mapped items that place an occurrence.
+  std::unordered_set<Index> Joined;
   std::unordered_map<std::uint64_t, std::vector<const CensusOccurrence*>> Occurrences;
   std::unordered_map<std::uint64_t, std::size_t> SolidCounts;
   std::unordered_map<std::uint64_t, STEPValidation> Stated;
@@ -506,7 +614,7 @@ private:
 }
 
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
-  const std::map<std::uint32_t, ShapeGroup>& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
+  const STEPBodies& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
   const std::unordered_set<std::uint64_t>& hidden, Document& document)
 {
   ProductTree(entities, census, kind, bodies, colors, hidden, document).Build();

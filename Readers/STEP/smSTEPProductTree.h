@@ -17,18 +17,33 @@
 
 namespace sm
 {
+/// What was read of a body.
+struct STEPBody
+{
+  ShapeGroup Shapes;
+  /// Accuracy of coordinates in mm that the file states for a solid; 0: none.
+  double Uncertainty = 0.0;
+  /// Number of the faces that it has in the file and not here; Messages names them.
+  int LostFaces = 0;
+  std::vector<std::string> Messages;
+};
+
+/// By the index of the body in the census.
+using STEPBodies = std::map<std::uint32_t, STEPBody>;
+
 /**
  * Adds the products to the root of a document, with materials and stated volumes, and the instances of their
  * bodies: those of occurrences (NEXT_ASSEMBLY_USAGE_OCCURRENCE) and of mapped items, in the order of the
  * file. A placement moves a representation so that its first frame lands on the second one (ISO 10303-43).
- * Operators may scale uniformly and reflect. An instance whose placement is not read is left out, and a
- * defect. `bodies` are shapes by the index of their body in the census; `colors` are those of occurrences.
+ * Operators may scale uniformly and reflect. The tree follows every arc by which the census counts instances
+ * (smSTEPCensus.h); where one is not followed, that is a defect: a placement that is not read, or a problem
+ * of the census. `colors` are those of occurrences.
  * `hidden` has the numbers of hidden bodies, representations, mapped items and occurrences: instances of
  * these, and below these, are marked.
  * Faces of surface models are counted where there are solids.
  */
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
-  const std::map<std::uint32_t, ShapeGroup>& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
+  const STEPBodies& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
   const std::unordered_set<std::uint64_t>& hidden, Document& document);
 }
 

@@ -27,6 +27,10 @@ constexpr double DefaultPrecision = 1e-4;
 /// Distance of a vertex from the apex of its cone, relative to the cone's size, above which they contradict.
 constexpr double ApexLimit = 2e-3;
 
+/// Distance of a vertex from the sphere or torus that has no edges, relative to its radius, above which they
+/// contradict each other: that of vertices from curves, by the extent.
+constexpr double SurfaceLimit = 4e-3;
+
 /// An arc below this part of its radius is not certain.
 constexpr double ShortArc = 1e-9;
 
@@ -81,6 +85,7 @@ public:
         Describe(this->Body.Id, this->Body.Name, shell->Data);
       }
     }
+    this->Shapes.Checks.FinishBody(this->Shapes.GetUncertainty(this->Body));
     if (!solid->Shells.empty())
     {
       Describe(this->Body.Id, this->Body.Name, solid->Data);
@@ -228,6 +233,10 @@ private:
             this->GetVertexEntity(uses[k].Edge, uses[k].IsForward));
         }
       }
+      if (loop.Kind == STEPFaceLoop::Type::Edges)
+      {
+        this->Shapes.Checks.AddLoop(loop, this->Shared.Edges);
+      }
     }
     return true;
   }
@@ -351,7 +360,7 @@ private:
       const bool isSame = loop.IsForward == isForward;
       if (loop.Kind == STEPFaceLoop::Type::Vertex)
       {
-        this->CheckApex(loop.Entity, census.Id, surfaceEntity, *surface.Value);
+        this->CheckVertex(loop.Entity, census.Id, surfaceEntity, *surface.Value);
         this->AddVertexLoop(loop.Entity, census.NumberOfBounds == 1, *face);
       }
       else if (loop.Kind == STEPFaceLoop::Type::Polygon)
@@ -474,13 +483,14 @@ private:
     }
   }
 
-  /// Reports a loop of one vertex that is not the apex of its cone: it is the only other statement of the
-  /// cone's size on this side.
-  void CheckApex(Index loop, std::uint64_t face, Index surfaceEntity, const STEPSurface& surface)
+  /// Reports a loop of one vertex that is not on its sphere or torus, or not the apex of its cone: it is the
+  /// only other statement of place and size.
+  void CheckVertex(Index loop, std::uint64_t face, Index surfaceEntity, const STEPSurface& surface)
   {
     const auto* cone = surface.Value->GetIf<ElementarySurface>();
     if (!cone || cone->Kind != ElementarySurface::Type::Cone)
     {
+      this->CheckVertexOnSurface(loop, surfaceEntity, cone);
       return;
     }
     const Index vertex = this->Entities.Follow(this->Entities.Get(loop, VertexOfLoop));
@@ -497,6 +507,28 @@ private:
         std::to_string(this->Entities.File.GetId(vertex)) + " of its loop is " + FormatDistance(distance) +
         " mm away from the apex of its cone #" + std::to_string(this->Entities.File.GetId(surfaceEntity)) +
         ", which is taken. Export the file again.");
+    }
+  }
+
+  /// The same for a sphere or a torus.
+  void CheckVertexOnSurface(Index loop, Index surfaceEntity, const ElementarySurface* surface)
+  {
+    const bool isSphere = surface && surface->Kind == ElementarySurface::Type::Sphere;
+    if (!isSphere && (!surface || surface->Kind != ElementarySurface::Type::Torus))
+    {
+      return;
+    }
+    const Vector3 away = Subtract(
+      this->ReadVertex(this->Entities.Follow(this->Entities.Get(loop, VertexOfLoop))), surface->Frame.Origin);
+    const double height = Dot(away, surface->Frame.Axes[2]);
+    const double radial = std::sqrt(std::max(0.0, Dot(away, away) - height * height));
+    const double major = isSphere ? 0.0 : surface->Radii[0];
+    const double minor = surface->Radii[isSphere ? 0 : 1];
+    // A negative major radius stands for the inner part of a torus that crosses itself.
+    if (std::abs(std::hypot(radial - major, height) - minor) > SurfaceLimit * (std::abs(major) + minor))
+    {
+      this->Shapes.Census.AddProblem(CensusDefect::VertexOffSurface, this->Entities.File.GetId(loop),
+        this->Entities.File.GetId(surfaceEntity), "vertex");
     }
   }
 
@@ -557,20 +589,27 @@ private:
   STEPPolygons Polygons;
 };
 
-STEPShapes::STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger)
+STEPShapes::STEPShapes(const STEPAttributes& entities, STEPCensus& census, STEPLedger& ledger)
   : Entities(entities)
   , Census(census)
   , Ledger(ledger)
   , Perils(entities.File, census)
   , Loops(entities, census)
+  , Checks(entities, census)
 {
 }
 
 STEPShapes::~STEPShapes() = default;
 
-double STEPShapes::GetPrecision(const CensusBody& body) const
+double STEPShapes::GetUncertainty(const CensusBody& body) const
 {
   const double stated = body.Context < 0 ? 0.0 : this->Census.Contexts[body.Context].Uncertainty;
+  return stated > 0.0 ? stated : 0.0;
+}
+
+double STEPShapes::GetPrecision(const CensusBody& body) const
+{
+  const double stated = this->GetUncertainty(body);
   return stated > 0.0 ? stated : DefaultPrecision;
 }
 

@@ -12,6 +12,7 @@
 #include "smSTEPCensus.h"
 #include "smSTEPFaceLoops.h"
 #include "smSTEPLedger.h"
+#include "smSTEPLoopChecks.h"
 #include "smSTEPParameterCurves.h"
 #include "smSTEPPerils.h"
 
@@ -35,8 +36,8 @@ namespace sm
 class STEPShapes
 {
 public:
-  /// Keeps references to all.
-  STEPShapes(const STEPAttributes& entities, const STEPCensus& census, STEPLedger& ledger);
+  /// Keeps references to all. Contradictions of loops and vertices become problems of the census.
+  STEPShapes(const STEPAttributes& entities, STEPCensus& census, STEPLedger& ledger);
   ~STEPShapes();
 
   /// Makes the edges and surfaces of bodies on all threads, so that MakeBody() finds them. Returns false if
@@ -50,6 +51,8 @@ public:
   void Report(std::vector<std::string>& messages, std::vector<std::string>& defects) const;
   /// Returns the accuracy of coordinates that the file states for a body, in millimetres.
   double GetPrecision(const CensusBody& body) const;
+  /// The same; 0 if it states none.
+  double GetUncertainty(const CensusBody& body) const;
 
 private:
   class BodyShaper;
@@ -61,10 +64,11 @@ private:
   void Extend(const Vector3& point);
 
   const STEPAttributes& Entities;
-  const STEPCensus& Census;
+  STEPCensus& Census;
   STEPLedger& Ledger;
   STEPPerils Perils;
   STEPFaceLoops Loops;
+  STEPLoopChecks Checks;
   std::unordered_map<int, std::unique_ptr<STEPBodyGeometry>> Geometries;
   Vector3 Low{ 1e300, 1e300, 1e300 };
   Vector3 High{ -1e300, -1e300, -1e300 };

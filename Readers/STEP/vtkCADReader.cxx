@@ -61,7 +61,7 @@ vtkCADReader::~vtkCADReader()
 
 const char* vtkCADReader::GetStatusAsString() const
 {
-  static const char* const words[] = { "ok", "empty", "unreadable", "aborted" };
+  static const char* const words[] = { "ok", "empty", "unreadable", "aborted", "failed" };
   return words[this->Status];
 }
 
@@ -222,7 +222,7 @@ int vtkCADReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
     output->Initialize();
     this->Kept.reset();
     *this->Last = Results();
-    this->Fail(UNREADABLE, problem);
+    this->Fail(FAILED, problem);
     sm::HasMemoryFor([&]() { this->WriteState(output); });
   }
   if (this->GetReleaseDataFlag() || vtkDataObject::GetGlobalReleaseDataFlag())
@@ -283,7 +283,8 @@ void vtkCADReader::ReadGuarded(vtkPartitionedDataSetCollection* output) noexcept
   {
     output->Initialize();
     this->Kept.reset();
-    this->Fail(UNREADABLE, hasMemory ? std::string_view(problem) : sm::InsufficientMemory);
+    const std::string_view reason = hasMemory ? std::string_view(problem) : sm::InsufficientMemory;
+    this->Fail(reason == sm::InsufficientMemory ? FAILED : UNREADABLE, reason);
   }
 }
 
@@ -368,7 +369,10 @@ void vtkCADReader::ReadFile(vtkPartitionedDataSetCollection* output)
   }
   if (document.Status != sm::ReadStatus::Ok)
   {
-    this->Fail(document.Status == sm::ReadStatus::Empty ? EMPTY : UNREADABLE, document.Problem);
+    this->Fail(document.Status == sm::ReadStatus::Empty ? EMPTY
+        : document.Status == sm::ReadStatus::Failed     ? FAILED
+                                                        : UNREADABLE,
+      document.Problem);
     return;
   }
   this->Last->FreeFaces = document.FreeFaces;

@@ -28,8 +28,8 @@
  *
  * A file that cannot be read raises one error, with its name and a remedy; the output is then empty,
  * GetStatus() has the reason, and GetErrorCode() is not 0. The pipeline continues, so that filters do not
- * keep the results of the previous file: their status becomes unreadable or empty. No exception leaves
- * Update(): an exception of OpenCASCADE, of an observer, or for lack of memory is such an error.
+ * keep the results of the previous file: their status becomes unreadable, not-computed or empty. No exception
+ * leaves Update(): an exception of OpenCASCADE, of an observer, or for lack of memory is such an error.
  *
  * Under MPI, all ranks have the same tree: as many partitioned datasets, the same names, the same assembly.
  * The leaves are on the rank that asks for the first piece; on the others every partition is null. Status,
@@ -193,11 +193,14 @@ public:
     OK = 0,
     EMPTY = 1,
     UNREADABLE = 2,
-    ABORTED = 3
+    ABORTED = 3,
+    /** Not read for a reason that may not be in the file: there was not enough memory, or
+     * solidmoments-kernel was missing, was ended, or took too long. */
+    FAILED = 4
   };
   /** Status of the last Update(); EMPTY before the first. */
   vtkGetMacro(Status, int);
-  /** The same as a word: "ok", "empty", "unreadable" or "aborted". */
+  /** The same as a word: "ok", "empty", "unreadable", "aborted" or "failed". */
   const char* GetStatusAsString() const;
 
   /** The length unit of the last file, as the file spells it; empty when it gives none. */

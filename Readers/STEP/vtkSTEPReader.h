@@ -5,7 +5,7 @@
  * vtkCADReader documents the output, errors, and how it is read from memory.
  *
  * Every solid that the entities of the file declare is accounted for, with its faces and instances
- * (smSTEPReconciliation.h). Losses, and contradictions within the file, are reported by messages and make the
+ * (smSTEPCensusReport.h). Losses, and contradictions within the file, are reported by messages and make the
  * results of all filters suspect: the string arrays FileStatus, FileProblem and FileDefects in the field data
  * of the output pass them on (smFileState.h). A file of more than 100,000 instances of bodies and
  * sub-assemblies cannot be read.

@@ -2,6 +2,7 @@
 
 The program that repairs bodies is started when a body needs it. Without it, if it crashes, hangs or is another one, and with --repair
 never, such a body is read as far as its faces are sound, the result is suspect with the reason, and all other bodies keep their numbers.
+A BREP file, which the program reads, is not computed then; where the program crashes on it, it is unreadable.
 """
 import argparse
 import json
@@ -18,6 +19,7 @@ parser = argparse.ArgumentParser()
 for option in ("--program", "--solids", "--libraries", "--output"):
     parser.add_argument(option, required=True)
 options = parser.parse_args()
+last_code = 0
 FINDER = "libsmFiltersCommon.so"  # looks for the program in the folder bin next to it and above
 
 
@@ -87,6 +89,8 @@ def run(path, libraries=None, *arguments):
         environment["LD_LIBRARY_PATH"] = libraries + ":" + environment.get("LD_LIBRARY_PATH", "")
     result = subprocess.run([options.program, "--json", "-", "--backend", "cpu", *arguments, path], stdout=subprocess.PIPE,
                             stderr=subprocess.DEVNULL, env=environment, check=False, timeout=300)
+    global last_code
+    last_code = result.returncode
     return json.loads(result.stdout)["files"][0]
 
 
@@ -127,4 +131,17 @@ for what, script, reason in (("a crash", "kill -ABRT $$", "its process ended by 
                              ("a hang", "exec sleep 600", "did not answer within 60 s")):
     libraries = make_libraries("repair_shop_" + what.replace(" ", "_"), script)
     check_unrepaired(what, run(damaged, libraries), reason, whole["solids"][1])
+
+brep = os.path.join(options.output, "repair_shop.brep")
+with open(brep, "w", encoding="ascii") as file:
+    file.write("DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\n")
+for what, script, status, code, reason in (("whole", "", "unreadable", 2, "it ends in the middle"), ("missing", None, "not-computed", 3, "was not found"),
+                                           ("a crash", "kill -ABRT $$", "unreadable", 2, "signal 6"), ("killed", "kill -KILL $$", "not-computed", 3, "signal 9"),
+                                           ("ended", "kill -TERM $$", "not-computed", 3, "signal 15"), ("an exit", "exit 3", "not-computed", 3, "exit status 3"),
+                                           ("another version", "printf 'v\\003\\000\\000\\000\\000\\000\\000\\0000.0'; exec sleep 600", "not-computed", 3,
+                                            "is not of version"), ("a hang", "exec sleep 600", "not-computed", 3, "did not answer within 60 s")):
+    libraries = None if what == "whole" else make_libraries("repair_shop_brep_" + what.replace(" ", "_"), script)
+    file = run(brep, libraries)
+    check_equal(f"a BREP file, {what}: status", [status, code], [file["status"], last_code])
+    check_true("  the reason", find(file, reason) != [], str(file["messages"]))
 finish()

@@ -343,6 +343,7 @@ def check_memory(path, limits_in_megabytes):
         if entry["status"] != "ok":
             said += 1
             check_true(f"{megabytes} MB: it says so", "memory" in text, text)
+            check_true(f"{megabytes} MB: its status", entry["status"] in ("not-computed", "suspect"), entry["status"])
             check_true(f"{megabytes} MB: not the file's fault", "malformed" not in text and "export it" not in text, text)
     check_true("some limits were too low", said > 0)
 

@@ -29,13 +29,16 @@ class Runner:
         os.remove(path)
         return result
 
-    def check_value(self, name, text, volume, mass=None, allowed=None):
+    def check_value(self, name, text, volume, mass=None, allowed=None, center=None):
         """`allowed` may be in a message; others are none."""
         code, entry = self.run(name, text)
         got = entry["total"]["volume"]
         messages = [message for message in entry["messages"] if not allowed or allowed not in message]
         check_true(name, code == 0 and entry["status"] == "ok" and abs(got - volume) <= TOLERANCE * volume and not messages,
                    f"{entry['status']}, volume {got} for {volume}, {messages}")
+        if center is not None:
+            middle = entry["total"]["center_of_mass"]
+            check_true("  centre", all(abs(a - b) <= 100.0 * TOLERANCE for a, b in zip(middle, center)), f"{middle} for {center}")
         if mass is not None:
             check_true("  mass", entry["total"]["mass"] is not None and abs(entry["total"]["mass"] - mass) <= TOLERANCE * mass, f"{entry['total']['mass']} for {mass}")
 
@@ -91,6 +94,67 @@ def check_mapped(runner):
     body.product("other", body.shape([body.solid(body.box((20, 0, 0), (1, 1, 1)))]))
     body.product("asm", body.shape([body.identity, add_mapped(body, part, body.identity)]))
     runner.check_value("a product next to them", body.get_text(), 7.0)
+
+
+def add_occurrence(body, parent, child, at=None, shapes=None):
+    """An occurrence, placed by a relationship of the shapes of child and parent if `at` is given."""
+    occurrence = body.add(f"NEXT_ASSEMBLY_USAGE_OCCURRENCE('o','o','',{parent},{child},$)")
+    if at:
+        property_ = body.add(f"PRODUCT_DEFINITION_SHAPE('','',{occurrence})")
+        body.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({add_relationship(body, *shapes, at)},{property_})")
+
+
+def add_relationship(body, child, parent, at):
+    """`at` and the identity are frames of the parent and of the child."""
+    motion = body.add(f"ITEM_DEFINED_TRANSFORMATION('','',{body.identity},{at})")
+    return body.add(f"(REPRESENTATION_RELATIONSHIP('','',{child},{parent})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({motion})"
+                    "SHAPE_REPRESENTATION_RELATIONSHIP())")
+
+
+def check_placed(runner):
+    """Every arc of the product structure is followed: mapped items that place occurrences, and relationships without an occurrence."""
+    def add_box(body, x=0.0):
+        return body.shape([body.identity, body.solid(body.box((x, 0, 0), (1, 2, 3)))])
+
+    # A part of a sub-assembly that a mapped item places, and the same part elsewhere.
+    body = Body()
+    part, middle = add_box(body), body.shape([body.identity])
+    whole = body.shape([body.identity, add_mapped(body, middle, body.axes((20, 0, 0)))])
+    products = [body.product(name, shape) for name, shape in (("part", part), ("middle", middle), ("asm", whole))]
+    add_occurrence(body, products[1], products[0], body.axes((5, 0, 0)), (part, middle))
+    add_occurrence(body, products[2], products[0], body.axes((0, 9, 0)), (part, whole))
+    add_occurrence(body, products[2], products[1])
+    runner.check_value("a part of a mapped sub-assembly", body.get_text(), 12.0, center=(13.0, 5.5, 1.5))
+
+    # A relationship without an occurrence, alone and with a mapped item of the same part.
+    for count in (1, 2):
+        body = Body()
+        part = add_box(body)
+        whole = body.shape([body.axes((0, 0, 0))] + [add_mapped(body, part, body.axes((20, 0, 0)))] * (count - 1))
+        body.product("asm", whole)
+        add_relationship(body, part, whole, body.axes((0, 9, 0)))
+        runner.check_value(f"placed by a relationship, {count}", body.get_text(), 6.0 * count,
+                           center=(0.5, 10.0, 1.5) if count == 1 else (10.5, 5.5, 1.5))
+
+    # Both shapes of a part are mapped, or one of them is.
+    for count in (1, 2):
+        body = Body()
+        shapes = [add_box(body, 5.0 * k) for k in range(2)]
+        part = body.product("part", shapes[0])
+        body.define(part, shapes[1])
+        items = [add_mapped(body, shape, body.axes((20.0 * (k + 1), 0, 0))) for k, shape in enumerate(shapes[:count])]
+        whole = body.product("asm", body.shape([body.identity] + items))
+        add_occurrence(body, whole, part)
+        runner.check_value(f"two shapes of a part, {count} mapped", body.get_text(), 12.0, center=(23.0 if count == 1 else 33.0, 1.0, 1.5))
+
+    # A shape of two products is placed in both.
+    body = Body()
+    part, middle = add_box(body), body.shape([body.identity])
+    whole = body.shape([body.identity, add_mapped(body, middle, body.axes((20, 0, 0)))])
+    products = [body.product(name, shape) for name, shape in (("part", part), ("middle", middle), ("one", whole), ("two", whole))]
+    add_occurrence(body, products[1], products[0], body.axes((5, 0, 0)), (part, middle))
+    add_occurrence(body, products[2], products[1])
+    runner.check_flagged("an occurrence in one of two products of a shape", body.get_text())
 
 
 def make_box_text(body):
@@ -559,7 +623,7 @@ def check_own_edges(runner):
     runner.check_flagged("own edges elsewhere", make_half_cylinder(lambda face: face != "top", lift=0.01))
 
 
-MODES = {"conics": check_conics, "profiles": check_profiles, "mapped": check_mapped, "sections": check_sections, "whole": check_whole_faces, "circles": check_closed_circles,
+MODES = {"conics": check_conics, "profiles": check_profiles, "mapped": check_mapped, "placed": check_placed, "sections": check_sections, "whole": check_whole_faces, "circles": check_closed_circles,
          "oriented": check_oriented_faces, "representations": check_representations, "voids": check_voids, "lenses": check_lenses,
          "ellipses": check_ellipses, "edges": check_own_edges}
 

@@ -122,7 +122,7 @@ void RunReport::AddFile(const FileState& file, bool hasBodies, bool isChosen)
   if (!isChosen)
   {
     this->FileStatus = file.Status == names::StatusUnreadable ? Status::Unreadable
-      : file.Status == "aborted"                              ? Status::NotComputed
+      : file.Status == "aborted" || file.Status == "failed"   ? Status::NotComputed
                                                               : Status::Empty;
     this->SetReason(hasBodies   ? "no solid is chosen"
         : !file.Problem.empty() ? file.Problem

@@ -45,7 +45,7 @@ void DescribeBodies(const sm::STEPCensus& census, std::ostream& text)
   for (const sm::CensusBody& body : census.Bodies)
   {
     text << GetName(body.Kind) << " #" << body.Id << " " << body.Type << " '" << body.Name << "' x"
-         << GetText(body.Instances) << ", faces " << body.Faces << (body.Damaged ? ", damaged" : "")
+         << GetText(body.Instances) << ", faces " << body.Faces
          << (body.Alternative ? ", next to exact faces" : "") << "\n";
     for (std::uint32_t k = 0; k < body.NumberOfShells; ++k)
     {
@@ -55,7 +55,7 @@ void DescribeBodies(const sm::STEPCensus& census, std::ostream& text)
       for (std::uint32_t f = 0; f < shell.NumberOfFaces; ++f)
       {
         const sm::CensusFace& face = census.Faces[census.FaceUses[shell.FirstFace + f]];
-        text << " #" << face.Id << (face.Damaged ? "!" : "");
+        text << " #" << face.Id;
       }
       text << "\n";
     }

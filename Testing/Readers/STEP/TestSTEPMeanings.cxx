@@ -250,14 +250,13 @@ void CheckProducts()
     CheckTrue("  said", Says(pipeline.Mass, said), GetMessages(pipeline.Mass));
   };
   check("two_products", box, "several definitions of one product, which are all counted");
-  const std::string repeated = "occurs 1 time in the file, and was read 2 times";
   check("mapped_twice", BoxText().Add(AddFrames()).Map("#810", "#811").Exchange("(#952)", "(#952,#952)"),
     "item twice in a representation");
   BoxText two;
   const std::string property = two.Find("PRODUCT_DEFINITION_SHAPE");
   two.Add("#960=ADVANCED_BREP_SHAPE_REPRESENTATION('',(" + two.Find("MANIFOLD_SOLID_BREP") + ")," +
     two.FindContext() + ");\n#961=SHAPE_DEFINITION_REPRESENTATION(" + property + ",#960);\n");
-  check("two_shapes", two, repeated);
+  check("two_shapes", two, "item twice in a representation (two shapes of one product");
   // Two solids of one shell: OpenCASCADE numbers the faces of the second one only.
   BoxText shared;
   const std::string first = shared.Find("MANIFOLD_SOLID_BREP");

@@ -259,9 +259,9 @@ void CheckShortage(const std::string& path)
       run(what, rank == who ? allocation : 0);
       const bool isWhole = Describe(reader) == whole;
       failed += isWhole ? 0 : 1;
-      CheckTrue(what + ": whole, or unreadable and empty",
+      CheckTrue(what + ": whole, or failed and empty",
         isWhole ||
-          (reader->GetStatus() == vtkSTEPReader::UNREADABLE && CountLeaves(reader->GetOutput()) == 0 &&
+          (reader->GetStatus() == vtkSTEPReader::FAILED && CountLeaves(reader->GetOutput()) == 0 &&
             reader->GetMessage(0).find("memory") != std::string::npos),
         Describe(reader).substr(0, 200));
     }
