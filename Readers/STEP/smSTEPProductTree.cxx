@@ -216,7 +216,7 @@ private:
   {
     this->Open.insert(product.Id);
     ProductNode node;
-    node.Place = placement;
+    node.Place = places.Product;
     node.Name = GetOwnName(product.Name);
     node.Name = node.Name.empty() && occurrence ? GetOwnName(occurrence->Name) : node.Name;
     const auto stated = this->Stated.find(product.Id);
