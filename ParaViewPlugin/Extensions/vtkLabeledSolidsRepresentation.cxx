@@ -26,6 +26,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
@@ -97,6 +98,11 @@ bool vtkLabeledSolidsRepresentation::AddToView(vtkView* view)
   {
     vtkRenderer* front = renderView->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER);
     front->AddViewProp(this->Labels);
+    // Actors are drawn in this order: labels lie behind the summaries, also of filters that were shown
+    // before.
+    vtkPropCollection* const props = front->GetViewProps();
+    props->RemoveItem(this->Labels);
+    props->InsertItem(-1, this->Labels);
     front->AddViewProp(this->SelectedEdgesActor);
   }
   return this->Superclass::AddToView(view);
