@@ -40,6 +40,32 @@ constexpr int BudgetHeight = 500;
 /// Relative excess of a sum over its rounding.
 constexpr double BudgetExcess = 1.0 + 1e-12;
 
+std::string FormatMass(double mass)
+{
+  return std::isfinite(mass) ? ShortBound(mass) + " kg" : "not known";
+}
+
+/// Returns the sum of the lines; where some are not known, which, and the sum of the others.
+std::string FormatSum(const BudgetResult& budget)
+{
+  BudgetResult known;
+  std::string unknown;
+  for (const BudgetLine& line : budget.Lines)
+  {
+    if (std::isfinite(line.Mass))
+    {
+      known.Lines.push_back(line);
+    }
+    else
+    {
+      unknown += (unknown.empty() ? "" : ", ") + line.Name;
+    }
+  }
+  known.Sum();
+  return unknown.empty() ? FormatMass(budget.Mass)
+                         : "not known, as is " + unknown + "; the other lines " + FormatMass(known.Mass);
+}
+
 /// Draws the bars into a PNG file. Returns an error message, empty when it is written.
 std::string WriteBudget(const BudgetResult& budget, const JobOptions& options, const std::string& fileName)
 {
@@ -112,10 +138,11 @@ void BudgetResult::Visit(Fields& fields, const char* key)
 
 std::string BudgetResult::FormatRows(const std::string&) const
 {
-  std::string text = Row("mass in doubt", ShortBound(this->Mass) + " kg, which is the sum of", "");
+  std::string text = Row("mass in doubt",
+    FormatSum(*this) + (std::isfinite(this->Mass) ? ", which is the sum of" : " in all"), "");
   for (const BudgetLine& line : this->Lines)
   {
-    text += Row("  " + line.Name, ShortBound(line.Mass) + " kg", "");
+    text += Row("  " + line.Name, FormatMass(line.Mass), "");
   }
   return text;
 }
@@ -133,8 +160,7 @@ vtkSmartPointer<vtkChartXY> MakeBudgetChart(const BudgetResult& budget)
   {
     places->InsertNextValue(static_cast<double>(i));
     masses->InsertNextValue(std::isfinite(budget.Lines[i].Mass) ? budget.Lines[i].Mass : 0.0);
-    names->InsertNextValue(budget.Lines[i].Name + "\n" +
-      (std::isfinite(budget.Lines[i].Mass) ? ShortBound(budget.Lines[i].Mass) + " kg" : "not known"));
+    names->InsertNextValue(budget.Lines[i].Name + "\n" + FormatMass(budget.Lines[i].Mass));
   }
   table->AddColumn(places);
   table->AddColumn(masses);
@@ -154,7 +180,7 @@ vtkSmartPointer<vtkChartXY> MakeBudgetChart(const BudgetResult& budget)
     axis->GetLabelProperties()->SetFontSize(16);
     axis->GetTitleProperties()->SetFontSize(16);
   }
-  chart->SetTitle("Mass in doubt: " + ShortBound(budget.Mass) + " kg");
+  chart->SetTitle("Mass in doubt: " + FormatSum(budget));
   chart->GetTitleProperties()->SetFontSize(20);
   return chart;
 }

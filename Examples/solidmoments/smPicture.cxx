@@ -11,6 +11,7 @@
 #include "vtkActor.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkBoundingBox.h"
+#include "vtkCamera.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -41,6 +42,9 @@ const int Width = 900;
 const int Height = 700;
 const int Margin = 20;
 const double SignalColor[3] = { 0.90, 0.05, 0.12 };
+/// How far a scene moves to the left of a colour bar, relative to half of the width: the scene is as wide as
+/// the picture is high, and 5 % more, and the bar begins at 87 % of the width.
+const double RoomForBar = 0.12;
 const int MaxNumbers = 5;       // of flagged places
 const size_t LongestLine = 100; // characters across the picture
 
@@ -206,7 +210,8 @@ bool AddColoredBody(const sm::Picture& picture, vtkPolyData* mesh, vtkRenderer* 
 void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* front)
 {
   const vtkSmartPointer<vtkPolyData> mesh = sm::JoinParts(picture.Body);
-  if (!AddColoredBody(picture, mesh, body, front))
+  const bool hasBar = AddColoredBody(picture, mesh, body, front);
+  if (!hasBar)
   {
     sm::AddBody(body, mesh);
   }
@@ -228,6 +233,12 @@ void SetUpScene(const sm::Picture& picture, vtkRenderer* body, vtkRenderer* fron
   // Room for the caption below, and for the names of flagged places above.
   const bool isFlagged = picture.Flagged && picture.Flagged->GetNumberOfCells() > 0;
   sm::SetView(body, bounds, isFlagged ? 0.72 : 1.05, isFlagged ? 0.0 : -0.06);
+  if (hasBar)
+  {
+    double center[2];
+    body->GetActiveCamera()->GetWindowCenter(center);
+    body->GetActiveCamera()->SetWindowCenter(RoomForBar, center[1]);
+  }
 
   const std::string& path = picture.Result->File;
   sm::AddText(front, sm::GetFileName(path), 18, true, Margin, Height - Margin, true);

@@ -49,6 +49,17 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
       COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestSavedSolids.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
         "${SOLIDMOMENTS_TEST_OUTPUT}/saved-solids")
   endif ()
+  # STEP against BREP, of our writer and of gmsh, which reads STEP by OpenCASCADE.
+  if (EXISTS "${SOLIDMOMENTS_MODELS_DIR}/reference.jsonl")
+    foreach (writer IN ITEMS own gmsh)
+      if (writer STREQUAL "own" OR NOT gmsh_is_missing)
+        solidmoments_add_test(NAME CompareFormats_${writer} LABELS value package NODISPLAY FIXTURE models ENVIRONMENT "${python_path}"
+          COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Testing/Sweeps/CompareFormats.py" --program "$<TARGET_FILE:solidmoments>"
+            --folder "${SOLIDMOMENTS_UNPACKED_MODELS}" --writer ${writer} --output "${SOLIDMOMENTS_TEST_OUTPUT}/formats"
+            --only gmsh_part axom_sliced_cylinder caxif_as1_pe_203 gmsh_cube_filet nist_ctc_01)
+      endif ()
+    endforeach ()
+  endif ()
   # With PyVista itself, where it is installed.
   execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import pyvista; pyvista.register_reader" RESULT_VARIABLE pyvista_is_missing
     OUTPUT_QUIET ERROR_QUIET)

@@ -5,12 +5,13 @@ import functools
 import os
 import sys
 import threading
+from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 import smprogram  # noqa: E402
 from smcheck import check, check_equal, check_true, finish  # noqa: E402
 from smpicture import read_picture  # noqa: E402
-from smproduct import Assembly, Part, write_product  # noqa: E402
+from smproduct import Assembly, Part, make_box, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
 for name in ("--program", "--output"):
@@ -20,6 +21,7 @@ folder = os.path.join(options.output, "tolerances")
 os.makedirs(folder, exist_ok=True)
 run = functools.partial(smprogram.run, options.program)
 run_json = functools.partial(smprogram.run_json, options.program)
+points, faces = make_box(Fraction(4), Fraction(5), Fraction(6), (Fraction(0),) * 3)
 file = os.path.join(folder, "box.step")
 write_product(file, Part("cube", [((0, 0, 0), (10, 10, 10))]))
 
@@ -162,6 +164,21 @@ with open(table, "w", encoding="utf-8") as out:
     out.write("part,nothing,0.1\n")
 bar, dark = draw("--face-tolerance", table)
 check_true("no face has a tolerance: the colours of the file", count(bar, (38, 5, 51)) == 0 and dark < 500, str(dark))
+
+# A part that is as wide as its picture leaves the bar free, from pixel 784 on.
+wide, name = os.path.join(folder, "wide.step"), os.path.join(folder, "wide.png")
+write_product(wide, Part("wide", [((0, 0, 0), (100, 100, 1))]))
+run("-q", wide, "--png", name, "--sensitivity")
+pixels = read_picture(name)
+check_true("the part is not behind the bar", int((pixels[180:500, 772:782].min(axis=2) < 180).sum()) == 0 and
+           int((pixels[180:500, 700:730].min(axis=2) < 180).sum()) > 20, "pixels left of the bar")
+
+# A line of the budget that is not known is neither 0 nor added.
+lid = write_product(os.path.join(folder, "open.step"), Part("open", [], polyhedra=[(points, faces[1:])]))
+result = run(lid, "--density", "1000", "--density-tolerance", "1%", "--budget", picture)
+check_true("not known", all(line in result.stdout for line in ("mass in doubt         not known, as is closing; the other lines 1.1e-06 kg in all\n",
+                                                               "    closing             not known\n")), result.stdout)
+check_true("there is a picture", read_picture(picture) is not None)
 
 # The tolerance of a total is that of its solids, each at its own largest density.
 pair = os.path.join(folder, "pair.step")
