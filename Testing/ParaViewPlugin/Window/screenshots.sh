@@ -33,20 +33,24 @@ grab() { # SCENE FILE.step
       window=$!
       tries=0
       until [ -e "$3/ready" ] || [ "$tries" -ge 300 ]; do sleep 1; tries=$((tries + 1)); done
+      # The window shows changes with a delay: wait until two pictures are the same.
+      settle() {
+        import -window root "$3/before.png"
+        while sleep 3; do
+          import -window root "$3/after.png"
+          if cmp -s "$3/before.png" "$3/after.png"; then break; fi
+          mv "$3/after.png" "$3/before.png"
+        done
+      }
+      settle "$@"
       if [ "$5" = materials ]; then
         # The borders of the panel, which no event of ParaView moves: wider, and higher.
-        sleep 5
-        xdotool mousemove 296 420 sleep 1 mousedown 1 sleep 1 mousemove 400 420 sleep 1 mousemove 520 420 sleep 1 \
-          mousemove 521 420 sleep 2 mouseup 1
-        xdotool mousemove 150 352 sleep 1 mousedown 1 sleep 1 mousemove 150 300 sleep 1 mousemove 150 240 sleep 1 mouseup 1
+        xdotool mousemove 294 420 sleep 3 mousedown 1 sleep 3 mousemove 400 420 sleep 3 mousemove 520 420 sleep 3 \
+          mousemove 521 420 sleep 5 mouseup 1
+        settle "$@"
+        xdotool mousemove 150 352 sleep 3 mousedown 1 sleep 3 mousemove 150 300 sleep 3 mousemove 150 240 sleep 5 mouseup 1
+        settle "$@"
       fi
-      # The window shows changes with a delay: wait until two pictures are the same.
-      import -window root "$3/before.png"
-      while sleep 3; do
-        import -window root "$3/after.png"
-        if cmp -s "$3/before.png" "$3/after.png"; then break; fi
-        mv "$3/after.png" "$3/before.png"
-      done
       kill "$window"
       wait "$window" 2> /dev/null || true
     ' sh "$(echo "$build"/lib/paraview-*/plugins/SolidMoments)" "$here/screenshots.py" "$work" "$events" "$1"
