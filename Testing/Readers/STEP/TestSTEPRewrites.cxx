@@ -31,18 +31,18 @@ using namespace smtest;
 const double Pi = vtkMath::Pi();
 
 /// What is said of a file, and its numbers.
-struct Reading
+struct Rewritten
 {
   std::string Messages;
   sm::MassPropertiesResult Result;
 };
 
-Reading ReadFile(const std::string& path)
+Rewritten ReadRewritten(const std::string& path)
 {
   vtkNew<vtkSTEPReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  Reading reading;
+  Rewritten reading;
   for (int i = 0; i < reader->GetNumberOfMessages(); ++i)
   {
     reading.Messages += std::string(reader->GetMessage(i)) + "\n";
@@ -110,7 +110,7 @@ void CheckRevolvedLine(
   faces.push_back(step.AddFace({ step.AddBound(step.AddEdgeLoop(loop), true) }, side));
   const std::string path = Folder + "/rewrite.step";
   step.Write(path, faces);
-  const Reading reading = ReadFile(path);
+  const Rewritten reading = ReadRewritten(path);
   CheckEqual(name, "ok", reading.Result.Total.Status);
   CheckEqual("  no messages", "", reading.Messages);
   // The radii and the seam are rounded.
@@ -130,7 +130,7 @@ void CheckReversedEdges()
   const std::string path = Folder + "/rewrite_boss.step";
   writer.Write(path.c_str());
   const std::string text = ReadAll(path);
-  const double volume = ReadFile(path).Result.Total.Volume.Value;
+  const double volume = ReadRewritten(path).Result.Total.Volume.Value;
   // By an integral over the part of the cube beyond the ball.
   Check("ball with a cube", 4.77782435777, volume, 1e-9);
   int edges = 0;
@@ -140,7 +140,7 @@ void CheckReversedEdges()
     const std::size_t flag = text.find(')', at) - 2;
     std::string turned = text;
     turned[flag] = turned[flag] == 'T' ? 'F' : 'T';
-    const Reading reading = ReadFile(Make("rewrite_turned.step", turned));
+    const Rewritten reading = ReadRewritten(Make("rewrite_turned.step", turned));
     const double other = reading.Result.Total.Volume.Value;
     CheckTrue("edge " + std::to_string(++edges) + " reversed",
       reading.Result.Total.Status != "ok" || std::abs(other - volume) < 1e-9, std::to_string(other));
