@@ -193,14 +193,19 @@ void ReportDrawing(const std::vector<ListedTolerance>& drawing, MessageList& mes
   }
 }
 
+/// The minimum is rounded down and the maximum up, to a thousandth of the width or better.
 std::string FormatRange(const ToleranceRange& range, const std::string& unit)
 {
-  // The minimum is rounded down, the maximum up.
   const double width = range.Maximum - range.Minimum;
-  return std::isnan(width) ? std::string("not known")
-                           : FormatValue(std::max(range.Minimum - 5e-5 * width, 0.0), 2e-4 * width) + " to " +
-      FormatValue(range.Maximum + 5e-5 * width, 2e-4 * width) + " " + unit + ", deviation " +
-      Short(range.Deviation);
+  if (!(width > 0.0) || !std::isfinite(width))
+  {
+    return "not known";
+  }
+  const int digits = std::clamp(static_cast<int>(-std::floor(std::log10(1e-4 * width))), 0, 15);
+  const double scale = std::pow(10.0, digits);
+  return FormatFixed(std::floor(range.Minimum * scale) / scale, digits) + " to " +
+    FormatFixed(std::ceil(range.Maximum * scale) / scale, digits) + " " + unit + ", deviation " +
+    Short(range.Deviation);
 }
 
 void VisitRange(Fields& fields, const char* key, const char* unit, const char* of, ToleranceRange& range)

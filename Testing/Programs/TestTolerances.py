@@ -72,7 +72,7 @@ with open(rows, encoding="utf-8", newline="") as text:
 check_equal("rows of the head, the total and the solid", [lengths[0]] * 3, lengths)
 result = run(file, "--face-tolerance", "0.1")
 check_equal("exit status", 0, result.returncode)
-check_true("rows of the table", "within tolerances" in result.stdout and "centre within" in result.stdout, result.stdout)
+check_true("rows of the table", "within tolerances     volume 941.19 to 1061.21 mm^3" in result.stdout and "centre within" in result.stdout, result.stdout)
 for wrong, word in (("-1", "not a tolerance"), (os.path.join(folder, "missing.csv"), "neither a number")):
     result = run(file, "--face-tolerance", wrong)
     check_true(f"refused: {wrong}", result.returncode == 1 and word in result.stderr, result.stderr)

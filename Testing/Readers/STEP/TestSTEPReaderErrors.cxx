@@ -60,7 +60,7 @@ void CheckUnreadable(const std::string& text)
     Make("reader_header.step", text.substr(0, text.find("DATA;")) + "DATA;\nENDSEC;\nEND-ISO-10303-21;\n"),
     "empty", "no solid");
   CheckFails(Make("reader_cut.step", text.substr(0, text.size() / 8)), "unreadable", "export it again");
-  CheckFails(Folder, "unreadable", "opened");
+  CheckFails(Folder, "unreadable", "it is a folder");
 }
 
 void CheckSettings(const std::string& good)
