@@ -1,160 +1,17 @@
 """TestValidForms.py MODE --program SOLIDMOMENTS --output FOLDER: valid but unusual forms of STEP files are read as the standard has them.
 
 Small bodies with known volumes are written in these forms; each is `ok` with its volume and without a message that sounds like a loss, or
-flagged where the file is wrong. MODE is one of the names of MODES.
+flagged where the file is wrong. MODE is the name of a function without check_; CMake makes a test of each.
 """
-import argparse
 import math
 import os
 import random
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
-from smcheck import check_equal, check_true, finish  # noqa: E402
-from smprogram import compute  # noqa: E402
+from smcheck import check_true  # noqa: E402
 from smstepbody import EMPTY, Body, format_real  # noqa: E402
-
-TOLERANCE = 1e-9
-
-
-class Runner:
-    def __init__(self, options):
-        self.program, self.folder = options.program, options.output
-
-    def run(self, name, text):
-        path = os.path.join(self.folder, f"valid_{name.replace(' ', '_').replace('/', '_')}.step")
-        with open(path, "w", encoding="ascii") as file:
-            file.write(text)
-        result = compute(self.program, path)
-        os.remove(path)
-        return result
-
-    def check_value(self, name, text, volume, mass=None, allowed=None, center=None):
-        """`allowed` may be in a message; others are none."""
-        code, entry = self.run(name, text)
-        got = entry["total"]["volume"]
-        messages = [message for message in entry["messages"] if not allowed or allowed not in message]
-        check_true(name, code == 0 and entry["status"] == "ok" and abs(got - volume) <= TOLERANCE * volume and not messages,
-                   f"{entry['status']}, volume {got} for {volume}, {messages}")
-        if center is not None:
-            middle = entry["total"]["center_of_mass"]
-            check_true("  centre", all(abs(a - b) <= 100.0 * TOLERANCE for a, b in zip(middle, center)), f"{middle} for {center}")
-        if mass is not None:
-            check_true("  mass", entry["total"]["mass"] is not None and abs(entry["total"]["mass"] - mass) <= TOLERANCE * mass, f"{entry['total']['mass']} for {mass}")
-
-    def check_flagged(self, name, text, allowed=("suspect", "open", "unreadable")):
-        code, entry = self.run(name, text)
-        check_true(name, entry["status"] in allowed and code != 0 and any("#" in message for message in entry["messages"]),
-                   f"{code} {entry['status']}, volume {entry['total']['volume']}, {entry['messages']}")
-
-
-def add_mapped(body, shape, at):
-    source = body.add(f"REPRESENTATION_MAP({body.identity},{shape})")
-    return body.add(f"MAPPED_ITEM('',{source},{at})")
-
-
-def check_mapped(runner):
-    """Parts whose shapes are mapped into that of an assembly are not products next to it."""
-    for count in (1, 2, 3):
-        body = Body()
-        part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
-        body.product("part", part)
-        places = [body.axes((10.0 * k, 0, 0)) for k in range(count)]
-        body.product("asm", body.shape([body.identity] + [add_mapped(body, part, place) for place in places]))
-        runner.check_value(f"mapped {count} times", body.get_text(), 6.0 * count)
-    body = Body()
-    parts = [body.shape([body.solid(body.box((5.0 * k, 0, 0), (1, 2, 3 + k)))]) for k in range(2)]
-    for k, part in enumerate(parts):
-        body.product(f"part{k}", part)
-    body.product("asm", body.shape([body.identity] + [add_mapped(body, part, body.identity) for part in parts]))
-    runner.check_value("two parts", body.get_text(), 6.0 + 8.0)
-
-    body = Body()
-    part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
-    body.product("part", part)
-    middle = body.shape([body.identity, add_mapped(body, part, body.identity), add_mapped(body, part, body.axes((9, 0, 0)))])
-    body.product("middle", middle)
-    body.product("asm", body.shape([body.identity, add_mapped(body, middle, body.identity), add_mapped(body, middle, body.axes((0, 9, 0)))]))
-    runner.check_value("mapped through a product", body.get_text(), 24.0)
-
-    body = Body()
-    part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
-    definition = body.product("part", part)
-    units = body.add("(MASS_UNIT()NAMED_UNIT(*)SI_UNIT(.KILO.,.GRAM.))"), body.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.))")
-    elements = f"{body.add(f'DERIVED_UNIT_ELEMENT({units[0]},1.)')},{body.add(f'DERIVED_UNIT_ELEMENT({units[1]},-3.)')}"
-    item = body.add(f"MEASURE_REPRESENTATION_ITEM('density measure',POSITIVE_RATIO_MEASURE(1000.),{body.add(f'DERIVED_UNIT(({elements}))')})")
-    described = body.add(f"PROPERTY_DEFINITION('material property','density',{definition})")
-    body.add(f"PROPERTY_DEFINITION_REPRESENTATION({described},{body.add(f'REPRESENTATION({EMPTY},({item}),{body.context})')})")
-    body.product("asm", body.shape([body.identity] + [add_mapped(body, part, body.axes((9.0 * k, 0, 0))) for k in range(2)]))
-    runner.check_value("with a density", body.get_text(), 12.0, 12e-6)
-
-    body = Body()
-    part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
-    body.product("part", part)
-    body.product("other", body.shape([body.solid(body.box((20, 0, 0), (1, 1, 1)))]))
-    body.product("asm", body.shape([body.identity, add_mapped(body, part, body.identity)]))
-    runner.check_value("a product next to them", body.get_text(), 7.0)
-
-
-def add_occurrence(body, parent, child, at=None, shapes=None):
-    """An occurrence, placed by a relationship of the shapes of child and parent if `at` is given."""
-    occurrence = body.add(f"NEXT_ASSEMBLY_USAGE_OCCURRENCE('o','o','',{parent},{child},$)")
-    if at:
-        property_ = body.add(f"PRODUCT_DEFINITION_SHAPE('','',{occurrence})")
-        body.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({add_relationship(body, *shapes, at)},{property_})")
-
-
-def add_relationship(body, child, parent, at):
-    """`at` and the identity are frames of the parent and of the child."""
-    motion = body.add(f"ITEM_DEFINED_TRANSFORMATION('','',{body.identity},{at})")
-    return body.add(f"(REPRESENTATION_RELATIONSHIP('','',{child},{parent})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({motion})"
-                    "SHAPE_REPRESENTATION_RELATIONSHIP())")
-
-
-def check_placed(runner):
-    """Every arc of the product structure is followed: mapped items that place occurrences, and relationships without an occurrence."""
-    def add_box(body, x=0.0):
-        return body.shape([body.identity, body.solid(body.box((x, 0, 0), (1, 2, 3)))])
-
-    # A part of a sub-assembly that a mapped item places, and the same part elsewhere.
-    body = Body()
-    part, middle = add_box(body), body.shape([body.identity])
-    whole = body.shape([body.identity, add_mapped(body, middle, body.axes((20, 0, 0)))])
-    products = [body.product(name, shape) for name, shape in (("part", part), ("middle", middle), ("asm", whole))]
-    add_occurrence(body, products[1], products[0], body.axes((5, 0, 0)), (part, middle))
-    add_occurrence(body, products[2], products[0], body.axes((0, 9, 0)), (part, whole))
-    add_occurrence(body, products[2], products[1])
-    runner.check_value("a part of a mapped sub-assembly", body.get_text(), 12.0, center=(13.0, 5.5, 1.5))
-
-    # A relationship without an occurrence, alone and with a mapped item of the same part.
-    for count in (1, 2):
-        body = Body()
-        part = add_box(body)
-        whole = body.shape([body.axes((0, 0, 0))] + [add_mapped(body, part, body.axes((20, 0, 0)))] * (count - 1))
-        body.product("asm", whole)
-        add_relationship(body, part, whole, body.axes((0, 9, 0)))
-        runner.check_value(f"placed by a relationship, {count}", body.get_text(), 6.0 * count,
-                           center=(0.5, 10.0, 1.5) if count == 1 else (10.5, 5.5, 1.5))
-
-    # Both shapes of a part are mapped, or one of them is.
-    for count in (1, 2):
-        body = Body()
-        shapes = [add_box(body, 5.0 * k) for k in range(2)]
-        part = body.product("part", shapes[0])
-        body.define(part, shapes[1])
-        items = [add_mapped(body, shape, body.axes((20.0 * (k + 1), 0, 0))) for k, shape in enumerate(shapes[:count])]
-        whole = body.product("asm", body.shape([body.identity] + items))
-        add_occurrence(body, whole, part)
-        runner.check_value(f"two shapes of a part, {count} mapped", body.get_text(), 12.0, center=(23.0 if count == 1 else 33.0, 1.0, 1.5))
-
-    # A shape of two products is placed in both.
-    body = Body()
-    part, middle = add_box(body), body.shape([body.identity])
-    whole = body.shape([body.identity, add_mapped(body, middle, body.axes((20, 0, 0)))])
-    products = [body.product(name, shape) for name, shape in (("part", part), ("middle", middle), ("one", whole), ("two", whole))]
-    add_occurrence(body, products[1], products[0], body.axes((5, 0, 0)), (part, middle))
-    add_occurrence(body, products[2], products[1])
-    runner.check_flagged("an occurrence in one of two products of a shape", body.get_text())
+from smvalidforms import TOLERANCE, run_modes  # noqa: E402
 
 
 def make_box_text(body):
@@ -221,7 +78,7 @@ def make_crossing_torus(selects_outer, has_seam):
     return body.get_text()
 
 
-def check_whole_faces(runner):
+def check_whole(runner):
     """Spheres and tori without bounds, and spheres with nothing but a seam."""
     for is_spline in (False, True):
         for axis, x in (((0.0, 0.0, 1.0), (1.0, 0.0, 0.0)), ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)), ((0.0, 0.6, 0.8), (1.0, 0.0, 0.0)),
@@ -281,7 +138,7 @@ def make_disc(offsets, radius=0.22479, height=0.003, circle_radius=None, seam=Fa
     return body.get_text()
 
 
-def check_closed_circles(runner):
+def check_circles(runner):
     """The vertex of a closed circle says where the edge begins, nothing else."""
     chance = random.Random(20261127)
     for k in range(8):
@@ -296,7 +153,7 @@ def check_closed_circles(runner):
     runner.check_flagged("circles off their cylinder", make_disc(none, 1.0, 5.0, circle_radius=1.03))
 
 
-def check_oriented_faces(runner):
+def check_oriented(runner):
     """ORIENTED_FACE, forwards and reversed, alone or of a face that another solid has."""
     for k in range(6):
         for sense in "TF":
@@ -613,7 +470,7 @@ def make_half_cylinder(shares, opposite=False, lift=0.0):
     return body.get_text()
 
 
-def check_own_edges(runner):
+def check_edges(runner):
     """SolveSpace writes an edge and its vertices once for each face; edges that lie on each other are one."""
     joined = "lie on each other and were joined"
     runner.check_value("shared edges", make_half_cylinder(lambda face: True), 6.0 * math.pi)
@@ -623,21 +480,4 @@ def check_own_edges(runner):
     runner.check_flagged("own edges elsewhere", make_half_cylinder(lambda face: face != "top", lift=0.01))
 
 
-MODES = {"conics": check_conics, "profiles": check_profiles, "mapped": check_mapped, "placed": check_placed, "sections": check_sections, "whole": check_whole_faces, "circles": check_closed_circles,
-         "oriented": check_oriented_faces, "representations": check_representations, "voids": check_voids, "lenses": check_lenses,
-         "ellipses": check_ellipses, "edges": check_own_edges}
-
-
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("mode", choices=sorted(MODES) + ["all"])
-    for option in ("--program", "--output"):
-        parser.add_argument(option, required=True)
-    options = parser.parse_args()
-    check_equal("format of reals", ["1.0", "1.0E-07".replace("1.0", "1."), "0.25"], [format_real(x) for x in (1, 1e-7, 0.25)])
-    for name in sorted(MODES) if options.mode == "all" else [options.mode]:
-        MODES[name](Runner(options))
-    finish()
-
-
-main()
+run_modes()

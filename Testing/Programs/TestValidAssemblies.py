@@ -1,0 +1,123 @@
+"""TestValidAssemblies.py MODE --program SOLIDMOMENTS --output FOLDER: every way in which a STEP file places parts is followed.
+
+Small bodies with known volumes are written in these forms; each is `ok` with its volume and without a message that sounds like a loss, or
+flagged where the file is wrong. MODE is the name of a function without check_; CMake makes a test of each.
+"""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smstepbody import EMPTY, Body  # noqa: E402
+from smvalidforms import run_modes  # noqa: E402
+
+
+def add_mapped(body, shape, at):
+    source = body.add(f"REPRESENTATION_MAP({body.identity},{shape})")
+    return body.add(f"MAPPED_ITEM('',{source},{at})")
+
+
+def check_mapped(runner):
+    """Parts whose shapes are mapped into that of an assembly are not products next to it."""
+    for count in (1, 2, 3):
+        body = Body()
+        part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
+        body.product("part", part)
+        places = [body.axes((10.0 * k, 0, 0)) for k in range(count)]
+        body.product("asm", body.shape([body.identity] + [add_mapped(body, part, place) for place in places]))
+        runner.check_value(f"mapped {count} times", body.get_text(), 6.0 * count)
+    body = Body()
+    parts = [body.shape([body.solid(body.box((5.0 * k, 0, 0), (1, 2, 3 + k)))]) for k in range(2)]
+    for k, part in enumerate(parts):
+        body.product(f"part{k}", part)
+    body.product("asm", body.shape([body.identity] + [add_mapped(body, part, body.identity) for part in parts]))
+    runner.check_value("two parts", body.get_text(), 6.0 + 8.0)
+
+    body = Body()
+    part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
+    body.product("part", part)
+    middle = body.shape([body.identity, add_mapped(body, part, body.identity), add_mapped(body, part, body.axes((9, 0, 0)))])
+    body.product("middle", middle)
+    body.product("asm", body.shape([body.identity, add_mapped(body, middle, body.identity), add_mapped(body, middle, body.axes((0, 9, 0)))]))
+    runner.check_value("mapped through a product", body.get_text(), 24.0)
+
+    body = Body()
+    part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
+    definition = body.product("part", part)
+    units = body.add("(MASS_UNIT()NAMED_UNIT(*)SI_UNIT(.KILO.,.GRAM.))"), body.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.))")
+    elements = f"{body.add(f'DERIVED_UNIT_ELEMENT({units[0]},1.)')},{body.add(f'DERIVED_UNIT_ELEMENT({units[1]},-3.)')}"
+    item = body.add(f"MEASURE_REPRESENTATION_ITEM('density measure',POSITIVE_RATIO_MEASURE(1000.),{body.add(f'DERIVED_UNIT(({elements}))')})")
+    described = body.add(f"PROPERTY_DEFINITION('material property','density',{definition})")
+    body.add(f"PROPERTY_DEFINITION_REPRESENTATION({described},{body.add(f'REPRESENTATION({EMPTY},({item}),{body.context})')})")
+    body.product("asm", body.shape([body.identity] + [add_mapped(body, part, body.axes((9.0 * k, 0, 0))) for k in range(2)]))
+    runner.check_value("with a density", body.get_text(), 12.0, 12e-6)
+
+    body = Body()
+    part = body.shape([body.solid(body.box((0, 0, 0), (1, 2, 3)))])
+    body.product("part", part)
+    body.product("other", body.shape([body.solid(body.box((20, 0, 0), (1, 1, 1)))]))
+    body.product("asm", body.shape([body.identity, add_mapped(body, part, body.identity)]))
+    runner.check_value("a product next to them", body.get_text(), 7.0)
+
+
+def add_occurrence(body, parent, child, at=None, shapes=None):
+    """An occurrence, placed by a relationship of the shapes of child and parent if `at` is given."""
+    occurrence = body.add(f"NEXT_ASSEMBLY_USAGE_OCCURRENCE('o','o','',{parent},{child},$)")
+    if at:
+        property_ = body.add(f"PRODUCT_DEFINITION_SHAPE('','',{occurrence})")
+        body.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({add_relationship(body, *shapes, at)},{property_})")
+
+
+def add_relationship(body, child, parent, at):
+    """`at` and the identity are frames of the parent and of the child."""
+    motion = body.add(f"ITEM_DEFINED_TRANSFORMATION('','',{body.identity},{at})")
+    return body.add(f"(REPRESENTATION_RELATIONSHIP('','',{child},{parent})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({motion})"
+                    "SHAPE_REPRESENTATION_RELATIONSHIP())")
+
+
+def check_placed(runner):
+    """Every arc of the product structure is followed: mapped items that place occurrences, and relationships without an occurrence."""
+    def add_box(body, x=0.0):
+        return body.shape([body.identity, body.solid(body.box((x, 0, 0), (1, 2, 3)))])
+
+    # A part of a sub-assembly that a mapped item places, and the same part elsewhere.
+    body = Body()
+    part, middle = add_box(body), body.shape([body.identity])
+    whole = body.shape([body.identity, add_mapped(body, middle, body.axes((20, 0, 0)))])
+    products = [body.product(name, shape) for name, shape in (("part", part), ("middle", middle), ("asm", whole))]
+    add_occurrence(body, products[1], products[0], body.axes((5, 0, 0)), (part, middle))
+    add_occurrence(body, products[2], products[0], body.axes((0, 9, 0)), (part, whole))
+    add_occurrence(body, products[2], products[1])
+    runner.check_value("a part of a mapped sub-assembly", body.get_text(), 12.0, center=(13.0, 5.5, 1.5))
+
+    # A relationship without an occurrence, alone and with a mapped item of the same part.
+    for count in (1, 2):
+        body = Body()
+        part = add_box(body)
+        whole = body.shape([body.axes((0, 0, 0))] + [add_mapped(body, part, body.axes((20, 0, 0)))] * (count - 1))
+        body.product("asm", whole)
+        add_relationship(body, part, whole, body.axes((0, 9, 0)))
+        runner.check_value(f"placed by a relationship, {count}", body.get_text(), 6.0 * count,
+                           center=(0.5, 10.0, 1.5) if count == 1 else (10.5, 5.5, 1.5))
+
+    # Both shapes of a part are mapped, or one of them is.
+    for count in (1, 2):
+        body = Body()
+        shapes = [add_box(body, 5.0 * k) for k in range(2)]
+        part = body.product("part", shapes[0])
+        body.define(part, shapes[1])
+        items = [add_mapped(body, shape, body.axes((20.0 * (k + 1), 0, 0))) for k, shape in enumerate(shapes[:count])]
+        whole = body.product("asm", body.shape([body.identity] + items))
+        add_occurrence(body, whole, part)
+        runner.check_value(f"two shapes of a part, {count} mapped", body.get_text(), 12.0, center=(23.0 if count == 1 else 33.0, 1.0, 1.5))
+
+    # A shape of two products is placed in both.
+    body = Body()
+    part, middle = add_box(body), body.shape([body.identity])
+    whole = body.shape([body.identity, add_mapped(body, middle, body.axes((20, 0, 0)))])
+    products = [body.product(name, shape) for name, shape in (("part", part), ("middle", middle), ("one", whole), ("two", whole))]
+    add_occurrence(body, products[1], products[0], body.axes((5, 0, 0)), (part, middle))
+    add_occurrence(body, products[2], products[1])
+    runner.check_flagged("an occurrence in one of two products of a shape", body.get_text())
+
+
+run_modes()
