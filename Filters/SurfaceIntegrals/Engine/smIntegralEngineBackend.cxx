@@ -2,7 +2,6 @@
 #include "Items/smCPUItemRunner.h"
 #include "Items/smGPUItemRunner.h"
 #include "Items/smItemKernels.h"
-#include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smParallelFor.h"
 
@@ -99,8 +98,8 @@ std::string IntegralEngine::FindContextProblem(BackendChoice backend) const
     backend == BackendChoice::Automatic && this->DistrustedGeneration == this->Context->GetGeneration();
   return isDistrusted ? this->Distrust
     : this->Context->FlushesSubnormals() && this->MinimumWeight < MinimumFlushedWeight
-    ? this->Context->GetRenderer() + " takes numbers below 2.3e-308 for 0, and the smallest weight is " +
-      FormatDigits(this->MinimumWeight, 3) + "; take the CPU"
+    ? this->Context->GetRenderer() +
+      " takes numbers below 2.3e-308 for 0, and a weight may be below 1e-100; take the CPU"
     : std::string();
 }
 

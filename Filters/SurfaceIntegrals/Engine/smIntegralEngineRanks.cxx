@@ -90,6 +90,8 @@ void IntegralEngine::FinishSharing(const std::exception_ptr& failure) noexcept
 
 void IntegralEngine::RunAsWorker(const IntegralRequest& request, const IntegralLimits& limits)
 {
+  // The faces, and with them the weights, are those of another rank.
+  this->MinimumWeight = 0.0;
   this->ChooseRunner(request, limits.Backend);
   this->Configure(request, limits);
   this->Integrator.SetDevice(this->GetDevice());
