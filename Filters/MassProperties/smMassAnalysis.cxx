@@ -1,5 +1,6 @@
 #include "smMassAnalysis.h"
 
+#include "Detail/smCoincidentSolids.h"
 #include "Detail/smMassSpread.h"
 #include "Detail/smMirroredTwins.h"
 #include "Detail/smPlausibility.h"
@@ -25,12 +26,6 @@ namespace sm
 {
 namespace
 {
-/// Largest difference of coincident solids, relative to the volume and to its cube root.
-constexpr double CoincidenceLimit = 1e-9;
-/// Numbers of coincident pairs that a message names, and that are counted.
-constexpr std::size_t NamedPairs = 5;
-constexpr std::size_t MaxPairs = 100000;
-
 /// Adds to the bounds the effect of the rounding of a placement (smPlacementError.h): an error of the
 /// translation by some u of its length, and of the rotation, which deforms and rotates the body and the
 /// vector to its origin by as much.
@@ -340,58 +335,6 @@ MassRow AnalyzeBody(BodyIntegrals& body, const MassAnalysisOptions& options, Mom
           row, vtkMath::Norm(origin), 2.0 * GetRadius(*body.Model), body.Model->GetLengthUnit()));
   }
   return row;
-}
-
-/// Adds a message about pairs of solids that have one volume and one centre of mass: they overlap, and both
-/// count.
-void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& analysis)
-{
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-  {
-    const MassProperties& properties = analysis.Rows[i].Properties;
-    if (std::isfinite(properties.Volume) && std::isfinite(properties.Center[0]))
-    {
-      order.push_back(i);
-    }
-  }
-  const auto get = [&](std::size_t k) -> const MassProperties& { return analysis.Rows[order[k]].Properties; };
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b)
-    { return analysis.Rows[a].Properties.Center[0] < analysis.Rows[b].Properties.Center[0]; });
-  std::string named;
-  std::size_t pairs = 0;
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const double slack = CoincidenceLimit * std::cbrt(get(i).Volume);
-    for (std::size_t j = i + 1; j < order.size() && get(j).Center[0] - get(i).Center[0] <= slack; ++j)
-    {
-      if (std::abs(get(j).Volume - get(i).Volume) <= CoincidenceLimit * get(i).Volume &&
-        vtkMath::Distance2BetweenPoints(get(i).Center.data(), get(j).Center.data()) <= slack * slack)
-      {
-        if (++pairs <= NamedPairs)
-        {
-          named += (pairs > 1 ? "; " : "") + bodies[order[i]].Id + " and " + bodies[order[j]].Id;
-        }
-        if (pairs == MaxPairs)
-        {
-          i = order.size();
-          break;
-        }
-      }
-    }
-  }
-  if (pairs == 1)
-  {
-    analysis.Messages.push_back(
-      "solids " + named + " have the same volume and centre of mass: they overlap, and both are counted");
-  }
-  else if (pairs > 1)
-  {
-    analysis.Messages.push_back((pairs == MaxPairs ? "at least " : "") + std::to_string(pairs) +
-      " pairs of solids (" + named + (pairs > NamedPairs ? "; ..." : "") +
-      ") have the same volume and centre of mass: they overlap, and all are counted");
-  }
 }
 
 /// Sets the rows of bodies of which all faces are left out to NaN, and those quantities of the total that no

@@ -1,11 +1,11 @@
 #include "smSTEPShapes.h"
 
 #include "smCatchFailure.h"
-#include "smFormat.h"
 #include "smSTEPEdgeTwins.h"
 #include "smSTEPGeometryReading.h"
 #include "smSTEPPolygons.h"
 #include "smSTEPPropertyAttributes.h"
+#include "smSTEPShapeChecks.h"
 #include "smSTEPTopologyAttributes.h"
 #include "smSTEPTrims.h"
 #include "smTextEncoding.h"
@@ -24,21 +24,8 @@ constexpr STEPAttribute VertexOfLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
 /// Accuracy in millimetres of a file that states none.
 constexpr double DefaultPrecision = 1e-4;
 
-/// Distance of a vertex from the apex of its cone, relative to the cone's size, above which they contradict.
-constexpr double ApexLimit = 2e-3;
-
-/// Distance of a vertex from the sphere or torus that has no edges, relative to its radius, above which they
-/// contradict each other: that of vertices from curves, by the extent.
-constexpr double SurfaceLimit = 4e-3;
-
-/// An arc below this part of its radius is not certain.
-constexpr double ShortArc = 1e-9;
-
 /// The tolerance of a vertex is so many times the distance of the ends of its edges.
 constexpr double VertexMargin = 1.000001;
-
-/// Rounding of coordinates, relative to them.
-constexpr double Rounding = 1e-14;
 
 using Index = Part21File::Index;
 
@@ -312,7 +299,11 @@ private:
       const Vector3 end = edge->Curve->Evaluate(isStart ? edge->First : edge->Last);
       vertex.Tolerance = std::max(vertex.Tolerance, VertexMargin * Norm(Subtract(end, vertex.Point)));
     }
-    this->CheckArc(*edge);
+    this->AddDefect(DescribeShortArc(*edge));
+    if (IsNearlyClosed(*edge))
+    {
+      this->Shapes.ShortArcs.Add([edge] { return DescribeNearlyClosed(*edge); });
+    }
     this->Shapes.Extend(edge->Start);
     this->Shapes.Extend(edge->End);
     this->Shapes.Extend(edge->Curve->Evaluate(0.5 * (edge->First + edge->Last)));
@@ -384,7 +375,8 @@ private:
     {
       this->Shapes.ReversedFaces.push_back(census.Id);
     }
-    this->CheckTorus(census.Id, surfaceEntity, *surface.Value, face->Bounded);
+    this->AddDefect(
+      DescribeWholeTorus(census.Id, this->Entities.File.GetId(surfaceEntity), *surface.Value, face->Bounded));
     Describe(census.Id, this->Entities.Get(entity, NameOfItem).Text, face->Data);
     return { face, !isForward };
   }
@@ -469,17 +461,12 @@ private:
     return true;
   }
 
-  /// Reports a whole torus whose minor radius exceeds the major one.
-  void CheckTorus(std::uint64_t face, Index surfaceEntity, const STEPSurface& surface, bool isBounded)
+  /// Adds a defect, unless it is empty.
+  void AddDefect(std::string text)
   {
-    const auto* torus = surface.Value->GetIf<ElementarySurface>();
-    if (torus && torus->Kind == ElementarySurface::Type::Torus && !isBounded &&
-      torus->Selected == ElementarySurface::Part::Whole && torus->Radii[1] > std::abs(torus->Radii[0]))
+    if (!text.empty())
     {
-      this->Shapes.Defects.push_back("Face #" + std::to_string(face) +
-        " of the file is a whole torus that crosses itself (#" +
-        std::to_string(this->Entities.File.GetId(surfaceEntity)) +
-        ", its minor radius exceeds the major one): both its outer and its inner part are taken.");
+      this->Shapes.Defects.push_back(std::move(text));
     }
   }
 
@@ -487,48 +474,24 @@ private:
   /// only other statement of place and size.
   void CheckVertex(Index loop, std::uint64_t face, Index surfaceEntity, const STEPSurface& surface)
   {
-    const auto* cone = surface.Value->GetIf<ElementarySurface>();
-    if (!cone || cone->Kind != ElementarySurface::Type::Cone)
+    using Kind = ElementarySurface::Type;
+    const auto* native = surface.Value->GetIf<ElementarySurface>();
+    if (!native ||
+      (native->Kind != Kind::Cone && native->Kind != Kind::Sphere && native->Kind != Kind::Torus))
     {
-      this->CheckVertexOnSurface(loop, surfaceEntity, cone);
       return;
     }
     const Index vertex = this->Entities.Follow(this->Entities.Get(loop, VertexOfLoop));
-    const double height = -cone->Radii[0] / std::tan(cone->Angle);
-    Vector3 apex = cone->Frame.Origin;
-    for (int c = 0; c < 3; ++c)
+    const Vector3 point = this->ReadVertex(vertex);
+    const std::uint64_t id = this->Entities.File.GetId(surfaceEntity);
+    if (native->Kind == Kind::Cone)
     {
-      apex[c] += height * cone->Frame.Axes[2][c];
+      this->AddDefect(DescribeApex(face, this->Entities.File.GetId(vertex), id, *native, point));
     }
-    const double distance = Norm(Subtract(this->ReadVertex(vertex), apex));
-    if (!(distance <= ApexLimit * std::max(cone->Radii[0], std::abs(height))))
+    else if (IsOffSurface(*native, point))
     {
-      this->Shapes.Defects.push_back("Face #" + std::to_string(face) + " of the file: the vertex #" +
-        std::to_string(this->Entities.File.GetId(vertex)) + " of its loop is " + FormatDistance(distance) +
-        " mm away from the apex of its cone #" + std::to_string(this->Entities.File.GetId(surfaceEntity)) +
-        ", which is taken. Export the file again.");
-    }
-  }
-
-  /// The same for a sphere or a torus.
-  void CheckVertexOnSurface(Index loop, Index surfaceEntity, const ElementarySurface* surface)
-  {
-    const bool isSphere = surface && surface->Kind == ElementarySurface::Type::Sphere;
-    if (!isSphere && (!surface || surface->Kind != ElementarySurface::Type::Torus))
-    {
-      return;
-    }
-    const Vector3 away = Subtract(
-      this->ReadVertex(this->Entities.Follow(this->Entities.Get(loop, VertexOfLoop))), surface->Frame.Origin);
-    const double height = Dot(away, surface->Frame.Axes[2]);
-    const double radial = std::sqrt(std::max(0.0, Dot(away, away) - height * height));
-    const double major = isSphere ? 0.0 : surface->Radii[0];
-    const double minor = surface->Radii[isSphere ? 0 : 1];
-    // A negative major radius stands for the inner part of a torus that crosses itself.
-    if (std::abs(std::hypot(radial - major, height) - minor) > SurfaceLimit * (std::abs(major) + minor))
-    {
-      this->Shapes.Census.AddProblem(CensusDefect::VertexOffSurface, this->Entities.File.GetId(loop),
-        this->Entities.File.GetId(surfaceEntity), "vertex");
+      this->Shapes.Census.AddProblem(
+        CensusDefect::VertexOffSurface, this->Entities.File.GetId(loop), id, "vertex");
     }
   }
 
@@ -547,31 +510,6 @@ private:
   {
     const Index point = this->Entities.Follow(this->Entities.Get(vertex, PointOfVertex));
     return ReadGeometryPoint<3>(this->Entities, point, this->GetUnit());
-  }
-
-  /// Reports an arc between two points that are closer to each other than STEPEdges::SameVertex.
-  void CheckArc(const STEPEdge& edge)
-  {
-    const double distance = Norm(Subtract(edge.End, edge.Start));
-    const auto* conic = edge.Curve->GetIf<ConicCurve<3>>();
-    if (conic && conic->Kind == ConicCurve<3>::Type::Ellipse && distance > STEPEdges::SameVertex &&
-      distance <= ShortArc * conic->Radii[0])
-    {
-      this->Shapes.Defects.push_back("Edge #" + std::to_string(edge.Id) +
-        " of the file is an arc of less than 1e-9 of its radius: its parameters have too few digits.");
-    }
-    if (conic && distance <= STEPEdges::SameVertex &&
-      distance > Rounding * (Norm(edge.Start) + Norm(edge.End)))
-    {
-      this->Shapes.ShortArcs.Add(
-        [&]
-        {
-          return "Edge #" + std::to_string(edge.Id) +
-            " of the file is on a closed curve, between two vertices that are " + FormatDistance(distance) +
-            " mm apart: they are taken as one, and the curve as a whole. The short part between them may be "
-            "meant.";
-        });
-    }
   }
 
   STEPShapes& Shapes;

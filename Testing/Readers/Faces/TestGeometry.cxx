@@ -1,9 +1,8 @@
-// Native curves and surfaces: definitions of ISO 10303-42 by formulas, derivatives by differences, images
-// under maps. TestSTEPSurfaces compares them with OpenCASCADE.
+// Native curves and surfaces: definitions of ISO 10303-42 by formulas, derivatives by differences.
+// TestSTEPSurfaces compares them with OpenCASCADE.
 #include "Geometry/smCurveFoot.h"
 #include "Geometry/smGeometryConversion.h"
-#include "Geometry/smGeometryTransform.h"
-#include "smTesting.h"
+#include "smNativeShapes.h"
 
 #include <cmath>
 #include <random>
@@ -11,110 +10,12 @@
 namespace
 {
 using sm::Vector3;
+using namespace smtest;
 
 constexpr double AngleOfHalfTurn = 3.14159265358979323846;
-/// Rounding of coordinates of about 10.
-constexpr double Limit = 1e-13;
 /// Error of central differences with a step of 1e-5: its square times third derivatives, and rounding over
 /// the step.
 constexpr double DifferenceLimit = 2e-8;
-
-std::mt19937& GetRandom()
-{
-  static std::mt19937 random(11);
-  return random;
-}
-
-double Uniform(double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(GetRandom());
-}
-
-template <int Dimension>
-double GetGap(const std::array<double, Dimension>& a, const std::array<double, Dimension>& b)
-{
-  double square = 0.0;
-  for (int c = 0; c < Dimension; ++c)
-  {
-    square += (a[c] - b[c]) * (a[c] - b[c]);
-  }
-  return std::sqrt(square);
-}
-
-template <int Dimension>
-sm::CurvePointer<Dimension> MakeCurve(typename sm::GeometricCurve<Dimension>::Variant value)
-{
-  std::string problem;
-  const auto curve = sm::GeometricCurve<Dimension>::Make(std::move(value), problem);
-  smtest::CheckEqual("the curve is consistent", "", problem);
-  return curve;
-}
-
-sm::SurfacePointer MakeSurface(sm::GeometricSurface::Variant value)
-{
-  std::string problem;
-  const auto surface = sm::GeometricSurface::Make(std::move(value), problem);
-  smtest::CheckEqual("the surface is consistent", "", problem);
-  return surface;
-}
-
-/// A frame in general position.
-sm::GeometricFrame MakeFrame()
-{
-  sm::GeometricFrame frame;
-  frame.Origin = { 3.0, -2.0, 1.0 };
-  frame.Axes[2] = sm::Normalized<double>({ 0.3, -0.5, 0.8 });
-  frame.Axes[0] = sm::Normalized(sm::Cross(frame.Axes[2], Vector3{ 1.0, 0.7, 0.2 }));
-  frame.Axes[1] = sm::Cross(frame.Axes[2], frame.Axes[0]);
-  return frame;
-}
-
-template <int Dimension>
-sm::ConicCurve<Dimension> MakeConic(typename sm::ConicCurve<Dimension>::Type kind, double a, double b)
-{
-  sm::ConicCurve<Dimension> conic;
-  conic.Kind = kind;
-  if constexpr (Dimension == 3)
-  {
-    const sm::GeometricFrame frame = MakeFrame();
-    conic.Center = frame.Origin;
-    conic.X = frame.Axes[0];
-    conic.Y = frame.Axes[1];
-  }
-  else
-  {
-    conic.Center = { 0.5, -0.25 };
-    conic.X = { 0.8, 0.6 };
-    conic.Y = { -0.6, 0.8 };
-  }
-  conic.Radii[0] = a;
-  conic.Radii[1] = b;
-  return conic;
-}
-
-template <int Dimension>
-sm::SplineCurve<Dimension> MakeSpline(bool isRational)
-{
-  sm::SplineCurve<Dimension> spline;
-  spline.Basis.Degree = 3;
-  spline.Basis.Knots = { 0.0, 1.0, 2.5, 4.0 };
-  spline.Basis.Multiplicities = { 4, 1, 2, 4 };
-  for (int i = 0; i < 7; ++i)
-  {
-    std::array<double, Dimension> pole{};
-    for (double& x : pole)
-    {
-      x = Uniform(-2.0, 2.0);
-    }
-    pole[0] += 2.0 * i;
-    spline.Poles.push_back(pole);
-    if (isRational)
-    {
-      spline.Weights.push_back(Uniform(0.5, 2.0));
-    }
-  }
-  return spline;
-}
 
 /// Compares derivatives with central differences of those that are one order lower.
 template <int Dimension>
@@ -288,17 +189,6 @@ void TestOffsetSides()
     "an offset in space is along V x T", 0.0, GetGap<3>(offset->Evaluate(2.0), { 2.0, 0.5, 0.0 }), 0.0);
 }
 
-sm::ElementarySurface MakeElementary(sm::ElementarySurface::Type kind, double radius, double other)
-{
-  sm::ElementarySurface surface;
-  surface.Kind = kind;
-  surface.Frame = MakeFrame();
-  surface.Radii[0] = radius;
-  surface.Radii[1] = other;
-  surface.Angle = 0.4;
-  return surface;
-}
-
 /// The equation of the surface in its frame, 0 on it; lengths.
 double GetEquation(const sm::ElementarySurface& s, const Vector3& point)
 {
@@ -448,160 +338,6 @@ void TestPeriodicSpline()
   smtest::CheckRange("a periodic spline in several turns", 0.0, worst, Limit, "rounding");
 }
 
-template <int Dimension>
-sm::AffineTransform<Dimension> MakeTransform(bool isMirrored, double scale)
-{
-  sm::AffineTransform<Dimension> map;
-  if constexpr (Dimension == 3)
-  {
-    const sm::GeometricFrame frame = MakeFrame();
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int j = 0; j < 3; ++j)
-      {
-        map.Linear[i][j] = (isMirrored && j == 2 ? -scale : scale) * frame.Axes[j][i];
-      }
-    }
-    map.Translation = { -4.0, 1.0, 2.0 };
-  }
-  else
-  {
-    map.Linear[0] = { 0.8 * scale, isMirrored ? 0.6 * scale : -0.6 * scale };
-    map.Linear[1] = { 0.6 * scale, isMirrored ? -0.8 * scale : 0.8 * scale };
-    map.Translation = { 1.0, -1.0 };
-  }
-  return map;
-}
-
-template <int Dimension>
-void CheckImages(const sm::CurvePointer<Dimension>& curve, const sm::AffineTransform<Dimension>& map)
-{
-  sm::ParameterScale parameter;
-  std::string problem;
-  const auto image = sm::TransformCurve<Dimension>(curve, map, parameter, problem);
-  smtest::CheckEqual("the image of a curve is one", "", problem);
-  for (const double t : { 0.2, 0.9 })
-  {
-    const auto expected = map.MapPoint(curve->Evaluate(t));
-    smtest::Check(
-      "its point", 0.0, image ? GetGap<Dimension>(image->Evaluate(parameter(t)), expected) : 1.0, 1e-12);
-  }
-}
-
-template <int Dimension>
-void TestImagesOfCurves()
-{
-  using Shape = typename sm::ConicCurve<Dimension>::Type;
-  sm::LineCurve<Dimension> line;
-  line.Direction[1] = 1.0;
-  const auto spline = MakeCurve<Dimension>(MakeSpline<Dimension>(true));
-  sm::OffsetCurve<Dimension> offset{ spline, 0.3, {} };
-  offset.Reference[0] = 1.0;
-  sm::CompositeCurve<Dimension> composite;
-  composite.Segments.push_back({ MakeCurve<Dimension>(line), 2.0, 1.0, 0.5 });
-  composite.Segments.push_back({ spline, 0.0, 4.0, 2.0 });
-  const sm::CurvePointer<Dimension> curves[] = { MakeCurve<Dimension>(line),
-    MakeCurve<Dimension>(MakeConic<Dimension>(Shape::Ellipse, 2.0, 3.0)),
-    MakeCurve<Dimension>(MakeConic<Dimension>(Shape::Parabola, 2.0, 2.0)),
-    MakeCurve<Dimension>(MakeConic<Dimension>(Shape::Hyperbola, 2.0, 3.0)), spline,
-    MakeCurve<Dimension>(composite), MakeCurve<Dimension>(offset) };
-  for (const bool isMirrored : { false, true })
-  {
-    const auto map = MakeTransform<Dimension>(isMirrored, 2.5);
-    smtest::Check("scale of the map", 2.5, map.GetScale(), Limit);
-    smtest::CheckTrue("reflection of the map", map.IsMirrored() == isMirrored);
-    for (const auto& curve : curves)
-    {
-      CheckImages<Dimension>(curve, map);
-    }
-  }
-  // An affine map that is not a similarity keeps parameters; an offset has no image.
-  sm::AffineTransform<Dimension> stretch;
-  for (int d = 0; d < Dimension; ++d)
-  {
-    stretch.Linear[d][d] = d + 0.5;
-  }
-  smtest::Check("a stretch is not a similarity", 0.0, stretch.GetScale(), 0.0);
-  for (int i = 0; i < 6; ++i)
-  {
-    CheckImages<Dimension>(curves[i], stretch);
-  }
-  sm::ParameterScale parameter;
-  std::string problem;
-  smtest::CheckTrue("a stretched offset is none",
-    !sm::TransformCurve<Dimension>(curves[6], stretch, parameter, problem) && !problem.empty());
-}
-
-void TestImagesOfSurfaces()
-{
-  using Shape = sm::ElementarySurface::Type;
-  std::vector<sm::SurfacePointer> surfaces;
-  for (const Shape kind : { Shape::Plane, Shape::Cylinder, Shape::Cone, Shape::Sphere, Shape::Torus })
-  {
-    surfaces.push_back(MakeSurface(MakeElementary(kind, 2.0, 0.5)));
-  }
-  const auto spline = MakeCurve<3>(MakeSpline<3>(true));
-  const auto parabola = MakeCurve<3>(MakeConic<3>(sm::ConicCurve<3>::Type::Parabola, 2.0, 2.0));
-  const Vector3 axis = sm::Normalized<double>({ 0.2, 0.1, 0.9 });
-  surfaces.push_back(MakeSurface(sm::ExtrudedSurface{ parabola, { 0.0, 1.0 }, axis }));
-  surfaces.push_back(MakeSurface(sm::RevolvedSurface{ spline, {}, { 1.0, 2.0, 0.0 }, axis }));
-  surfaces.push_back(MakeSurface(sm::OffsetSurface{ surfaces.back(), 0.2 }));
-  for (const bool isMirrored : { false, true })
-  {
-    const auto map = MakeTransform<3>(isMirrored, 2.5);
-    for (const auto& surface : surfaces)
-    {
-      sm::ParameterScale parameters[2];
-      std::string problem;
-      const auto image = sm::TransformSurface(surface, map, parameters, problem);
-      smtest::CheckEqual("the image of a surface is one", "", problem);
-      const Vector3 expected = map.MapPoint(surface->Evaluate(0.3, 0.4));
-      smtest::Check("its point", 0.0,
-        image ? GetGap<3>(image->Evaluate(parameters[0](0.3), parameters[1](0.4)), expected) : 1.0, 1e-12);
-    }
-  }
-}
-
-void CheckRefused(const char* what, sm::GeometricSurface::Variant value)
-{
-  std::string problem;
-  smtest::CheckTrue(
-    what, !sm::GeometricSurface::Make(std::move(value), problem) && !problem.empty(), problem);
-}
-
-void CheckRefusedCurve(const char* what, sm::GeometricCurve<3>::Variant value)
-{
-  std::string problem;
-  smtest::CheckTrue(
-    what, !sm::GeometricCurve<3>::Make(std::move(value), problem) && !problem.empty(), problem);
-}
-
-void TestRefusals()
-{
-  using Shape = sm::ElementarySurface::Type;
-  CheckRefusedCurve("a line without direction", sm::LineCurve<3>());
-  CheckRefusedCurve("a circle of radius 0", MakeConic<3>(sm::ConicCurve<3>::Type::Ellipse, 0.0, 0.0));
-  CheckRefused("a sphere of radius 0", MakeElementary(Shape::Sphere, 0.0, 0.0));
-  sm::ElementarySurface cone = MakeElementary(Shape::Cone, 1.0, 0.0);
-  cone.Angle = 0.0;
-  CheckRefused("a cone without opening", cone);
-  sm::ElementarySurface skew = MakeElementary(Shape::Plane, 0.0, 0.0);
-  skew.Frame.Axes[1] = skew.Frame.Axes[0];
-  CheckRefused("a plane with two equal axes", skew);
-  sm::SplineCurve<3> spline = MakeSpline<3>(true);
-  spline.Weights[2] = 0.0;
-  CheckRefusedCurve("a weight of 0", spline);
-  spline = MakeSpline<3>(false);
-  spline.Poles.pop_back();
-  CheckRefusedCurve("a control point too few", spline);
-  spline = MakeSpline<3>(false);
-  spline.Basis.Knots[2] = spline.Basis.Knots[1];
-  CheckRefusedCurve("knots that do not increase", spline);
-  spline = MakeSpline<3>(false);
-  spline.Basis.Multiplicities = { 3, 1, 4, 3 };
-  CheckRefusedCurve("a torn spline", spline);
-  CheckRefused("an offset of nothing", sm::OffsetSurface());
-}
 }
 
 int TestGeometry(int, char*[])
@@ -612,9 +348,5 @@ int TestGeometry(int, char*[])
   TestElementary();
   TestSwept();
   TestPeriodicSpline();
-  TestImagesOfCurves<2>();
-  TestImagesOfCurves<3>();
-  TestImagesOfSurfaces();
-  TestRefusals();
   return smtest::Finish();
 }
