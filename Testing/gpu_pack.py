@@ -92,21 +92,23 @@ class Catalogue:
             wanted = [entry for entry in wanted if entry not in ready]
         self.tests = [test for test in tests if test not in self.setups]
         self.common = {match for entry in self.setups for word in entry["command"]
-                       for match in re.findall(re.escape(build) + r"/Testing/(output/[^/' ]+|models)", word)}
+                       for match in re.findall(re.escape(build) + r"/Testing/(output/[^/' ]+|models)", word)
+                       if match != f"output/{entry['name']}"}
         for entry in self.tests + self.setups:
-            entry["command"] = [self.abstract(word) for word in entry["command"]]
-            entry["environment"] = [self.abstract(word) for word in entry["environment"]]
+            for part in ("command", "environment"):
+                entry[part] = [self.abstract(word, entry["name"]) for word in entry[part]]
         # What users of a GPU want to know first, and what takes long.
         self.tests.sort(key=lambda test: (bool(test["required"]), "gpu" not in test["labels"], -test["cost"], test["name"]))
 
-    def abstract(self, word):
-        """A word of a command with placeholders for folders."""
+    def abstract(self, word, test):
+        """A word of a test's command with placeholders for folders."""
         if re.search(r"/python[0-9.]*$", word) and " " not in word:
             return "{python}"
         for folder in sorted(self.common, key=len, reverse=True):
             word = re.sub(re.escape(f"{self.build}/Testing/{folder}") + r"(?![\w.-])", "{common}/" + folder.split("/")[-1], word)
         shared = os.path.join(self.source, "..", "shared")
-        for path, placeholder in ((f"{self.build}/Testing/output", "{output}"), (f"{self.build}/bin/", "{bin}/"), (self.build, "{build}"),
+        output = f"{self.build}/Testing/output"
+        for path, placeholder in ((f"{output}/{test}", "{output}"), (output, "{output}"), (f"{self.build}/bin/", "{bin}/"), (self.build, "{build}"),
                                   (shared, "{shared}"), (os.path.realpath(shared), "{shared}"), (self.source, "{source}")):
             word = word.replace(path, placeholder)
         return word

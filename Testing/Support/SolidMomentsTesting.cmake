@@ -25,10 +25,11 @@ endfunction ()
 #   COMMAND <command>...)
 #
 # XVFB runs the command on a virtual X display of its own, NODISPLAY without any; neither leaves the display
-# to the caller's environment, for programs that do not care. Labels: value image error gpu plugin package
-# robust. The command may begin with a target or with a test of a driver (solidmoments_add_test_driver). With
-# STATUS and TEXT the command must end with that status and print a text that matches, and none that matches
-# WITHOUT: PASS_REGULAR_EXPRESSION would ignore the status.
+# to the caller's environment, for programs that do not care. Where a word of the command is
+# SOLIDMOMENTS_TEST_OUTPUT, the test gets the folder of its name there. Labels: value image error gpu plugin
+# package robust. The command may begin with a target or with a test of a driver
+# (solidmoments_add_test_driver). With STATUS and TEXT the command must end with that status and print a text
+# that matches, and none that matches WITHOUT: PASS_REGULAR_EXPRESSION would ignore the status.
 function(solidmoments_add_test)
   cmake_parse_arguments(test "XVFB;NODISPLAY" "NAME;TIMEOUT;STATUS;TEXT;WITHOUT" "LABELS;ENVIRONMENT;FIXTURE;COMMAND" ${ARGN})
   foreach (label IN LISTS test_LABELS)
@@ -54,6 +55,11 @@ function(solidmoments_add_test)
     set(launcher "${CMAKE_COMMAND}" -E env --unset=DISPLAY --unset=WAYLAND_DISPLAY)
   endif ()
   solidmoments_resolve_command(test_COMMAND)
+  # Tests that run side by side must not write each other's files.
+  if (SOLIDMOMENTS_TEST_OUTPUT IN_LIST test_COMMAND)
+    file(MAKE_DIRECTORY "${SOLIDMOMENTS_TEST_OUTPUT}/${test_NAME}")
+    list(TRANSFORM test_COMMAND REPLACE "^${SOLIDMOMENTS_TEST_OUTPUT}$" "${SOLIDMOMENTS_TEST_OUTPUT}/${test_NAME}")
+  endif ()
   if (DEFINED test_STATUS)
     set(expectation "${Python3_EXECUTABLE}" "${SOLIDMOMENTS_TEST_SUPPORT}/expect_command.py"
       --status ${test_STATUS} --text "${test_TEXT}")
