@@ -173,7 +173,7 @@ Json Describe(const Arguments& arguments, const Json& first, sm::EditScene& scen
   result["hold"] = nullptr;
   if (hold.IsOn() && hold.GetVolume())
   {
-    result["hold"] = { { "volume", *hold.GetVolume() }, { "largest_deviation", hold.GetLargestDeviation() },
+    result["hold"] = { { "volume", *hold.GetVolume() }, { "largest_deviation", hold.GetMaxDeviation() },
       { "begin_seconds", hold.GetBeginSeconds() } };
   }
   Json& seconds = result["seconds"];

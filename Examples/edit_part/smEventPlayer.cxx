@@ -15,7 +15,7 @@ namespace sm
 namespace
 {
 const char* const SizeLabel = "# WindowSize ";
-const int LargestSize = 8192;
+const int MaxSize = 8192;
 
 /// Numbers have a decimal point in this thread from construction to destruction: vtkInteractorEventRecorder
 /// reads the version of the format, "1.2", in the current locale.
@@ -83,7 +83,7 @@ std::optional<std::array<int, 2>> ReadWindowSize(const std::string& fileName)
       line.rfind(SizeLabel, 0) == 0 ? line.substr(std::string(SizeLabel).size()) : "");
     std::array<int, 2> size;
     if (numbers >> size[0] >> size[1] && std::min(size[0], size[1]) > 0 &&
-      std::max(size[0], size[1]) <= LargestSize)
+      std::max(size[0], size[1]) <= MaxSize)
     {
       return size;
     }

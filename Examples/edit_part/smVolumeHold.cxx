@@ -165,7 +165,7 @@ ModelEdit MovePoints(vtkNURBSDataSet* body, const PointMoves& moves, double fact
 void VolumeHold::SetOn(bool on)
 {
   this->On = on;
-  this->LargestDeviation = 0.0;
+  this->MaxDeviation = 0.0;
   this->Forget();
 }
 
@@ -299,7 +299,7 @@ void VolumeHold::Record(double volume)
   if (this->On && this->Volume)
   {
     this->Deviation = std::abs(volume - *this->Volume) / std::abs(*this->Volume);
-    this->LargestDeviation = std::max(this->LargestDeviation, this->Deviation);
+    this->MaxDeviation = std::max(this->MaxDeviation, this->Deviation);
   }
 }
 }

@@ -53,7 +53,7 @@ public:
   const std::optional<double>& GetVolume() const { return this->Volume; }
   /// Returns the deviation of the last recorded volume, relative to the held one, and the largest so far.
   double GetDeviation() const { return this->Deviation; }
-  double GetLargestDeviation() const { return this->LargestDeviation; }
+  double GetMaxDeviation() const { return this->MaxDeviation; }
   /// Seconds of the last Begin() and of the last Solve().
   double GetBeginSeconds() const { return this->BeginSeconds; }
   double GetSolveSeconds() const { return this->SolveSeconds; }
@@ -66,7 +66,7 @@ private:
   bool On = false;
   std::optional<double> Volume;
   double Deviation = 0.0;
-  double LargestDeviation = 0.0;
+  double MaxDeviation = 0.0;
   double BeginSeconds = 0.0;
   double SolveSeconds = 0.0;
   std::string Message;

@@ -25,7 +25,7 @@ namespace sm
 namespace
 {
 /// Highest degree of moments that the options accept.
-constexpr int LargestMomentDegree = 16;
+constexpr int MaxMomentDegree = 16;
 
 /// Splits "NAME=EXPR"; returns false if a part is missing.
 bool ParseIntegral(const std::string& text, std::string& name, std::string& expression)
@@ -43,9 +43,9 @@ bool ParseIntegral(const std::string& text, std::string& name, std::string& expr
 std::string CheckDegree(const std::string& text)
 {
   const double value = ParseNumber(text);
-  return value >= 0.0 && value <= LargestMomentDegree && value == std::floor(value)
+  return value >= 0.0 && value <= MaxMomentDegree && value == std::floor(value)
     ? ""
-    : "the degree of moments must be a whole number from 0 to " + std::to_string(LargestMomentDegree);
+    : "the degree of moments must be a whole number from 0 to " + std::to_string(MaxMomentDegree);
 }
 
 std::string CheckIntegral(const std::string& text)

@@ -45,8 +45,8 @@ const double SignalColor[3] = { 0.90, 0.05, 0.12 };
 /// How far a scene moves to the left of a colour bar, relative to half of the width: the scene is as wide as
 /// the picture is high, and 5 % more, and the bar begins at 87 % of the width.
 const double RoomForBar = 0.12;
-const int MaxNumbers = 5;       // of flagged places
-const size_t LongestLine = 100; // characters across the picture
+const int MaxNumbers = 5;   // of flagged places
+const size_t MaxLine = 100; // characters across the picture
 
 /// Returns the caption: the values that exist, and the status if it is not ok.
 std::string Caption(const sm::FileResult& file)
@@ -122,7 +122,7 @@ void AddFlagged(vtkRenderer* body, vtkRenderer* front, vtkPolyData* flagged)
     if (number <= MaxNumbers)
     {
       AddNumber(front, flagged->GetCell(cell), number);
-      lines += sm::WrapText(std::to_string(number) + " " + texts->GetValue(cell), LongestLine);
+      lines += sm::WrapText(std::to_string(number) + " " + texts->GetValue(cell), MaxLine);
     }
   }
   const auto more = static_cast<int>(std::lround(numbers->GetRange()[1])) - MaxNumbers;

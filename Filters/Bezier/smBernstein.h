@@ -36,7 +36,16 @@ inline constexpr detail::PascalTriangle Binomials = detail::MakePascalTriangle()
 /// Values at x of the degree + 1 Bernstein polynomials, by the triangular recurrence.
 SMFILTERSBEZIER_EXPORT void FillBernsteinBasis(int degree, double x, double* basis);
 
-/// The same by powers of x and 1 - x: fewer operations, other last digits.
+/// Derivatives of the degree + 1 polynomials, from the `degree` values of one degree less.
+inline void FillBernsteinSlopes(int degree, const double* lower, double* slopes)
+{
+  for (int i = 0; i <= degree; ++i)
+  {
+    slopes[i] = degree * ((i > 0 ? lower[i - 1] : 0.0) - (i < degree ? lower[i] : 0.0));
+  }
+}
+
+/// The values by powers of x and 1 - x: fewer operations, other last digits.
 inline void EvaluateBasis(double x, int degree, double* values)
 {
   double power = 1.0;

@@ -76,10 +76,7 @@ struct PolynomialCurve
   /// others; else empty.
   std::vector<Point> PieceResiduals;
 
-  double GetLargestResidual() const
-  {
-    return *std::max_element(this->Residual.begin(), this->Residual.end());
-  }
+  double GetMaxResidual() const { return *std::max_element(this->Residual.begin(), this->Residual.end()); }
   void RaiseResidual(int coordinate, double residual)
   {
     this->Residual[coordinate] = std::max(this->Residual[coordinate], residual);

@@ -239,8 +239,8 @@ bool BuoyancyIntegrator::CutAtWaterline(const BodyIntegrals& body, const Waterli
     const FacePanels& panels = cut.Faces[i]->Panels;
     const bool mayHaveSheet =
       (isNothing || (cut.IsWhole && isWhole)) && MayTouch(panels, frame.Plane, 2.0 * rounded);
-    cut.VolumeErrors[i] = below.CutError +
-      (mayHaveSheet ? 2.0 * rounded * GetLargestArea(panels, GetStripArea(*cut.Faces[i])) : 0.0);
+    cut.VolumeErrors[i] =
+      below.CutError + (mayHaveSheet ? 2.0 * rounded * GetMaxArea(panels, GetStripArea(*cut.Faces[i])) : 0.0);
     cut.Errors[i] = cut.Faces[i]->Error;
   }
   if (cut.IsWhole)
@@ -310,7 +310,7 @@ void BuoyancyIntegrator::AddTasks(CutBody& cut, std::size_t body, const Toleranc
           cut.AreaErrors[i] += swept;
         }
         places.push_back({ body, i });
-        cut.VolumeErrors[i] += moved * GetLargestArea(part->Panels, below.StripArea);
+        cut.VolumeErrors[i] += moved * GetMaxArea(part->Panels, below.StripArea);
       }
     }
     const bool isUncertain = cut.VolumeErrors[i] > 0.0 || cut.AreaErrors[i] > 0.0;

@@ -67,7 +67,7 @@ double GetReach(const FacePanels& panels, const std::array<double, 3>& center)
   return reach;
 }
 
-double GetLargestArea(const FacePanels& panels, double stripArea)
+double GetMaxArea(const FacePanels& panels, double stripArea)
 {
   double area = stripArea;
   for (const Patch& patch : panels.Patches)

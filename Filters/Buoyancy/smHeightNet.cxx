@@ -9,10 +9,10 @@
 
 namespace sm
 {
-double NetRange::GetLargestHeight() const
+double NetRange::GetMaxHeight() const
 {
-  return this->LowestWeight > 0.0 ? std::max(std::abs(this->Low), std::abs(this->High)) / this->LowestWeight
-                                  : std::numeric_limits<double>::infinity();
+  return this->MinWeight > 0.0 ? std::max(std::abs(this->Low), std::abs(this->High)) / this->MinWeight
+                               : std::numeric_limits<double>::infinity();
 }
 
 HeightNet::HeightNet(const FacePanels& panels, const Patch& patch, const HeightPlane& plane)
@@ -38,8 +38,8 @@ HeightNet::HeightNet(const FacePanels& panels, const Patch& patch, const HeightP
       height += static_cast<long double>(plane.Up[c]) * point[c];
     }
     this->Coefficients.push_back({ static_cast<double>(height), point[3] });
-    this->LargestNumerator = std::max(this->LargestNumerator, std::abs(this->Coefficients.back()[0]));
-    this->LargestWeight = std::max(this->LargestWeight, point[3]);
+    this->MaxNumerator = std::max(this->MaxNumerator, std::abs(this->Coefficients.back()[0]));
+    this->MaxWeight = std::max(this->MaxWeight, point[3]);
   }
   this->Normal = std::min(patch.Stretch[0] * patch.Stretch[1],
                    std::hypot(patch.Normal[0], patch.Normal[1], patch.Normal[2])) /
@@ -56,8 +56,8 @@ HeightNet HeightNet::Exchanged() const
     other.Width[d] = this->Width[1 - d];
   }
   other.Normal = this->Normal;
-  other.LargestNumerator = this->LargestNumerator;
-  other.LargestWeight = this->LargestWeight;
+  other.MaxNumerator = this->MaxNumerator;
+  other.MaxWeight = this->MaxWeight;
   other.Coefficients.resize(this->Coefficients.size());
   for (int j = 0; j <= this->Degree[1]; ++j)
   {
@@ -79,7 +79,7 @@ double HeightNet::GetRounding() const
   {
     roundings += this->Degree[d] * (24.0 + 8.0 * std::abs(this->Start[d]) / std::abs(this->Width[d]));
   }
-  return roundings * UnitRoundoff * this->LargestNumerator;
+  return roundings * UnitRoundoff * this->MaxNumerator;
 }
 
 NetRange HeightNet::GetRange(const ParameterRange& box) const
@@ -103,12 +103,12 @@ NetRange HeightNet::GetRange(const ParameterRange& box) const
   }
   NetRange range;
   range.Low = range.High = net[0][0];
-  range.LowestWeight = net[0][1];
+  range.MinWeight = net[0][1];
   for (const std::array<double, 2>& entry : net)
   {
     range.Low = std::min(range.Low, entry[0]);
     range.High = std::max(range.High, entry[0]);
-    range.LowestWeight = std::min(range.LowestWeight, entry[1]);
+    range.MinWeight = std::min(range.MinWeight, entry[1]);
   }
   for (int d = 0; d < 2; ++d)
   {

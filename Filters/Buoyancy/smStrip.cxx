@@ -62,10 +62,10 @@ Strip::Strip(const FacePanels& panels, const Ribbon& ribbon)
   {
     this->EdgeReach = std::max(this->EdgeReach, Norm(point));
   }
-  this->LowestWeight = std::numeric_limits<double>::infinity();
+  this->MinWeight = std::numeric_limits<double>::infinity();
   for (int i = 0; i < (patch.Degree[0] + 1) * (patch.Degree[1] + 1); ++i)
   {
-    this->LowestWeight = std::min(this->LowestWeight, panels.Points[patch.FirstPoint + i][3]);
+    this->MinWeight = std::min(this->MinWeight, panels.Points[patch.FirstPoint + i][3]);
   }
   this->Gap = this->GetGap(0.0, 1.0);
 }
@@ -100,7 +100,7 @@ double Strip::GetGap(double start, double end) const
   if (degree >= ChebyshevRule::MaximumSize)
   {
     const Point3 gap = sample(0.5 * (start + end));
-    return std::hypot(gap[0], gap[1], gap[2]) / this->LowestWeight + this->Length * (end - start);
+    return std::hypot(gap[0], gap[1], gap[2]) / this->MinWeight + this->Length * (end - start);
   }
   Point3 largest{};
   std::vector<double> series;
@@ -120,6 +120,6 @@ double Strip::GetGap(double start, double end) const
     ExpandPolynomial(getComponent, degree, start, end, series);
     largest[c] = GetLargest(series);
   }
-  return std::hypot(largest[0], largest[1], largest[2]) / this->LowestWeight;
+  return std::hypot(largest[0], largest[1], largest[2]) / this->MinWeight;
 }
 }

@@ -87,7 +87,7 @@ CutFacePointer MakeFace(const CutFace& source, FacePanels& panels, bool exchange
   cut->Degree[1] = source.Degree[exchanged ? 0 : 1];
   for (int d = 0; d < 2; ++d)
   {
-    panels.LargestTrim[d] = source.Panels.LargestTrim[exchanged ? 1 - d : d];
+    panels.MaxTrim[d] = source.Panels.MaxTrim[exchanged ? 1 - d : d];
   }
   if (!exchanged)
   {

@@ -188,7 +188,7 @@ double SubmergedPanels::GetAreaBeside(
     : 0.0;
   const double slope = (minimum - 2.0 * box.Net->GetDegree(0) * box.Net->GetRounding() / width) * width /
     (around.High[0] - around.Low[0]);
-  const double normal = this->GetLargestNormal(box.SourcePatch, box.Exchanged ? around.Exchanged() : around);
+  const double normal = this->GetMaxNormal(box.SourcePatch, box.Exchanged ? around.Exchanged() : around);
   return std::min(normal / std::max(slope, box.Slope), box.AreaRate) * maximum * length;
 }
 

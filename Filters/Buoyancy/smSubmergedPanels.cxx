@@ -19,7 +19,7 @@ constexpr double PieceShare = 1.0 / 4096.0;
 // Largest number of boxes per face in addition to its patches, and smallest width of a box relative to its
 // patch.
 constexpr std::size_t MaxBoxes = 20000;
-constexpr double SmallestBox = 1e-13;
+constexpr double MinBox = 1e-13;
 // Largest slope of a graph in units of its box, so that few polynomials fit it; and the width on each side of
 // a box, relative to the box, within which the height must be monotone too.
 constexpr double SteepestGraph = 8.0;
@@ -110,19 +110,19 @@ void SubmergedPanels::Cut()
   }
 }
 
-double SubmergedPanels::GetLargestNormal(std::uint32_t patch, const ParameterRange& range) const
+double SubmergedPanels::GetMaxNormal(std::uint32_t patch, const ParameterRange& range) const
 {
   FacePanels part;
   AppendPatchPart(this->From, patch, range.Low, range.High, false, part);
-  return HeightNet(part, part.Patches[0], this->Plane).GetLargestNormal();
+  return HeightNet(part, part.Patches[0], this->Plane).GetMaxNormal();
 }
 
 bool SubmergedPanels::IsFinal(const Box& box) const
 {
   const Source& source = this->Sources[box.Net];
   const Patch& patch = this->From.Patches[source.Patch];
-  if (box.Range.High[0] - box.Range.Low[0] < SmallestBox * patch.Width[0] ||
-    box.Range.High[1] - box.Range.Low[1] < SmallestBox * patch.Width[1])
+  if (box.Range.High[0] - box.Range.Low[0] < MinBox * patch.Width[0] ||
+    box.Range.High[1] - box.Range.Low[1] < MinBox * patch.Width[1])
   {
     return true;
   }
@@ -177,7 +177,7 @@ void SubmergedPanels::AddPatch(std::uint32_t index, Region parts)
     // The normal bound of the patch does not hold outside of the patch.
     FacePanels wider;
     AppendPatchPart(this->From, index, box.Range.Low, box.Range.High, false, wider);
-    const double normal = HeightNet(wider, wider.Patches[0], this->Plane).GetLargestNormal();
+    const double normal = HeightNet(wider, wider.Patches[0], this->Plane).GetMaxNormal();
     Source& source = this->Sources.back();
     source.Net.RaiseNormal(normal);
     source.Exchanged.RaiseNormal(normal);
@@ -196,7 +196,7 @@ bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& ran
   wide.Low[0] -= room;
   wide.High[0] += room;
   const NetRange bounds = net.GetRange(wide);
-  if (!(bounds.LowestWeight > 0.0) || !(bounds.SlopeLow[0] > 0.0 || bounds.SlopeHigh[0] < 0.0))
+  if (!(bounds.MinWeight > 0.0) || !(bounds.SlopeLow[0] > 0.0 || bounds.SlopeHigh[0] < 0.0))
   {
     return false;
   }
@@ -221,12 +221,12 @@ bool SubmergedPanels::IsMonotone(const HeightNet& net, const ParameterRange& ran
   // Slope per unit of the trim pieces' parameter.
   found.Slope = slope * width[0] / (range.High[0] - range.Low[0]);
   // |h| <= N / w on a sliver of width N / slope.
-  found.Rate = net.GetLargestNormal() / (bounds.LowestWeight * found.Slope);
-  found.AreaRate = net.GetLargestNormal() / found.Slope;
+  found.Rate = net.GetMaxNormal() / (bounds.MinWeight * found.Slope);
+  found.AreaRate = net.GetMaxNormal() / found.Slope;
   found.Noise = this->GetNoise(net);
   found.Room = room;
-  found.Whole.Area = net.GetLargestNormal() * (wide.High[0] - wide.Low[0]);
-  found.Whole.Volume = bounds.GetLargestHeight() * found.Whole.Area;
+  found.Whole.Area = net.GetMaxNormal() * (wide.High[0] - wide.Low[0]);
+  found.Whole.Volume = bounds.GetMaxHeight() * found.Whole.Area;
   found.Halvings = MaxGraphHalvings;
   return true;
 }
@@ -270,10 +270,9 @@ bool SubmergedPanels::Resolve(Box& box)
   {
     const NetRange range = source.Net.GetRange(box.Range);
     const double size = (box.Range.High[0] - box.Range.Low[0]) * (box.Range.High[1] - box.Range.Low[1]);
-    box.Majorant.Volume = range.GetLargestHeight() * source.Net.GetLargestNormal() * size;
+    box.Majorant.Volume = range.GetMaxHeight() * source.Net.GetMaxNormal() * size;
     // Near a collapsed edge the normals of a box are much smaller than those of its patch.
-    box.Majorant.Area =
-      size * (this->Limits.HasArea() ? this->GetLargestNormal(source.Patch, box.Range) : 0.0);
+    box.Majorant.Area = size * (this->Limits.HasArea() ? this->GetMaxNormal(source.Patch, box.Range) : 0.0);
     box.Excess = std::max(box.Majorant.Volume / this->Limits.Volume, box.Majorant.Area / this->Limits.Area);
     return false;
   }

@@ -135,7 +135,7 @@ private:
   /// Residuals of the curves of all coedges, see ListResiduals().
   std::vector<std::array<double, 3>> Residuals;
   /// Bound of the displacement of all points of the border relative to the plane.
-  double LargestMoved;
+  double MaxMoved;
   std::map<std::uint32_t, HeightNet> Nets;
   std::map<std::uint32_t, std::uint32_t> Patches;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> Pieces;
@@ -148,7 +148,7 @@ StripCutter::StripCutter(
   , Limits(limits)
   , To(to)
   , Residuals(ListResiduals(face))
-  , LargestMoved(limits.Displacement + GetBorderResidual(face, from))
+  , MaxMoved(limits.Displacement + GetBorderResidual(face, from))
 {
 }
 
@@ -173,7 +173,7 @@ StripCutter::Heights StripCutter::GetFaceHeights(const Open& open, double start,
     },
     open.Curves.FaceDegree, start, end, series);
   const double spread = GetLargest(series) - std::abs(series[0]);
-  const double weight = open.Curves.LowestWeight;
+  const double weight = open.Curves.MinWeight;
   return { series[0] / weight, spread / weight,
     this->Limits.HasArea() ? open.Net.GetNoise(open.Moved) / weight : 0.0 };
 }
@@ -262,7 +262,7 @@ void StripCutter::Cut(const Ribbon& ribbon)
 void StripCutter::Cut(const Cap& cap)
 {
   CutCap(cap, this->Plane, this->To);
-  const double moved = this->LargestMoved;
+  const double moved = this->MaxMoved;
   int side = 0;
   for (const Point3* corner : { &cap.Apex, &cap.From, &cap.To })
   {

@@ -19,7 +19,7 @@ namespace sm
 namespace
 {
 /// Symbolic links are followed so many times at most, so that a cycle of links ends.
-constexpr int LongestChain = 40;
+constexpr int MaxChain = 40;
 /// Age in seconds from which a temporary file that is not locked counts as left over by a process that was
 /// killed.
 constexpr std::time_t MinAgeOfLeft = 60;
@@ -30,7 +30,7 @@ std::vector<fs::path> FollowLinks(const std::string& path)
 {
   std::vector<fs::path> chain = { path };
   std::error_code error;
-  for (int links = 0; links < LongestChain && fs::is_symlink(chain.back(), error); ++links)
+  for (int links = 0; links < MaxChain && fs::is_symlink(chain.back(), error); ++links)
   {
     chain.push_back(chain.back().parent_path() / fs::read_symlink(chain.back(), error));
   }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace sm
 {
@@ -57,6 +58,18 @@ template <typename Real = double>
 Real Norm(const std::array<Real, 3>& a)
 {
   return Norm(a.data());
+}
+
+/// Returns the largest of the values without their signs.
+template <std::size_t N>
+double GetLargest(const std::array<double, N>& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
 }
 
 template <typename Real = double>

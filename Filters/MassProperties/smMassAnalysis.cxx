@@ -121,14 +121,14 @@ void CheckPlausibility(BodyIntegrals& body, const MassProperties& properties)
 
 /// Returns the largest closure residual of a surface that counts as closed. The part of the residual that a
 /// loose tolerance or missing convergence causes in the vector area is not an opening.
-double GetLargestClosureResidual(
+double GetMaxClosureResidual(
   const BodyIntegrals& body, double residualPerArea, const MassAnalysisOptions& options)
 {
   return options.HasBounds
-    ? options.LargestClosureResidual + residualPerArea * vtkMath::Norm(body.Bound.data() + MassVectorArea)
+    ? options.MaxClosureResidual + residualPerArea * vtkMath::Norm(body.Bound.data() + MassVectorArea)
     // The texels of the schemes leave the faces of a correct solid open.
     : body.IsSolid() ? std::numeric_limits<double>::infinity()
-                     : options.LargestClosureResidual;
+                     : options.MaxClosureResidual;
 }
 
 /// Flags a body whose volume changes too much when its gaps are closed. A boundary that is off by the
@@ -170,7 +170,7 @@ bool AnalyzeVolume(BodyIntegrals& body, const MassAnalysisOptions& options, Mass
   }
   const double residualPerArea = std::cbrt(moments.Volume) / (3.0 * moments.Volume);
   row.ClosureResidual = residualPerArea * vtkMath::Norm(body.Value.data() + MassVectorArea);
-  const bool isClosed = row.ClosureResidual <= GetLargestClosureResidual(body, residualPerArea, options);
+  const bool isClosed = row.ClosureResidual <= GetMaxClosureResidual(body, residualPerArea, options);
   if (!isClosed)
   {
     // A border without edges has no gaps that could be bounded.

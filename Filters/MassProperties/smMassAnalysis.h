@@ -64,7 +64,7 @@ struct MassAnalysisOptions
   bool HasBounds = true;
   /// Largest closure residual at which a surface without open edges counts as closed. If there are bounds, a
   /// larger residual of a solid indicates a broken loop.
-  double LargestClosureResidual = 1e-9;
+  double MaxClosureResidual = 1e-9;
   /// See vtkSurfaceIntegralBase::SetGapLimit().
   double GapLimit = 1e-3;
 };

@@ -15,7 +15,7 @@ namespace
 constexpr double MinDensity = 25.0;
 /// Largest number of characters of a line of a summary; longer lines are broken, because narrow views would
 /// cut them off.
-constexpr std::size_t LongestLine = 66;
+constexpr std::size_t MaxLine = 66;
 /// Relative uncertainty of a mass from which the summary states it.
 constexpr double NotableDoubt = 1e-6;
 
@@ -197,7 +197,7 @@ std::string FormatSummary(
     const std::string line = known ? FormatNumber(values[0], bound) + "  " + FormatNumber(values[1], bound) +
         "  " + FormatNumber(values[2], bound) + " " + inUnit + FormatBoundNote(bound, spread, "spread")
                                    : std::string("not known");
-    return label + (label.size() + line.size() < LongestLine ? " " : "\n  ") + line + "\n";
+    return label + (label.size() + line.size() < MaxLine ? " " : "\n  ") + line + "\n";
   };
   std::string text;
   if (solids > 1)

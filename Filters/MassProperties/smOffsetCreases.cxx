@@ -18,7 +18,7 @@ constexpr int LineNodes = 8;
 constexpr double SamePoint = 1e-9;
 /// Ends of a crease at which others meet it: each adds at most so much to the integral of the curvatures'
 /// product, in its angle.
-constexpr double CreaseEnds = 6.0 * LongestOffsetWay * LongestOffsetWay;
+constexpr double CreaseEnds = 6.0 * MaxOffsetWay * MaxOffsetWay;
 /// Normals around a pole may differ from their mean by so much, as one less the product.
 constexpr double SmoothPole = 1e-8;
 
@@ -104,7 +104,7 @@ double GetExtent(const std::vector<Vector3>& points, const std::vector<Vector3>&
 }
 
 /// Returns the largest angle between the normals on both sides; infinity where one is missing.
-double GetLargestTurn(const std::vector<Vector3>& normals, const std::vector<Vector3>& others)
+double GetMaxTurn(const std::vector<Vector3>& normals, const std::vector<Vector3>& others)
 {
   double largest = 0.0;
   for (std::size_t i = 0; i < normals.size(); ++i)
@@ -185,9 +185,9 @@ void CheckBorders(const NURBSSurface& surface, int direction, OffsetFace& face)
   const bool poles[2] = { isPole(lines[0]), isPole(lines[1]) };
   if (!poles[0] && !poles[1] && GetExtent(lines[0], lines[1]) <= SamePoint * size)
   {
-    const double turn = GetLargestTurn(probe.GetNormals(ends[0], 1.0), probe.GetNormals(ends[1], -1.0));
-    face.IsCreased = face.IsCreased || !(turn <= LargestCrease);
-    AddTurn(face, std::min(turn, LargestCrease), GetLineLength(surface, direction));
+    const double turn = GetMaxTurn(probe.GetNormals(ends[0], 1.0), probe.GetNormals(ends[1], -1.0));
+    face.IsCreased = face.IsCreased || !(turn <= MaxCrease);
+    AddTurn(face, std::min(turn, MaxCrease), GetLineLength(surface, direction));
     return;
   }
   for (int i = 0; i < 2; ++i)
@@ -215,10 +215,9 @@ void FindCreases(const Face& source, OffsetFace& face)
       const auto count = std::count(surface.Knots[across].begin(), surface.Knots[across].end(), breaks[k]);
       if (count >= surface.Degree[across])
       {
-        const double turn =
-          GetLargestTurn(probe.GetNormals(breaks[k], -1.0), probe.GetNormals(breaks[k], 1.0));
-        face.IsCreased = face.IsCreased || !(turn <= LargestCrease);
-        AddTurn(face, std::min(turn, LargestCrease), GetLineLength(surface, direction));
+        const double turn = GetMaxTurn(probe.GetNormals(breaks[k], -1.0), probe.GetNormals(breaks[k], 1.0));
+        face.IsCreased = face.IsCreased || !(turn <= MaxCrease);
+        AddTurn(face, std::min(turn, MaxCrease), GetLineLength(surface, direction));
       }
     }
   }

@@ -93,7 +93,7 @@ double MeasureAcross(const OffsetUse& use, double t, const Vector3& tangent, dou
     (2.0 * step);
 }
 
-/// Returns the sum of the angles of an edge's corners between pieces; infinity if one is above LargestCrease.
+/// Returns the sum of the angles of an edge's corners between pieces; infinity if one is above MaxCrease.
 /// Velocities are those of the pieces' ends.
 double MeasureTurns(const EdgeCurve& curve)
 {
@@ -105,7 +105,7 @@ double MeasureTurns(const EdgeCurve& curve)
     curve.GetPiece(k - 1).Evaluate(1.0, &before);
     curve.GetPiece(k).Evaluate(0.0, &behind);
     const double turn = std::atan2(Norm(Cross(before, behind)), Dot(before, behind));
-    if (!(turn <= LargestCrease) || !(Norm(before) > 0.0) || !(Norm(behind) > 0.0))
+    if (!(turn <= MaxCrease) || !(Norm(before) > 0.0) || !(Norm(behind) > 0.0))
     {
       return std::numeric_limits<double>::infinity();
     }

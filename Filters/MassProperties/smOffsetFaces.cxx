@@ -17,8 +17,8 @@ namespace
 /// Points of both rules in either direction of a panel.
 constexpr int CoarseNodes = 8;
 constexpr int FineNodes = 12;
-/// Smallest weight of a point that counts, relative to the square of the patch's radius.
-constexpr double SmallestWeight = 1e-12;
+/// Minimum weight of a point that counts, relative to the square of the patch's radius.
+constexpr double MinAreaWeight = 1e-12;
 /// Distance of control points from a plane, relative to their distances from each other, at which a face is
 /// flat.
 constexpr double FlatTolerance = 1e-12;
@@ -158,7 +158,7 @@ void AddPanel(const FacePanels& cut, const Panel& panel, int nodes, CurvatureSum
       sums.AbsoluteMean += weight * std::abs(mean);
       sums.AbsoluteGauss += weight * std::abs(point.Gauss);
       // Pieces along a pole have no extent, and no curvature there counts.
-      if (!(std::abs(weight) > SmallestWeight * patch.Radius * patch.Radius))
+      if (!(std::abs(weight) > MinAreaWeight * patch.Radius * patch.Radius))
       {
         continue;
       }

@@ -18,7 +18,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double FewRoundings = 64.0 * UnitRoundoff;
 /// Smallest factor by which a curvature radius is taken to shrink; a face whose radius shrinks more is tight,
 /// and named.
-constexpr double SmallestShrink = 0.1;
+constexpr double MinShrink = 0.1;
 /// Normals around a point are those of an apex if one less their product with the mean is larger.
 constexpr double SharpApex = 4e-4;
 /// Rounding of a normal.
@@ -26,7 +26,7 @@ constexpr double NormalRounding = 1e-12;
 /// Distance of an offset plane from the point where others meet, relative to the offsets.
 constexpr double MeetTolerance = 1e-9;
 /// Smallest product of normals with their mean direction that bounds how far a vertex moves.
-constexpr double SmallestProduct = 0.05;
+constexpr double MinProduct = 0.05;
 
 /// Returns the point where planes with the corners' normals and offsets meet, by least squares.
 bool FindMeetingPoint(const OffsetVertex& vertex, const std::vector<double>& offsets, Vector3& point)
@@ -160,7 +160,7 @@ private:
     this->Growth[f] += size * std::abs(face.Mean);
     // Outwards concave curvature decides, inwards convex.
     const double curvature = t > 0.0 ? -face.Smallest : face.Largest;
-    if (curvature * size > 1.0 - SmallestShrink)
+    if (curvature * size > 1.0 - MinShrink)
     {
       this->Change.TightFaces.push_back(f);
       this->IsTight[f] = 1;
@@ -188,7 +188,7 @@ private:
       {
         const double lead = step == 0.0 ? 0.0 : (i == 0 ? -step : step) / sample.Sine;
         way[i] = t[i] * half + lead;
-        isMet = isMet && (step == 0.0 || std::abs(way[i]) <= LongestOffsetWay * largest);
+        isMet = isMet && (step == 0.0 || std::abs(way[i]) <= MaxOffsetWay * largest);
       }
       double volume = 0.5 * (t[0] * way[0] + t[1] * way[1]);
       if (!isMet && std::abs(sample.Sine) > TangentSine)
@@ -211,10 +211,9 @@ private:
       const double reach = std::hypot(largest, std::max(std::abs(way[0]), std::abs(way[1])));
       const double swept = 0.5 * (std::abs(t[0] * way[0]) + std::abs(t[1] * way[1]));
       // Edges that are cut off meet nowhere.
-      const bool isCut = std::abs(half) >= LongestOffsetWay;
+      const bool isCut = std::abs(half) >= MaxOffsetWay;
       const double slope = 1.0 +
-        (isCut ? LongestOffsetWay
-               : 1.0 / std::max(std::abs(sample.Sine), std::numeric_limits<double>::min()));
+        (isCut ? MaxOffsetWay : 1.0 / std::max(std::abs(sample.Sine), std::numeric_limits<double>::min()));
       double rest = sample.Bend * reach * swept;
       for (int i = 0; i < 2; ++i)
       {
@@ -249,14 +248,14 @@ private:
   /// Returns no less than a curvature, and than that of the face with an offset.
   static double GetCurvature(double curvature, double offset)
   {
-    return curvature / std::max(1.0 - curvature * std::abs(offset), SmallestShrink);
+    return curvature / std::max(1.0 - curvature * std::abs(offset), MinShrink);
   }
 
   void AddApex(double apex, double largest)
   {
     // The cone between the normals, and no more than the ball.
     const double share = std::min(4.0 * (1.0 - apex), 1.0);
-    const double reach = largest / std::max(apex, SmallestProduct);
+    const double reach = largest / std::max(apex, MinProduct);
     this->Change.Remainder += (apex < 1.0 - SharpApex ? 1.0 : share) * 4.0 * Pi / 3.0 * reach * reach * reach;
     this->Change.Reach = std::max(this->Change.Reach, reach);
   }
@@ -323,7 +322,7 @@ private:
       this->Change.Reach = std::max(this->Change.Reach, Norm(point));
       return;
     }
-    if (spread > 0.0 && apart * LongestOffsetWay < 1.0)
+    if (spread > 0.0 && apart * MaxOffsetWay < 1.0)
     {
       // The faces meet far from there, and nothing says where.
       for (const OffsetCorner& corner : vertex.Corners)
@@ -352,7 +351,7 @@ private:
     {
       product = std::min(product, size > 0.0 ? Dot(corner.Normal, sum) / size : 0.0);
     }
-    return largest / std::max(product, SmallestProduct);
+    return largest / std::max(product, MinProduct);
   }
 
   const OffsetGeometry& Geometry;

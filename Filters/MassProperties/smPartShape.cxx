@@ -93,8 +93,8 @@ bool IsFinite(const FaceAreaMoments& face)
 
 /// Largest bounds of the integrals of a face that can be compared, relative to the face or, for small faces,
 /// to the part. With larger bounds different faces would count as equal.
-constexpr double LargestFaceBound = 1e-6;
-constexpr double LargestPartBound = 1e-9;
+constexpr double MaxFaceBound = 1e-6;
+constexpr double MaxPartBound = 1e-9;
 
 bool IsAccurate(const PartShape& shape)
 {
@@ -103,7 +103,7 @@ bool IsAccurate(const PartShape& shape)
   return std::all_of(shape.Faces.begin(), shape.Faces.end(),
     [radius, area](const FaceAreaMoments& face)
     {
-      const double largest = std::max(LargestFaceBound * face.Area, LargestPartBound * area);
+      const double largest = std::max(MaxFaceBound * face.Area, MaxPartBound * area);
       return face.AreaBound <= largest && face.FirstBound <= largest * radius &&
         face.SecondBound <= largest * radius * radius && face.VectorAreaBound <= largest;
     });

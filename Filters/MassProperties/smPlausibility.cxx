@@ -20,9 +20,8 @@ constexpr double ResolvedVolume = 1e-9;
 namespace
 {
 using Box = std::array<double, 6>;
-constexpr double LargestNumber = std::numeric_limits<double>::max();
-constexpr Box NoBox = { LargestNumber, -LargestNumber, LargestNumber, -LargestNumber, LargestNumber,
-  -LargestNumber };
+constexpr double MaxNumber = std::numeric_limits<double>::max();
+constexpr Box NoBox = { MaxNumber, -MaxNumber, MaxNumber, -MaxNumber, MaxNumber, -MaxNumber };
 
 void AddPoint(const double* p, double weight, Box& box)
 {

@@ -12,7 +12,7 @@ namespace sm
 {
 namespace
 {
-constexpr double SmallestAngle = 1e-6;
+constexpr double MinAngle = 1e-6;
 
 /// Scales a direction to length 1, first by its largest component so that no square overflows. Returns false
 /// if it has no direction.
@@ -62,7 +62,7 @@ double MakeAxes(const ReferenceFrame& frame, std::array<double, 3> (&rows)[3])
 bool ReferenceFrame::IsValid() const
 {
   std::array<double, 3> rows[3];
-  return MakeAxes(*this, rows) >= SmallestAngle &&
+  return MakeAxes(*this, rows) >= MinAngle &&
     std::all_of(this->Origin.begin(), this->Origin.end(), [](double x) { return std::isfinite(x); });
 }
 
@@ -81,7 +81,7 @@ FrameProperties ComputeInFrame(Moments moments, const ReferenceFrame& frame)
   FrameProperties result;
   std::array<double, 3> rows[3];
   const double sine = MakeAxes(frame, rows);
-  if (!std::isfinite(moments.Volume) || !(sine >= SmallestAngle))
+  if (!std::isfinite(moments.Volume) || !(sine >= MinAngle))
   {
     return result;
   }

@@ -30,11 +30,11 @@ constexpr std::size_t TrianglesPerSample = 8;
 constexpr double WholeNumber = 0.25;
 
 /// Fraction of undecided points above which the check is given up.
-constexpr double LargestUndecided = 0.25;
+constexpr double MaxUndecided = 0.25;
 
 /// Largest difference of area and vector area between mesh and face, relative to the area, and area of a
 /// face, relative to the body's, below which its mesh does not matter.
-constexpr double LargestMismatch = 0.25;
+constexpr double MaxMismatch = 0.25;
 constexpr double NegligibleArea = 1e-5;
 
 /// Distance, relative to the diagonal, that counts as rounding.
@@ -42,7 +42,7 @@ constexpr double SmallShare = 1e-9;
 
 /// Distance from the boundary, relative to the diagonal, up to which a second point is sought, and number of
 /// samples for which it is.
-constexpr double LargestStep = 0.1;
+constexpr double MaxStep = 0.1;
 constexpr std::size_t MaxConfirmations = 256;
 /// Number of samples between two calls of `shouldContinue`.
 constexpr std::size_t SamplesPerReport = 4096;
@@ -81,8 +81,8 @@ struct FaceExtent
   std::size_t Index = 0;
   double Area = 0.0;
   std::array<double, 4> Oriented{};
-  std::size_t LargestTriangle = WindingTree::None;
-  double LargestArea = 0.0;
+  std::size_t MaxTriangle = WindingTree::None;
+  double MaxArea = 0.0;
 };
 
 /// A whole sphere (smWholeSphere.h) in coordinates of the part.
@@ -226,10 +226,10 @@ void Checker::CollectTriangles(std::size_t part)
       const Vector3 twice = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
       const double area = 0.5 * Norm(twice);
       FaceExtent& extent = this->Extents[first + face];
-      if (area > extent.LargestArea)
+      if (area > extent.MaxArea)
       {
-        extent.LargestArea = area;
-        extent.LargestTriangle = this->Triangles.size();
+        extent.MaxArea = area;
+        extent.MaxTriangle = this->Triangles.size();
       }
       extent.Area += area;
       for (int d = 0; d < 3; ++d)
@@ -301,8 +301,7 @@ std::string Checker::OrientTriangles()
       difference =
         std::max(difference, std::abs(oriented[d] - (reversed[f] ? -1.0 : 1.0) * mesh.Oriented[d]));
     }
-    if (exact[MassArea] > NegligibleArea * body.Value[MassArea] &&
-      difference > LargestMismatch * exact[MassArea])
+    if (exact[MassArea] > NegligibleArea * body.Value[MassArea] && difference > MaxMismatch * exact[MassArea])
     {
       return "the display mesh of face #" + std::to_string(body.Model->GetFaces()[mesh.Index]->FileId) +
         (mesh.Area > 0.0 ? " does not cover it once" : " is missing");
@@ -337,9 +336,9 @@ void Checker::TakeSamples()
   };
   for (const FaceExtent& extent : this->Extents)
   {
-    if (extent.LargestTriangle != WindingTree::None)
+    if (extent.MaxTriangle != WindingTree::None)
     {
-      place(extent.LargestTriangle, 1.0 / 3.0, 1.0 / 3.0);
+      place(extent.MaxTriangle, 1.0 / 3.0, 1.0 / 3.0);
     }
   }
   const double spacing =
@@ -506,7 +505,7 @@ bool Checker::Confirm(const WindingTree& tree, const Sample& sample, bool inside
   {
     face = this->Balls[sample.Ball].Face;
   }
-  for (double step = 1.5 * (sample.Deviation + this->Slack); step < LargestStep * this->Diagonal; step *= 1.5)
+  for (double step = 1.5 * (sample.Deviation + this->Slack); step < MaxStep * this->Diagonal; step *= 1.5)
   {
     if (this->ConfirmAt(tree, Move(sample.Position, inside ? -step : step, normal), face))
     {
@@ -574,7 +573,7 @@ SelfCrossing Checker::Run(const std::function<bool()>& shouldContinue)
     }
   }
   if (wrong.empty() &&
-    LargestUndecided * static_cast<double>(winding.size()) < static_cast<double>(this->Result.Undecided))
+    MaxUndecided * static_cast<double>(winding.size()) < static_cast<double>(this->Result.Undecided))
   {
     this->Result.Unchecked = "its display mesh is not closed";
   }

@@ -3,6 +3,7 @@
 #include "smCountedTexts.h"
 #include "smFormat.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include "vtkMath.h"
 
@@ -254,18 +255,6 @@ void SetMassOfDensity(MassRow& row, double factor, double error)
   }
   Scale(row.WeightedInFrame.Inertia, row.WeightedInFrame.InertiaBound, factor, error);
   Scale(row.WeightedInFrame.CentralInertia, row.WeightedInFrame.CentralInertiaBound, factor, error);
-}
-
-/// Returns the largest of the values without their signs.
-template <std::size_t N>
-double GetLargest(const std::array<double, N>& values)
-{
-  double largest = 0.0;
-  for (const double value : values)
-  {
-    largest = std::max(largest, std::abs(value));
-  }
-  return largest;
 }
 
 /// Adds to the spreads of a row what a relative change of its density by up to `change` does.

@@ -19,6 +19,7 @@
 #ifndef smMomentGradient_h
 #define smMomentGradient_h
 
+#include "smBackendChoice.h"
 #include "smFiltersMomentGradientModule.h"
 #include "smProgressCallback.h"
 
@@ -33,17 +34,6 @@ class vtkDataObject;
 
 namespace sm
 {
-/// Where the integrals of gradients are computed.
-enum class GradientBackend
-{
-  /// OpenGL if the context is that of a GPU and the processor would take more than about a second.
-  Automatic,
-  CPU,
-  /// OpenGL, also of a software renderer; the CPU where there is no context, no double precision, or a wrong
-  /// result, with the reason.
-  OpenGL
-};
-
 /// A scalar quantity that is differentiated, and its unit as a power of the length unit.
 struct GradientQuantity
 {
@@ -76,8 +66,9 @@ struct MomentGradientOptions
   /// Tolerance of the quadrature of each derivative, relative to the area of the body times powers of half
   /// its diagonal. In (0, 1]; values below 1e-15 count as that.
   double RelativeTolerance = 1e-9;
-  /// Values of both differ within the bounds.
-  GradientBackend Backend = GradientBackend::Automatic;
+  /// Values of both differ within the bounds. Automatic takes OpenGL on a GPU where the CPU is estimated to
+  /// take more than a second.
+  BackendChoice Backend = BackendChoice::Automatic;
   /// For OpenGL; null: a context of its own, on the X display or without any by EGL.
   vtkComputeContext* Context = nullptr;
   /// Gets the progress and may stop the run. It is called by the calling thread.
@@ -123,7 +114,7 @@ struct MomentGradientResult
   std::string LengthUnit;
   std::vector<FaceMomentGradient> Faces;
   /// CPU or OpenGL, and why the CPU where OpenGL was asked for or tried.
-  GradientBackend Backend = GradientBackend::CPU;
+  BackendChoice Backend = BackendChoice::CPU;
   std::string BackendReason;
   /// Points of surfaces that were evaluated for the gradients; seconds for the mass properties, for the
   /// gradients, and of the latter for the integrals.

@@ -34,8 +34,8 @@ constexpr double Reach = 0.5;
 // Differences of the displacements of tied points, relative to the largest one.
 constexpr double EqualMoves = 1e-12;
 // The largest displacement of a body that moves: products and bounds stay far from overflow and underflow.
-constexpr double SmallestMove = 1e-200;
-constexpr double LargestMove = 1e200;
+constexpr double MinMove = 1e-200;
+constexpr double MaxMove = 1e200;
 // Distance of a trim curve from the border of the domain, relative to it: rounding of what was read.
 constexpr double OnBorder = 1e-9;
 constexpr double ProductGrowth = 1.0 + 1e-10;
@@ -197,7 +197,7 @@ bool HessianRun::FindMoves(
       }
     }
   }
-  if (largest != 0.0 && !(largest >= SmallestMove && largest <= LargestMove))
+  if (largest != 0.0 && !(largest >= MinMove && largest <= MaxMove))
   {
     error = "the largest displacement of solid " + std::to_string(this->Mass.Indices[body]) + " is " +
       FormatDigits(largest, 6) +

@@ -22,7 +22,7 @@ constexpr double SecondsOfPoint = 2e-7;
 constexpr std::size_t PatchesPerReport = 1024;
 }
 
-PatchIntegrator::PatchIntegrator(GradientBackend backend, vtkComputeContext* context)
+PatchIntegrator::PatchIntegrator(BackendChoice backend, vtkComputeContext* context)
   : Backend(backend)
   , Context(context)
 {
@@ -30,7 +30,7 @@ PatchIntegrator::PatchIntegrator(GradientBackend backend, vtkComputeContext* con
 
 bool PatchIntegrator::WantsDevice(const std::vector<PatchTask>& tasks)
 {
-  if (this->Backend == GradientBackend::CPU || this->HasFailed || tasks.empty())
+  if (this->Backend == BackendChoice::CPU || this->HasFailed || tasks.empty())
   {
     return false;
   }
@@ -43,7 +43,7 @@ bool PatchIntegrator::WantsDevice(const std::vector<PatchTask>& tasks)
         (SecondsOfPoint + SecondsOfPolynomial * (task.GetPatch().Degree[0] + 1));
     }
   }
-  const bool isForced = this->Backend == GradientBackend::OpenGL;
+  const bool isForced = this->Backend == BackendChoice::OpenGL;
   if (!isForced && seconds < DevicePays * std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()))
   {
     return false;

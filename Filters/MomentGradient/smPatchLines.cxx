@@ -171,9 +171,6 @@ DerivedBasis::DerivedBasis(int degree, double x)
   FillBernsteinBasis(degree, x, this->Values);
   FillBernsteinBasis(degree - 1, x, this->Lower);
   this->Lower[degree] = 0.0;
-  for (int i = 0; i <= degree; ++i)
-  {
-    this->Slopes[i] = degree * ((i > 0 ? this->Lower[i - 1] : 0.0) - (i < degree ? this->Lower[i] : 0.0));
-  }
+  FillBernsteinSlopes(degree, this->Lower, this->Slopes);
 }
 }

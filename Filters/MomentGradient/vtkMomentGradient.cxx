@@ -309,9 +309,7 @@ int vtkMomentGradient::RequestData(
     options.Faces = this->FaceIndices;
     options.Tied = this->Tied;
     options.RelativeTolerance = this->RelativeTolerance;
-    options.Backend = this->Backend == OPENGL ? sm::GradientBackend::OpenGL
-      : this->Backend == CPU                  ? sm::GradientBackend::CPU
-                                              : sm::GradientBackend::Automatic;
+    options.Backend = static_cast<sm::BackendChoice>(this->Backend);
     if (!this->Context && this->Backend != CPU)
     {
       // Not started before it is needed.
@@ -328,7 +326,7 @@ int vtkMomentGradient::RequestData(
     this->Status = result.Status;
     this->Reason = result.Reason;
     this->Evaluations = result.Evaluations;
-    this->UsedBackend = result.Backend == sm::GradientBackend::OpenGL ? OPENGL : CPU;
+    this->UsedBackend = static_cast<int>(result.Backend);
     this->BackendReason = result.BackendReason;
     this->MomentSeconds = result.MomentSeconds;
     this->GradientSeconds = result.GradientSeconds;

@@ -129,7 +129,7 @@ bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
   const auto shouldContinue = [&](double done)
   {
     const auto now = static_cast<std::int64_t>(done * static_cast<double>(count) + 0.5);
-    this->LargestPortion = std::max(this->LargestPortion, now - this->Deviations);
+    this->MaxPortion = std::max(this->MaxPortion, now - this->Deviations);
     this->Deviations = now;
     return progress(ShapesShare + (1.0 - ShapesShare) * done);
   };
@@ -150,7 +150,7 @@ bool PreparedFaces::PrepareMissing(const std::vector<SchemeTask>& tasks,
 bool PreparedFaces::Prepare(
   const std::vector<SchemeTask>& tasks, const SchemeOptions& options, const ProgressCallback& progress)
 {
-  this->Deviations = this->LargestPortion = 0;
+  this->Deviations = this->MaxPortion = 0;
   this->Faces.assign(tasks.size(), nullptr);
   const bool done = this->PrepareMissing(tasks, this->FindMissing(tasks, options), options, progress);
   this->Kept.EndRun();

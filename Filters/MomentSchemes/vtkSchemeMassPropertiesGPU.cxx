@@ -20,7 +20,7 @@ namespace
 {
 /// Largest closure residual of a closed surface whose trimmed faces are weighted by texels. A shell without
 /// edges and a larger residual counts as a surface, not as a solid.
-constexpr double LargestClosureResidual = 0.1;
+constexpr double MaxClosureResidual = 0.1;
 }
 
 struct vtkSchemeMassPropertiesGPU::Internals
@@ -133,7 +133,7 @@ sm::MassAnalysisOptions vtkSchemeMassPropertiesGPU::MakeAnalysisOptions() const
 {
   sm::MassAnalysisOptions options;
   options.HasBounds = false;
-  options.LargestClosureResidual = LargestClosureResidual;
+  options.MaxClosureResidual = MaxClosureResidual;
   return options;
 }
 

@@ -174,7 +174,7 @@ std::uint32_t Builder::AddTrim(const BernsteinPiece<2>& piece)
     for (int d = 0; d < 2; ++d)
     {
       this->Result.Coefficients.push_back(piece.Coefficients[i][d]);
-      this->Result.LargestTrim[d] = std::max(this->Result.LargestTrim[d], std::abs(piece.Coefficients[i][d]));
+      this->Result.MaxTrim[d] = std::max(this->Result.MaxTrim[d], std::abs(piece.Coefficients[i][d]));
     }
   }
   return first;

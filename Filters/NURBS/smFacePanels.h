@@ -108,7 +108,7 @@ struct FacePanels
   Overhang Outside;
   /// Largest absolute values of trim pieces' coefficients, in the directions of s and r: where pieces cross
   /// knot lines is known to their rounding.
-  double LargestTrim[2] = { 0.0, 0.0 };
+  double MaxTrim[2] = { 0.0, 0.0 };
   /// Edges that follow each other may end at different vertices: the sum of the squared ways from one by the
   /// end of the second edge's curve to the other, and the largest distance of such a point from the model's
   /// origin.

@@ -18,9 +18,9 @@ constexpr double Flatness = 5e-4;
 /// Overlaps that are excused, relative to the longer side of the face: at least, and at most by the tolerance
 /// of its edges.
 constexpr double MinExcuse = 1e-4;
-constexpr double LargestExcuse = 1e-3;
+constexpr double MaxExcuse = 1e-3;
 /// The largest part of the face's extent in u and in v that a gap at a corner may have.
-constexpr double LargestCorner = 0.1;
+constexpr double MaxCorner = 0.1;
 /// Largest number of crossings that are examined; a sound face has none but where loops touch.
 constexpr int MaxCrossings = 4096;
 /// Number of chords of a loop next to which its place is examined, and the maximum number of rows into which
@@ -124,7 +124,7 @@ FlatLoops::FlatLoops(const Face& face)
   // A wider gap is not a lack of accuracy: it runs along a pole, or is reported elsewhere.
   for (const Point2& corner : corners)
   {
-    if (corner[0] <= LargestCorner * this->Size[0] && corner[1] <= LargestCorner * this->Size[1])
+    if (corner[0] <= MaxCorner * this->Size[0] && corner[1] <= MaxCorner * this->Size[1])
     {
       gap = { std::max(gap[0], corner[0]), std::max(gap[1], corner[1]) };
     }
@@ -241,7 +241,7 @@ void FlatLoops::WidenSlack()
   const Point2 width{ Norm(derivative[0]) * this->Size[0], Norm(derivative[1]) * this->Size[1] };
   const double widest = std::max(width[0], width[1]);
   // OpenCASCADE widens the tolerance of edges that cross until it excuses the crossing.
-  const double excuse = std::clamp(tolerance, MinExcuse * widest, LargestExcuse * widest);
+  const double excuse = std::clamp(tolerance, MinExcuse * widest, MaxExcuse * widest);
   for (int d = 0; d < 2; ++d)
   {
     this->Slack[d] += width[d] > 0.0 ? excuse / width[d] : std::numeric_limits<double>::infinity();

@@ -13,16 +13,16 @@ namespace sm
 namespace
 {
 /// Largest distance of a surface from its sphere, and of points that are one, relative to the radius.
-constexpr double LargestError = 1e-10;
+constexpr double MaxError = 1e-10;
 /// Largest distance of a trim curve from the border of the domain, and of the region within the loops from
 /// the domain, relative to the domain.
 constexpr double BorderShare = 1e-9;
 /// Largest error of the area without its bound, and of the area and the volume, relative to those of the
 /// sphere.
-constexpr double LargestAreaError = 1e-3;
-constexpr double LargestMismatch = 0.25;
+constexpr double MaxAreaError = 1e-3;
+constexpr double MaxMismatch = 0.25;
 /// The square of a patch has twice its degree.
-constexpr int LargestDegree = MaximumDegree / 2;
+constexpr int MaxDegree = MaximumDegree / 2;
 
 using Parameters = std::array<double, 2>;
 
@@ -63,7 +63,7 @@ bool IsClosed(const NURBSSurface& surface, int d, double slack)
     const Homogeneous& first = GetBorderPoint(surface, d, false, k);
     const Homogeneous& last = GetBorderPoint(surface, d, true, k);
     if (!(Norm(Subtract(Project(first), Project(last))) <= slack) ||
-      !(std::abs(first[3] - last[3]) <= LargestError * first[3]))
+      !(std::abs(first[3] - last[3]) <= MaxError * first[3]))
     {
       return false;
     }
@@ -236,7 +236,7 @@ WholeSphere FindWholeSphere(const Face& face)
 {
   const NURBSSurface& surface = face.Surface;
   const auto [lowest, highest] = std::minmax(surface.Degree[0], surface.Degree[1]);
-  if (!surface.Rational || lowest < 2 || highest > LargestDegree || !IsClamped(surface, 0) ||
+  if (!surface.Rational || lowest < 2 || highest > MaxDegree || !IsClamped(surface, 0) ||
     !IsClamped(surface, 1))
   {
     return {};
@@ -252,7 +252,7 @@ WholeSphere FindWholeSphere(const Face& face)
     {
       sphere.Center[c] = 0.5 * (poles[0][c] + poles[1][c]);
     }
-    const double slack = LargestError * sphere.Radius;
+    const double slack = MaxError * sphere.Radius;
     if (!(sphere.Radius > 0.0) || !IsOnePoint(surface, d, false, slack) ||
       !IsOnePoint(surface, d, true, slack) || !IsClosed(surface, 1 - d, slack) || !CoversDomain(face))
     {
@@ -296,8 +296,8 @@ std::vector<WholeSphere> FindWholeSpheres(const std::vector<FacePointer>& faces)
 bool Covers(const WholeSphere& sphere, double area, double areaBound, double volume)
 {
   const double whole = sphere.GetArea();
-  return std::abs(area - whole) <= std::min(LargestAreaError * whole + areaBound, LargestMismatch * whole) &&
-    std::abs(std::abs(volume / sphere.GetSignedVolume()) - 1.0) <= LargestMismatch;
+  return std::abs(area - whole) <= std::min(MaxAreaError * whole + areaBound, MaxMismatch * whole) &&
+    std::abs(std::abs(volume / sphere.GetSignedVolume()) - 1.0) <= MaxMismatch;
 }
 
 SphereGrid MakeSphereGrid(const Face& face, const WholeSphere& sphere, int steps)

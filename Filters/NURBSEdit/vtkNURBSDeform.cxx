@@ -174,7 +174,7 @@ void vtkNURBSDeform::Run::Count(const sm::ModelEdit& edit)
   this->Self->NumberOfOpenedEdges += static_cast<int>(edit.Opened.size());
   for (const sm::OpenedEdge& opened : edit.Opened)
   {
-    this->Self->LargestGap = std::max(this->Self->LargestGap, opened.Gap);
+    this->Self->MaxGap = std::max(this->Self->MaxGap, opened.Gap);
     this->TornEdges += opened.Gap > limit ? 1 : 0;
   }
 }
@@ -238,7 +238,7 @@ void vtkNURBSDeform::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LatticeDisplacements: " << this->LatticeDisplacements.size() << "\n"
      << indent << "PointEvaluator: " << this->PointEvaluator.Get() << "\n"
      << indent << "NumberOfOpenedEdges: " << this->NumberOfOpenedEdges << "\n"
-     << indent << "LargestGap: " << this->LargestGap << "\n"
+     << indent << "MaxGap: " << this->MaxGap << "\n"
      << indent << "NumberOfChangedFaces: " << this->NumberOfChangedFaces << "\n";
 }
 
@@ -371,7 +371,7 @@ int vtkNURBSDeform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->NumberOfOpenedEdges = this->NumberOfChangedFaces = 0;
-  this->LargestGap = 0.0;
+  this->MaxGap = 0.0;
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   bool done = false;
@@ -445,7 +445,7 @@ bool vtkNURBSDeform::DeformInput(vtkDataObject* input, int piece, double share, 
   else if (run.TornEdges > 0)
   {
     vtkWarningMacro("The deformation tears faces from their edges at "
-      << run.TornEdges << " places, by up to " << sm::FormatDistance(this->LargestGap)
+      << run.TornEdges << " places, by up to " << sm::FormatDistance(this->MaxGap)
       << ": their control points lie too far from each other. Mass properties close such gaps "
       << "and are suspect. Remedy: " << (this->KeepClosed ? "" : "Keep Closed, ")
       << "a smaller displacement, a larger radius, or a part whose faces have more "

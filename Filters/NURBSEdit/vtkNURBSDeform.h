@@ -20,7 +20,7 @@
  * degree or knots) the coefficients of the edge's curve are mapped like control points. Mapping control
  * points is not the same as mapping points, so a gap of about h^2/8 times the second derivatives of the map
  * opens between face and edge, where h is the distance of control points. Ribbons and caps close this gap, so
- * volume and moments are those of a closed surface. GetNumberOfOpenedEdges() and GetLargestGap() measure the
+ * volume and moments are those of a closed surface. GetNumberOfOpenedEdges() and GetMaxGap() measure the
  * gaps; MaxGap and ClosureCorrection of vtkMassPropertiesGPU measure their effect. A bump of 5 % of the
  * part's size with a radius of 0.6 sizes opens no gap on a sphere, a torus and blocks of Bezier faces, one of
  * 0.6 % of the size on Examples/Models/sample_part.step, and one of 5 % on a slanted hole in a block, whose
@@ -154,7 +154,7 @@ public:
    * solid's size, and the widest such gap, a length. 0 where every solid is as closed as before.
    */
   vtkGetMacro(NumberOfOpenedEdges, int);
-  vtkGetMacro(LargestGap, double);
+  vtkGetMacro(MaxGap, double);
   ///@}
   ///@{
   /** Returns the number of new faces of the last run; those of a shared model count once. */
@@ -211,7 +211,7 @@ private:
   std::map<std::array<int, 3>, std::array<double, 3>> LatticeDisplacements;
   vtkSmartPointer<vtkNURBSPointEvaluator> PointEvaluator;
   int NumberOfOpenedEdges = 0;
-  double LargestGap = 0.0;
+  double MaxGap = 0.0;
   int NumberOfChangedFaces = 0;
 };
 

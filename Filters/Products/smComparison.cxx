@@ -2,6 +2,7 @@
 
 #include "smPartMatch.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include "vtkMath.h"
 
@@ -19,17 +20,6 @@ namespace
 using namespace states;
 /// The states in the order of the list.
 constexpr const char* States[] = { Changed, Mirrored, Moved, Added, Removed, Unchanged };
-
-template <std::size_t N>
-double GetLargest(const std::array<double, N>& values)
-{
-  double largest = 0.0;
-  for (const double value : values)
-  {
-    largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
 
 template <std::size_t N>
 QuantityDifference<N> MakeDifference(const Quantity<N>& before, const Quantity<N>& after)

@@ -16,7 +16,7 @@ constexpr Type Whole{ Type::Int, 1 };
 constexpr Type Truth{ Type::Bool, 1 };
 constexpr Type Real{ Type::Double, 1 };
 // Compilers have limits of their own, of at least 256.
-constexpr int DeepestNesting = 200;
+constexpr int MaxNesting = 200;
 
 /// The type that a constructor makes; Unknown for other names.
 Type FindConstructor(const std::string& name)
@@ -119,7 +119,7 @@ private:
   /// a ? b : c
   Type ReadChoice()
   {
-    if (++this->Depth > DeepestNesting)
+    if (++this->Depth > MaxNesting)
     {
       return this->Fail(this->At, "the expression is nested too deeply");
     }

@@ -21,7 +21,7 @@ constexpr int FewNodes = 10;
 constexpr int MaxNodes = 128;
 // Largest bilinear term of a parallelogram's patch, relative to the differences of its corners: rounding,
 // which is computed in double.
-constexpr double LargestCorner = 1e-6;
+constexpr double MaxCorner = 1e-6;
 // Smallest degree from which raising the lower of two degrees saves time.
 constexpr int MinRaised = 4;
 // Gaps wider than this, relative to the patch, are transformed in extended precision. For narrower ones
@@ -189,7 +189,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
     tangent[1][c] = static_cast<double>(along[1][c]) / w;
   }
   const double corner = Norm(d);
-  if (!(corner <= LargestCorner * w * std::min(Norm(tangent[0]), Norm(tangent[1]))))
+  if (!(corner <= MaxCorner * w * std::min(Norm(tangent[0]), Norm(tangent[1]))))
   {
     return false;
   }
@@ -262,7 +262,7 @@ bool GapSeries::ExpandOnPlane(const Ribbon& ribbon, double start, double end)
   for (int k = 0; k < 2; ++k)
   {
     this->Stretch[k] = Norm(tangent[k]) + farthest * corner / w;
-    this->TrimSlope[k] = this->Trim.GetLargestSlope(Ellipse::FromRadius(1.0), k);
+    this->TrimSlope[k] = this->Trim.GetMaxSlope(Ellipse::FromRadius(1.0), k);
   }
   this->NormalLength = Norm(Cross(tangent[0], tangent[1]).data()) +
     farthest * corner / w * (this->Stretch[0] + this->Stretch[1]);

@@ -42,7 +42,7 @@ bool GapSeries::BoundTangents(const Patch& patch)
   for (int d = 0; d < 2; ++d)
   {
     this->Stretch[d] = growth * patch.Stretch[d];
-    this->TrimSlope[d] = this->Trim.GetLargestSlope(Ellipse::FromRadius(1.0), d);
+    this->TrimSlope[d] = this->Trim.GetMaxSlope(Ellipse::FromRadius(1.0), d);
   }
   this->NormalLength = growth * growth * Norm(patch.Normal);
   return onPatch;

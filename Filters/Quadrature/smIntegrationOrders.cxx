@@ -11,7 +11,7 @@ namespace
 // wrong by up to 1700 times where N against 2N never was (Bounds.md).
 constexpr std::array<int, 6> Ladder = { 3, 6, 9, 14, 20, 30 };
 // Where an exact rule needs more points than this, increasing the order until two agree costs less.
-constexpr int LargestExactOrder = 10;
+constexpr int MaxExactOrder = 10;
 }
 
 OrderLadder::OrderLadder(const std::vector<Integrand>& integrands)
@@ -46,7 +46,7 @@ Orders OrderLadder::GetPanelOrders(const Panel& panel, int level) const
   {
     // In t: g(x(t)) of degree D d, s of degree d, r' of degree d - 1: exact to D d + 2 d - 1.
     const int along = ((this->Degree + 2) * std::max<int>(panel.TrimDegree, 1) + 1) / 2;
-    if (along <= LargestExactOrder)
+    if (along <= MaxExactOrder)
     {
       return { along, across, true, true };
     }

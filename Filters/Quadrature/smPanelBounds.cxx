@@ -17,7 +17,7 @@ const EllipseRadius PanelRadii[] = { EllipseRadius(1.3), EllipseRadius(1.5), Ell
   EllipseRadius(5.0), EllipseRadius(6.5), EllipseRadius(9.0), EllipseRadius(13.0), EllipseRadius(20.0),
   EllipseRadius(40.0), EllipseRadius(100.0) };
 // The fraction of a panel's tolerance that may be spent on the change by making edges points.
-constexpr double LargestChange = 0.25;
+constexpr double MaxChange = 0.25;
 
 bool IsInside(const ParameterBox& box, const ParameterBox& outer)
 {
@@ -49,7 +49,7 @@ void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector
   {
     largest = std::max(largest, this->Panels.Points[patch.FirstPoint + i][3]);
   }
-  const double weight = this->Majorants->GetLowestWeight();
+  const double weight = this->Majorants->GetMinWeight();
   // The sum of the Bernstein polynomials' absolute values, over the weight.
   const double basis = weight > 0.0 ? growth / weight : std::numeric_limits<double>::infinity();
   growth *= weight > 0.0 ? largest / weight : std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ bool PanelBounds::Fits(const PatchSeries& series, const PanelPart& part) const
   for (std::size_t i = 0; i < series.Change.size(); ++i)
   {
     const double tolerance = share * this->Request.Tolerances[i];
-    if (tolerance > 0.0 && 2.0 * series.Change[i] * this->Jacobian > LargestChange * tolerance)
+    if (tolerance > 0.0 && 2.0 * series.Change[i] * this->Jacobian > MaxChange * tolerance)
     {
       return false;
     }
@@ -103,8 +103,7 @@ void PanelBounds::ExpandTrim(const Panel& panel, const PanelPart& part)
     this->Panels.Patches[panel.Patch], panel.Start + width * part.Start, panel.Start + width * part.End);
   this->Box = this->Trim.GetBox(part.XiStart, part.XiEnd);
   const Ellipse real = Ellipse::FromRadius(1.0);
-  this->Jacobian =
-    this->Trim.GetLargestS(real) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(real);
+  this->Jacobian = this->Trim.GetMaxS(real) * (part.XiEnd - part.XiStart) * this->Trim.GetMaxSlope(real);
 }
 
 bool PanelBounds::ExpandByPatch(const Panel& panel, const PanelPart& part, bool withForm)
@@ -191,8 +190,8 @@ void PanelBounds::Bound(const Panel& panel, const PanelPart& part)
     const double half = 0.5 * std::exp2(-part.Depth) * this->Request.Tolerances[i];
     this->Shares[i] = this->Supremum[i] <= half ? 0.0 : half;
   }
-  this->AlongT.Reset(this->Shares, LargestOrder);
-  this->AcrossXi.Reset(this->Shares, LargestOrder);
+  this->AlongT.Reset(this->Shares, MaxOrder);
+  this->AcrossXi.Reset(this->Shares, MaxOrder);
   this->BoundAcross(panel);
   this->BoundAlong(part);
   if (this->IsPolynomial)
@@ -242,8 +241,7 @@ void PanelBounds::BoundAlong(const PanelPart& part)
       const Ellipse t = Ellipse::FromRadius(radius.GetValue());
       const Ellipse s = this->Trim.Map(t, 0, this->MajorantsBox, part.XiStart, part.XiEnd);
       const Ellipse r = this->Trim.Map(t, 1, this->MajorantsBox, part.XiStart, part.XiEnd);
-      const double factor =
-        this->Trim.GetLargestS(t) * (part.XiEnd - part.XiStart) * this->Trim.GetLargestSlope(t);
+      const double factor = this->Trim.GetMaxS(t) * (part.XiEnd - part.XiStart) * this->Trim.GetMaxSlope(t);
       return this->AddEllipse(s, r, factor, radius, this->AlongT);
     });
 }

@@ -17,7 +17,7 @@ namespace
 // few parts of each depth. Along a line on which normals vanish the parts double with every other halving,
 // and no depth is enough. Such a line is recognised by many parts at a depth at which other panels have no
 // part left.
-constexpr int LargestDepth = 30;
+constexpr int MaxDepth = 30;
 constexpr std::size_t MaxParts = 128;
 constexpr std::size_t MaxAbreast = 16;
 constexpr int DepthOfLines = 6;
@@ -27,7 +27,7 @@ constexpr int DepthOfDirections = 4;
 // much.
 constexpr std::size_t MaxPartsOfMoments = 8192;
 // Where an exact rule needs more points than this, the order that a bound gives costs less.
-constexpr int LargestFlatOrder = 10;
+constexpr int MaxFlatOrder = 10;
 // Rounding of a crossing's parameter, in units of u times its largest coordinate: 2 (degree + 2) for trim
 // pieces up to degree 25.
 constexpr double EndRounding = 54.0;
@@ -158,7 +158,7 @@ bool PanelPlanner::PlanExactly(std::uint32_t index)
   const Panel& panel = this->Panels.Panels[index];
   const int trimDegree = std::max<int>(panel.TrimDegree, 1);
   const int along = ((this->FlatDegree + 2) * trimDegree + 1) / 2;
-  if (panel.Shape != PanelShape::Flat || along > LargestFlatOrder)
+  if (panel.Shape != PanelShape::Flat || along > MaxFlatOrder)
   {
     return false;
   }
@@ -215,7 +215,7 @@ bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& acro
       across = std::max(across, this->Bounds.GetAcrossXi().GetOrder(i));
     }
   }
-  if (along > LargestOrder || across > LargestOrder)
+  if (along > MaxOrder || across > MaxOrder)
   {
     return false;
   }
@@ -268,7 +268,7 @@ void PanelPlanner::AddEndError(const Panel& panel, const PanelPart& part)
   const Patch& patch = this->Panels.Patches[panel.Patch];
   const double width = this->Bounds.GetTrim().GetHigh(1) - this->Bounds.GetTrim().GetLow(1);
   const double largest = std::max(
-    { std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]), this->Panels.LargestTrim[1] });
+    { std::abs(patch.Start[1]), std::abs(patch.Start[1] + patch.Width[1]), this->Panels.MaxTrim[1] });
   const double rounding = EndRounding * UnitRoundoff * largest / patch.Width[1];
   int ends = 0;
   ends += part.Start == 0.0 && std::abs(this->Bounds.GetTrim().GetLow(1)) > RowBorder ? 1 : 0;
@@ -290,8 +290,8 @@ int PanelPlanner::ChooseDirection(const PanelPart& part) const
   bool failsXi = false;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
-    failsT = failsT || this->Bounds.GetAlongT().GetOrder(i) > LargestOrder;
-    failsXi = failsXi || this->Bounds.GetAcrossXi().GetOrder(i) > LargestOrder;
+    failsT = failsT || this->Bounds.GetAlongT().GetOrder(i) > MaxOrder;
+    failsXi = failsXi || this->Bounds.GetAcrossXi().GetOrder(i) > MaxOrder;
   }
   const bool anyway = (failsT && failsXi) || !this->Bounds.GetMajorants().HasLength();
   const bool alongT = anyway ? this->Bounds.GetMajorants().GetVaryingDirection() == 1 : failsT;
@@ -313,7 +313,7 @@ void PanelPlanner::Keep(
   // Where weights differ much, or no order suffices for the moments, |n| may have peaks between the points of
   // two orders.
   const bool mayEstimate =
-    compared && std::max(along, across) <= LargestOrder && this->Bounds.GetMajorants().HasEvenWeight();
+    compared && std::max(along, across) <= MaxOrder && this->Bounds.GetMajorants().HasEvenWeight();
   if (compared)
   {
     // The orders are those of the moments; where |n| has a kink, few points on many parts are most accurate.
@@ -473,7 +473,7 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
     return;
   }
   const bool canCompare = this->FindOrders(share, false, along, across) && majorants.HasEvenWeight();
-  if (part.Depth < LargestDepth &&
+  if (part.Depth < MaxDepth &&
     this->Pending.size() + this->Parts < (canCompare ? MaxParts : MaxPartsOfMoments) &&
     (!canCompare || part.Depth < DepthOfLines || this->Abreast <= MaxAbreast))
   {

@@ -123,14 +123,14 @@ double PatchMajorants::GetBasisSlope(const Ellipse& s, const Ellipse& r, double 
 double PatchMajorants::GetBasisSlope() const
 {
   const Ellipse real = Ellipse::FromRadius(1.0);
-  const double weight = this->GetLowestWeight();
+  const double weight = this->GetMinWeight();
   return weight > 0.0 ? this->GetBasisSlope(real, real, weight) : std::numeric_limits<double>::infinity();
 }
 
 void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const
 {
   const Ellipse real = Ellipse::FromRadius(1.0);
-  const double weight = this->GetLowestWeight();
+  const double weight = this->GetMinWeight();
   const double cube = weight * weight * weight;
   const double factor = this->GetFactorMajorant(real, real);
   const double reach = this->GetReach();
@@ -266,7 +266,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   return true;
 }
 
-double PatchMajorants::GetLowestWeight() const
+double PatchMajorants::GetMinWeight() const
 {
   double sum = 0.0;
   for (const double entry : this->Weight.Entries)
@@ -278,7 +278,7 @@ double PatchMajorants::GetLowestWeight() const
 
 bool PatchMajorants::HasEvenWeight() const
 {
-  return this->GetLowestWeight() > 0.1 * this->FirstWeight;
+  return this->GetMinWeight() > 0.1 * this->FirstWeight;
 }
 
 double PatchMajorants::GetReach() const
@@ -288,7 +288,7 @@ double PatchMajorants::GetReach() const
   {
     sum += entry;
   }
-  const double weight = this->GetLowestWeight();
+  const double weight = this->GetMinWeight();
   return weight > 0.0 ? this->CenterDistance + sum / weight : std::numeric_limits<double>::infinity();
 }
 
@@ -301,7 +301,7 @@ double PatchMajorants::GetLengthDeviation() const
   // ||m~| - h| (|m~| + h) is the deviation of the squares. With a constant direction h is m~.e, e taken on
   // the box.
   const Ellipse real = Ellipse::FromRadius(1.0);
-  const double weight = this->GetLowestWeight();
+  const double weight = this->GetMinWeight();
   return this->Traits.SquareDeviation / this->MinimumLength * this->GetFactorMajorant(real, real) /
     (weight * weight * weight);
 }

@@ -98,7 +98,7 @@ public:
   /// next bounds are.
   double GetReach() const;
   /// A lower bound of w on the box; 0 if there is none above it.
-  double GetLowestWeight() const;
+  double GetMinWeight() const;
   /// Returns true if w is nowhere on the box below a tenth of its mean, so that the polynomial m divided by
   /// w^3 has no narrow peaks.
   bool HasEvenWeight() const;

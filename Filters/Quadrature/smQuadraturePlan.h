@@ -4,7 +4,7 @@
  * evaluated
  *
  * See Bounds.md. Every panel and ribbon gets the fewest points whose bound is within its share of the face's
- * tolerances; where more than LargestOrder would be needed it is bisected. The bounds of all items add up to
+ * tolerances; where more than MaxOrder would be needed it is bisected. The bounds of all items add up to
  * the face's, so nothing has to be evaluated twice. Where the bound of the area cannot hold, because normals
  * nearly vanish, a panel that has been bisected often enough is to be evaluated at two orders and compared:
  * the face is then `estimated`.
@@ -27,7 +27,7 @@
 namespace sm
 {
 /// Largest number of Gauss points in one direction; where more would be needed, bisecting costs less.
-constexpr int LargestOrder = 20;
+constexpr int MaxOrder = 20;
 
 enum class ItemKind
 {

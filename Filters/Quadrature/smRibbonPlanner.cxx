@@ -15,7 +15,7 @@ namespace
 const EllipseRadius RibbonRadii[] = { EllipseRadius(1.3), EllipseRadius(1.6), EllipseRadius(2.0),
   EllipseRadius(2.5), EllipseRadius(3.2), EllipseRadius(4.2), EllipseRadius(6.0), EllipseRadius(9.0),
   EllipseRadius(15.0), EllipseRadius(30.0), EllipseRadius(100.0) };
-constexpr int LargestRibbonDepth = 12;
+constexpr int MaxRibbonDepth = 12;
 // Points along a ribbon that also measures the gap between coedge and edge.
 constexpr int MinGapPoints = 3;
 
@@ -161,7 +161,7 @@ bool RibbonPlanner::FindShares(bool sound, const Majorants& real, double share)
 
 void RibbonPlanner::BoundAlong(bool sound)
 {
-  this->AlongT.Reset(this->Shares, LargestOrder);
+  this->AlongT.Reset(this->Shares, MaxOrder);
   if (!sound)
   {
     return;
@@ -223,7 +223,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
     this->BoundAlong(sound);
     along = this->ChooseOrder();
   }
-  if ((along > LargestOrder || this->Gap.IsRough()) && depth < LargestRibbonDepth)
+  if ((along > MaxOrder || this->Gap.IsRough()) && depth < MaxRibbonDepth)
   {
     const double middle = 0.5 * (start + end);
     this->PlanPart(index, start, middle, depth + 1);
@@ -244,7 +244,7 @@ void RibbonPlanner::PlanPart(std::uint32_t index, double start, double end, int 
   PlannedItem item{ ItemKind::Ribbon, index };
   item.Start = start;
   item.End = end;
-  item.Along = std::clamp(along, ribbon.AlongEdge ? MinGapPoints : 1, LargestOrder);
+  item.Along = std::clamp(along, ribbon.AlongEdge ? MinGapPoints : 1, MaxOrder);
   this->AddItem(item);
   if (sound)
   {

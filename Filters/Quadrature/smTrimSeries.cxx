@@ -8,7 +8,7 @@ namespace sm
 namespace
 {
 // Smallest half width of a box: it must have an interior, and a wider box gives valid bounds.
-constexpr double SmallestHalfWidth = 5e-7;
+constexpr double MinHalfWidth = 5e-7;
 }
 
 void TrimSeries::Expand(const double* coefficients, int degree, const Patch& patch, double start, double end)
@@ -79,7 +79,7 @@ ParameterBox TrimSeries::GetBox(double xiStart, double xiEnd) const
   for (int d = 0; d < 2; ++d)
   {
     box.Middle[d] = 0.5 * (low[d] + high[d]);
-    box.Half[d] = std::max(0.5 * (high[d] - low[d]), SmallestHalfWidth);
+    box.Half[d] = std::max(0.5 * (high[d] - low[d]), MinHalfWidth);
   }
   return box;
 }
@@ -122,7 +122,7 @@ Ellipse TrimSeries::Map(
   return Ellipse::FromHalfAxis(axis + outside);
 }
 
-double TrimSeries::GetLargestS(const Ellipse& t) const
+double TrimSeries::GetMaxS(const Ellipse& t) const
 {
   this->UpdateMajorants(t, this->Series[0].size());
   double sum = 0.0;
@@ -133,7 +133,7 @@ double TrimSeries::GetLargestS(const Ellipse& t) const
   return sum;
 }
 
-double TrimSeries::GetLargestSlope(const Ellipse& t, int direction) const
+double TrimSeries::GetMaxSlope(const Ellipse& t, int direction) const
 {
   const std::vector<double>& derivative = this->Derivative[direction];
   this->UpdateMajorants(t, derivative.size());

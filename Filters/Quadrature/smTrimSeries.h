@@ -45,8 +45,8 @@ public:
   Ellipse Map(const Ellipse& t, int direction, const ParameterBox& box, double xiStart, double xiEnd) const;
 
   /// Upper bounds of |s|, and of |ds/dt| (direction 0) or |dr/dt| (1) with t mapped to [0,1], in the ellipse.
-  double GetLargestS(const Ellipse& t) const;
-  double GetLargestSlope(const Ellipse& t, int direction = 1) const;
+  double GetMaxS(const Ellipse& t) const;
+  double GetMaxSlope(const Ellipse& t, int direction = 1) const;
 
 private:
   std::vector<double> Series[2];

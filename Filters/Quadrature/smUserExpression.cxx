@@ -17,9 +17,9 @@ namespace
 constexpr int FirstLine = 100001;
 // Limits of the message: number of errors, and characters of each.
 constexpr int MaxReported = 3;
-constexpr std::size_t LongestLine = 1000;
+constexpr std::size_t MaxLine = 1000;
 // GLSL's own limit of names is 1024; std::regex's is the stack.
-constexpr std::size_t LongestWord = 1000;
+constexpr std::size_t MaxWord = 1000;
 
 /// A name for a quantity of a sample: its definition in GLSL, and the quantities that the definition needs.
 struct SampleName
@@ -191,7 +191,7 @@ bool UserExpression::ReadToken(std::size_t& at, const Constants& constants)
   {
     at = std::find_if_not(this->Text.begin() + at, this->Text.end(), IsNamePart) - this->Text.begin();
     const std::string name = this->Text.substr(begin, at - begin);
-    if (name.size() > LongestWord)
+    if (name.size() > MaxWord)
     {
       return this->Fail(begin, "the name is too long");
     }
@@ -298,7 +298,7 @@ bool UserExpression::AddNumber(const std::string& number, std::size_t at)
 {
   static const std::regex pattern(
     R"((0[xX][0-9a-fA-F]+[uU]?|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?(LF|lf|[fFuU])?))");
-  if (number.size() > LongestWord)
+  if (number.size() > MaxWord)
   {
     return this->Fail(at, "the number is too long");
   }
@@ -430,7 +430,7 @@ std::string UserExpression::Explain(const std::string& log) const
   std::string line;
   while (std::getline(lines, line) && reported.size() < MaxReported)
   {
-    line.resize(std::min(line.size(), LongestLine));
+    line.resize(std::min(line.size(), MaxLine));
     std::smatch match;
     line.erase(line.find_last_not_of(" \r") + 1);
     if (!std::regex_match(line, match, pattern))

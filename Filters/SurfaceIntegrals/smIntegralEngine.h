@@ -7,6 +7,7 @@
 
 #include "Items/smBackendCost.h"
 #include "Sharing/smControllerExchange.h"
+#include "smBackendChoice.h"
 #include "smBodyIntegrals.h"
 #include "smFiltersSurfaceIntegralsModule.h"
 #include "smProgressCallback.h"
@@ -29,14 +30,6 @@ class vtkPartitionedDataSetCollection;
 
 namespace sm
 {
-/// The backends that may compute, as in vtkSurfaceIntegralBase::BackendType.
-enum class BackendChoice
-{
-  Automatic,
-  OpenGL,
-  CPU
-};
-
 /// The integrals to compute over the faces of the bodies.
 struct IntegralRequest
 {

@@ -25,7 +25,7 @@ namespace
 {
 /// Largest number of integrands that are added to the meshes; more arrays would need more memory than the
 /// meshes themselves.
-constexpr std::size_t LargestNumberOfMeshArrays = 16;
+constexpr std::size_t MaxNumberOfMeshArrays = 16;
 
 /// Returns the scale of relative tolerances of an integrand.
 double GetScale(const sm::Integrand& integrand, const sm::BodyIntegrals& body)
@@ -175,7 +175,7 @@ std::vector<sm::MeshArray> vtkSurfaceIntegralGPU::GetMeshArrays(
 {
   const std::vector<sm::Integrand>& integrands = this->Implementation->Integrated;
   std::vector<sm::MeshArray> arrays;
-  for (std::size_t k = 0; k < integrands.size() && integrands.size() <= LargestNumberOfMeshArrays; ++k)
+  for (std::size_t k = 0; k < integrands.size() && integrands.size() <= MaxNumberOfMeshArrays; ++k)
   {
     arrays.push_back({ integrands[k].Name,
       [&bodies, k](std::size_t body, std::size_t face) { return GetFaceValue(bodies[body], face, k); } });

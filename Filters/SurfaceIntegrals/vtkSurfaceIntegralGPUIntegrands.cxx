@@ -17,15 +17,15 @@
 namespace
 {
 /// Largest degree for which caps and straight panels have Gauss rules in the table (OrderLadder).
-constexpr int LargestDegree = 60;
-static_assert((LargestDegree + 4) / 2 <= sm::MaximumRuleSize, "the points of a cap");
+constexpr int MaxDegree = 60;
+static_assert((MaxDegree + 4) / 2 <= sm::MaximumRuleSize, "the points of a cap");
 // 165 moments are computed by one shader, which drivers take seconds to compile; the time grows more than
 // proportionally.
-constexpr int LargestMomentDegree = 8;
+constexpr int MaxMomentDegree = 8;
 
 bool AreValidPowers(int i, int j, int k)
 {
-  return std::min({ i, j, k }) >= 0 && std::max({ i, j, k }) <= LargestDegree && i + j + k <= LargestDegree;
+  return std::min({ i, j, k }) >= 0 && std::max({ i, j, k }) <= MaxDegree && i + j + k <= MaxDegree;
 }
 
 /// Returns a dvec3 literal of the normalised direction; empty if there is none.
@@ -164,8 +164,8 @@ void vtkSurfaceIntegralGPU::AddVolumeMoment(const std::string& name, int i, int 
   if (!AreValidPowers(i, j, k))
   {
     vtkErrorMacro("AddVolumeMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
-                                                 << "' must not be negative, their sum at most "
-                                                 << LargestDegree << ".");
+                                                 << "' must not be negative, their sum at most " << MaxDegree
+                                                 << ".");
     return;
   }
   this->Add(sm::Integrand::VolumeMoment(name, i, j, k), this->Implementation->Added);
@@ -176,8 +176,8 @@ void vtkSurfaceIntegralGPU::AddAreaMoment(const std::string& name, int i, int j,
   if (!AreValidPowers(i, j, k))
   {
     vtkErrorMacro("AddAreaMoment: the powers " << i << ", " << j << ", " << k << " of '" << name
-                                               << "' must not be negative, their sum at most "
-                                               << LargestDegree << ".");
+                                               << "' must not be negative, their sum at most " << MaxDegree
+                                               << ".");
     return;
   }
   this->Add(sm::Integrand::AreaMoment(name, i, j, k), this->Implementation->Added);
@@ -288,7 +288,7 @@ std::string vtkSurfaceIntegralGPU::GetIntegrandText() const
 
 void vtkSurfaceIntegralGPU::SetMomentDegree(int degree)
 {
-  const int clamped = std::clamp(degree, -1, LargestMomentDegree);
+  const int clamped = std::clamp(degree, -1, MaxMomentDegree);
   if (this->Implementation->MomentDegree != clamped)
   {
     this->Implementation->MomentDegree = clamped;

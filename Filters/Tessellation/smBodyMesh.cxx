@@ -21,7 +21,7 @@ constexpr std::size_t Chunk = 512;
 /// Ends of coedges that are one vertex and nearer than this part of the face in u and v are one point.
 constexpr double MeetingShare = 1e-2;
 /// Wider angles would leave too few chords to a circle.
-constexpr double WidestAngle = 1.2;
+constexpr double MaxAngle = 1.2;
 
 /// Steps of a grid around a whole sphere.
 constexpr int SphereSteps = 8;
@@ -54,7 +54,7 @@ public:
     , Limits(limits)
     , Progress(progress)
   {
-    this->Limits.Angle = std::min(limits.Angle, WidestAngle);
+    this->Limits.Angle = std::min(limits.Angle, MaxAngle);
   }
 
   std::vector<FaceMesh> Run()

@@ -33,7 +33,7 @@ constexpr std::size_t MaxTurns = 300;
 constexpr double TurnShare = 1e-2;
 /// Part of the deflection that the gap of a corner may take before its triangles are no longer made smaller
 /// for it.
-constexpr double LargestGapShare = 0.5;
+constexpr double MaxGapShare = 0.5;
 /// Exchanged diagonals, in all and for each point, after which no more points are inserted: triangles are
 /// needles then, and each point changes a large part of them. Usual faces need about ten for each point.
 constexpr std::size_t MaxFlips = 1000000;
@@ -288,8 +288,8 @@ private:
   double GetAllowed(const Triangulation::Triangle& t) const
   {
     const double gap = this->Judge.GetGap(t.Vertex);
-    return gap > LargestGapShare * this->Limits.Deflection ? this->Limits.Deflection
-                                                           : this->Limits.Deflection - gap;
+    return gap > MaxGapShare * this->Limits.Deflection ? this->Limits.Deflection
+                                                       : this->Limits.Deflection - gap;
   }
 
   bool IsExhausted() const

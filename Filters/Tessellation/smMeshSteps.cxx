@@ -12,7 +12,7 @@ using Parameters = MeshSteps::Parameters;
 /// Part of the deflection that a regular triangle may take; others are larger.
 constexpr double RegularShare = 0.8;
 /// Largest ratio of the sides of triangles that are to be well shaped, where the surface is straight one way.
-constexpr double LongestShape = 10.0;
+constexpr double MaxShape = 10.0;
 /// Points that rows may have in all. Faces that want a thousand times as many have bounds that no mesh keeps:
 /// they get none.
 constexpr double MaxRowPoints = 2e6;
@@ -150,7 +150,7 @@ MeshSteps::Parameters MeshSteps::GetMetric() const
     speed[d] = std::max(speed[d] / count, 1e-300);
     curved = curved || density[d] * this->Size[d] > 1.0 + 1e-9;
   }
-  const double longest = curved ? LongestShape : 1.0;
+  const double longest = curved ? MaxShape : 1.0;
   Parameters metric;
   for (int d = 0; d < 2; ++d)
   {

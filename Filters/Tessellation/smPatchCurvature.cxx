@@ -14,11 +14,11 @@ namespace
 constexpr int MaxHalvings = 10;
 constexpr int SharpHalvings = 4;
 /// Bounds are not tried where weights change by more than this, relative to them.
-constexpr double LargestSlope = 0.5;
+constexpr double MaxSlope = 0.5;
 /// Parts of a rational curve on which its second derivative is bounded.
 constexpr int CurveParts = 4;
 
-double GetLargestWeight(const BernsteinNet& net)
+double GetMaxWeight(const BernsteinNet& net)
 {
   double largest = 0.0;
   for (const Homogeneous& h : net.B)
@@ -67,7 +67,7 @@ CurvatureBounds BoundPolynomial(const BernsteinNet& net, const Vector3& normal)
   for (int k = 0; k < 3; ++k)
   {
     const SecondKind kind(net, k);
-    LargestVector largest(normal);
+    MaxVector largest(normal);
     for (int j = 0; j < kind.Rows; ++j)
     {
       for (int i = 0; i < kind.Columns; ++i)
@@ -101,16 +101,15 @@ CurvatureBounds BoundCoarsely(const BernsteinNet& net)
       h[x] -= h[3] * center[x];
     }
   }
-  const double ratio = GetLargestWeight(net) / lightest;
+  const double ratio = GetMaxWeight(net) / lightest;
   const double slope[2] = { 2.0 * net.P * ratio * ratio * size, 2.0 * net.Q * ratio * ratio * size };
-  const double a[2] = { GetLargestWeight(Derive(net, 0)) / lightest,
-    GetLargestWeight(Derive(net, 1)) / lightest };
+  const double a[2] = { GetMaxWeight(Derive(net, 0)) / lightest, GetMaxWeight(Derive(net, 1)) / lightest };
   CurvatureBounds bound;
   for (int k = 0; k < 3; ++k)
   {
     const SecondKind kind(net, k);
     const Vector3 none{};
-    LargestVector largest(none);
+    MaxVector largest(none);
     double weight = 0.0;
     for (int j = 0; j < kind.Rows; ++j)
     {
@@ -167,7 +166,7 @@ std::array<double, 2> BoundCurve(const Homogeneous* b, int degree, const Vector3
     slope = std::max(slope, degree * std::abs(b[i + 1][3] - b[i][3]));
   }
   // P'' - w'' c - 2 w' d, of degree - 1: the second differences have one degree less.
-  LargestVector largest(normal);
+  MaxVector largest(normal);
   for (int i = 0; i < degree; ++i)
   {
     Homogeneous second{};
@@ -232,7 +231,7 @@ std::array<double, 2> BoundMixed(const BernsteinNet& net, const Vector3& normal)
 {
   const std::array<double, 2> ratios = GetWeightRatios(net);
   const double ratio = ratios[0] * ratios[1];
-  LargestVector largest(normal);
+  MaxVector largest(normal);
   for (int j = 0; j < net.Q; ++j)
   {
     for (int i = 0; i < net.P; ++i)
@@ -330,7 +329,7 @@ public:
     const std::array<double, 2>& slope = rational.GetSlope();
     CurvatureBounds reached;
     const bool isBounded =
-      !isSeparable && std::max(slope[0], slope[1]) < LargestSlope && rational.Run(bound, reached);
+      !isSeparable && std::max(slope[0], slope[1]) < MaxSlope && rational.Run(bound, reached);
     if (isBounded)
     {
       Refine(density, bound);

@@ -176,8 +176,8 @@ bool VariantDevice::Internals::Upload()
 
 std::size_t VariantDevice::Internals::GetBatchSize() const
 {
-  const std::size_t row = sizeof(double) *
-    std::max({ 2 * std::size_t{ NumberOfMoments }, this->Directions, this->Points.LargestNet });
+  const std::size_t row =
+    sizeof(double) * std::max({ 2 * std::size_t{ NumberOfMoments }, this->Directions, this->Points.MaxNet });
   const std::size_t block =
     std::min(static_cast<std::size_t>(this->Context->GetMaximumStorageBlockSize()), MaximumBufferBytes);
   const std::size_t fitting = block / row / VariantsOfGroup * VariantsOfGroup;
@@ -271,7 +271,7 @@ bool VariantDevice::Internals::RunBatch(const double* c, std::size_t count, doub
   // Everything is written before the first dispatch: drivers may write a buffer before shaders have read it.
   if (!UploadVariables(this->Variables, c, count, this->Directions) || !this->Sums.Allocate(2 * bytes) ||
     !this->Sums.Clear() || !this->BoundSums.Allocate(bytes) || !this->BoundSums.Clear() ||
-    !this->Nets.Allocate(std::max<std::size_t>(this->Points.LargestNet, 1) * count * sizeof(double)))
+    !this->Nets.Allocate(std::max<std::size_t>(this->Points.MaxNet, 1) * count * sizeof(double)))
   {
     return this->Fail("a batch does not fit on the GPU: " + this->GetBufferErrors());
   }

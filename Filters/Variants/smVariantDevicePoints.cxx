@@ -45,10 +45,7 @@ void FillDerivedBasis(int degree, double x, std::vector<double>& basis, std::vec
   std::vector<double> lower(degree + 1, 0.0);
   FillBernsteinBasis(degree, x, basis.data());
   FillBernsteinBasis(degree - 1, x, lower.data());
-  for (int i = 0; i <= degree; ++i)
-  {
-    derivatives[i] = degree * ((i > 0 ? lower[i - 1] : 0.0) - (i < degree ? lower[i] : 0.0));
-  }
+  FillBernsteinSlopes(degree, lower.data(), derivatives.data());
 }
 
 /// The weight of a patch at a point.
@@ -202,7 +199,7 @@ void DevicePointsWriter::AddPatch(
   const GroupKey key = { DeviceStep::Panels, patch.Degree[0], patch.Degree[1] };
   if (std::max(patch.Degree[0], patch.Degree[1]) > MaximumRegisterDegree)
   {
-    this->Result.LargestNet = std::max<std::size_t>(this->Result.LargestNet, 3 * patch.GetNumberOfPoints());
+    this->Result.MaxNet = std::max<std::size_t>(this->Result.MaxNet, 3 * patch.GetNumberOfPoints());
   }
   const std::uint32_t matrix = this->AddMatrix(patch, variables);
   const std::uint32_t list = this->AddList(chain, variables);

@@ -130,7 +130,7 @@ bool VariantIntegrator::Internals::MakePoints(
     return false;
   }
   this->Gaps = FindGaps(chains, this->Shape->GetNumberOfDirections());
-  this->AddFaces(chains, settings.Backend != VariantBackend::CPU);
+  this->AddFaces(chains, settings.Backend != BackendChoice::CPU);
   const double onThread = this->MeasurePoints();
   this->Reason =
     "a variant takes " + FormatMicroseconds(onThread) + " at frozen points on a thread of the CPU";
@@ -243,11 +243,11 @@ VariantMethod VariantIntegrator::GetMethod() const
   return this->Implementation->Polynomial ? VariantMethod::Polynomial : VariantMethod::Points;
 }
 
-VariantBackend VariantIntegrator::GetBackend() const
+BackendChoice VariantIntegrator::GetBackend() const
 {
   const std::lock_guard<std::mutex> lock(this->Implementation->Mutex);
-  return this->Implementation->Device || this->Implementation->FormDevice ? VariantBackend::OpenGL
-                                                                          : VariantBackend::CPU;
+  return this->Implementation->Device || this->Implementation->FormDevice ? BackendChoice::OpenGL
+                                                                          : BackendChoice::CPU;
 }
 
 std::string VariantIntegrator::GetReason() const

@@ -18,6 +18,7 @@
 
 #include "smFiltersVariantsModule.h"
 
+#include "smBackendChoice.h"
 #include "smVariantPolynomial.h"
 
 #include <cstdint>
@@ -36,30 +37,20 @@ enum class VariantMethod
   Points
 };
 
-/// The device that evaluates variants.
-enum class VariantBackend
-{
-  /// OpenGL if the context is that of a GPU, the expected number of variants takes all threads of the CPU
-  /// more than a second, and OpenGL is measured to be faster than these; else the CPU.
-  Automatic,
-  CPU,
-  /// OpenGL, also of a software renderer; the CPU where there is no context, no double precision, or a wrong
-  /// result, with the reason.
-  OpenGL
-};
-
 /// How an integrator is made.
 struct VariantSettings
 {
   VariantSettings(
-    VariantMethod method = VariantMethod::Automatic, VariantBackend backend = VariantBackend::Automatic)
+    VariantMethod method = VariantMethod::Automatic, BackendChoice backend = BackendChoice::Automatic)
     : Method(method)
     , Backend(backend)
   {
   }
 
   VariantMethod Method;
-  VariantBackend Backend;
+  /// Automatic takes OpenGL on a GPU where the expected variants take all threads of the CPU more than a
+  /// second and OpenGL is measured to be faster than these.
+  BackendChoice Backend;
   /// The number of variants that Automatic is to be fast for.
   std::int64_t Expected = 100000;
   /// Called by the thread that calls Make(), between portions of the faces; returns false to stop.
@@ -84,7 +75,7 @@ public:
   /// Polynomial or Points.
   VariantMethod GetMethod() const;
   /// CPU or OpenGL. It becomes CPU where OpenGL fails.
-  VariantBackend GetBackend() const;
+  BackendChoice GetBackend() const;
   /// Why: the seconds of those that were tried, for a variant and for making them, and why OpenGL was left.
   std::string GetReason() const;
   int GetNumberOfDirections() const;

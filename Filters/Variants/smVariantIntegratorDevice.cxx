@@ -230,8 +230,8 @@ bool VariantIntegrator::Internals::EvaluateFormsOnDevice(
 /// Returns false, with the reason, where OpenGL is not wanted, does not pay, or has no GPU.
 bool VariantIntegrator::Internals::StartContext(const VariantSettings& settings, double onAll)
 {
-  const bool isForced = settings.Backend == VariantBackend::OpenGL;
-  if (settings.Backend == VariantBackend::CPU ||
+  const bool isForced = settings.Backend == BackendChoice::OpenGL;
+  if (settings.Backend == BackendChoice::CPU ||
     (!isForced && onAll * static_cast<double>(settings.Expected) < DevicePays))
   {
     return false;
@@ -269,7 +269,7 @@ double VariantIntegrator::Internals::MeasureDevice(const VariantSettings& settin
     return onAll;
   }
   this->AddReason(FormatMicroseconds(seconds) + what + this->Context->GetRenderer());
-  if (settings.Backend != VariantBackend::OpenGL && seconds >= onAll)
+  if (settings.Backend != BackendChoice::OpenGL && seconds >= onAll)
   {
     device = nullptr;
     return onAll;

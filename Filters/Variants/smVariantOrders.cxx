@@ -187,8 +187,8 @@ void VariantOrders::DividePanel(const VariantPanel& panel, const double* trim, i
   TrimSeries series;
   series.Expand(trim, panel.TrimDegree, this->Patches[panel.Patch], panel.Start, panel.End);
   const Ellipse real = Ellipse::FromRadius(1.0);
-  const double largestS = series.GetLargestS(real);
-  const double slope = series.GetLargestSlope(real, 1);
+  const double largestS = series.GetMaxS(real);
+  const double slope = series.GetMaxSlope(real, 1);
   const double across = panel.AcrossEnd - panel.AcrossStart;
   if (largestS * slope == 0.0)
   {
@@ -242,7 +242,7 @@ void VariantOrders::DividePanel(const VariantPanel& panel, const double* trim, i
     {
       const double radius = this->FindRadius(series, target, panel.AcrossStart, panel.AcrossEnd);
       const Ellipse t = Ellipse::FromRadius(radius);
-      consider(along, target, radius, series.GetLargestS(t) * series.GetLargestSlope(t, 1) * across);
+      consider(along, target, radius, series.GetMaxS(t) * series.GetMaxSlope(t, 1) * across);
     }
   }
   // Without any ellipse, smaller parts do not help.
@@ -298,7 +298,7 @@ TangentForms<double> VariantOrders::BoundRibbon(
 {
   const VariantPatch& patch = this->Chain.Patches[ribbon.Patch];
   const Ellipse t = Ellipse::FromRadius(radius);
-  const double slopes[2] = { trim.GetLargestSlope(t, 0), trim.GetLargestSlope(t, 1) };
+  const double slopes[2] = { trim.GetMaxSlope(t, 0), trim.GetMaxSlope(t, 1) };
   const int n = ribbon.EdgeDegree + 1;
   std::vector<double> majorants;
   t.GetMajorants(n, majorants);

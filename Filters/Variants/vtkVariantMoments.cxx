@@ -134,9 +134,7 @@ try
   settings.Method = this->Method == POLYNOMIAL ? sm::VariantMethod::Polynomial
     : this->Method == POINTS                   ? sm::VariantMethod::Points
                                                : sm::VariantMethod::Automatic;
-  settings.Backend = this->Backend == OPENGL ? sm::VariantBackend::OpenGL
-    : this->Backend == CPU                   ? sm::VariantBackend::CPU
-                                             : sm::VariantBackend::Automatic;
+  settings.Backend = static_cast<sm::BackendChoice>(this->Backend);
   settings.Expected = this->ExpectedVariants;
   settings.Context = self.Context;
   this->AbortBuild = false;
@@ -228,7 +226,7 @@ int vtkVariantMoments::GetUsedMethod() const
 int vtkVariantMoments::GetUsedBackend() const
 {
   const auto& integrator = this->Implementation->Integrator;
-  return integrator && integrator->GetBackend() == sm::VariantBackend::OpenGL ? OPENGL : CPU;
+  return integrator && integrator->GetBackend() == sm::BackendChoice::OpenGL ? OPENGL : CPU;
 }
 
 std::string vtkVariantMoments::GetReason() const

@@ -25,7 +25,7 @@ namespace sm
 namespace
 {
 /// Largest number of solids, faces or edges that a text has.
-constexpr std::size_t MostEntities = 4;
+constexpr std::size_t MaxEntities = 4;
 /// Largest number of characters of a line.
 constexpr std::size_t LengthOfLines = 64;
 /// Digits of a gap, which has no bound.
@@ -95,7 +95,7 @@ std::string ListRows(
   const std::vector<vtkIdType>& rows, const char* kind, const std::function<std::string(vtkIdType)>& describe)
 {
   std::string list;
-  const std::size_t shown = std::min(rows.size(), MostEntities);
+  const std::size_t shown = std::min(rows.size(), MaxEntities);
   for (std::size_t i = 0; i < shown; ++i)
   {
     // Continuation lines of a text are indented.

@@ -26,11 +26,11 @@ namespace sm
 namespace
 {
 /// Longest run that a filter does during a drag with the setting WhereFast, in seconds. After a longer run a
-/// drag tries one more if the run was not longer than LongestTrial. The first run prepares data that later
-/// runs have: up to LongestFirst it counts as fast.
-constexpr double LongestRun = 0.1;
-constexpr double LongestTrial = 0.5;
-constexpr double LongestFirst = 5.0;
+/// drag tries one more if the run was not longer than MaxTrial. The first run prepares data that later
+/// runs have: up to MaxFirst it counts as fast.
+constexpr double MaxRun = 0.1;
+constexpr double MaxTrial = 0.5;
+constexpr double MaxFirst = 5.0;
 
 /// The planes that ParaView's window shows: 5.11 has the second, others the first.
 constexpr const char* PlaneNames[] = { "ImplicitPlaneWidgetRepresentation",
@@ -61,7 +61,7 @@ public:
     else
     {
       const double seconds = now - this->Start;
-      *this->Seconds = this->IsFirst && seconds < LongestFirst ? std::min(seconds, LongestRun) : seconds;
+      *this->Seconds = this->IsFirst && seconds < MaxFirst ? std::min(seconds, MaxRun) : seconds;
       this->IsFirst = false;
     }
   }
@@ -109,7 +109,7 @@ vtkSMSourceProxy* FindFilter(vtkSMSessionProxyManager* manager, bool isAnySpeed)
     return setting == Never ? nullptr : filter;
   }
   const auto clock = GetClocks().find(filter);
-  if (clock == GetClocks().end() || !(*clock->second < LongestTrial))
+  if (clock == GetClocks().end() || !(*clock->second < MaxTrial))
   {
     return nullptr;
   }
@@ -181,7 +181,7 @@ public:
     filter->UpdatePipeline();
     const auto clock = GetClocks().find(filter);
     this->IsSlow = vtkSMPropertyHelper(filter, "LivePlane").GetAsInt() == WhereFast &&
-      clock != GetClocks().end() && *clock->second > LongestRun;
+      clock != GetClocks().end() && *clock->second > MaxRun;
     RenderViews(filter);
     this->Busy = false;
   }
@@ -262,7 +262,7 @@ void FollowPlane(vtkSMSourceProxy* filter, vtkAlgorithm* algorithm)
 {
   if (algorithm)
   {
-    const auto seconds = std::make_shared<double>(LongestTrial);
+    const auto seconds = std::make_shared<double>(MaxTrial);
     GetClocks()[filter] = seconds;
     vtkNew<ClockCommand> clock;
     clock->Seconds = seconds;

@@ -42,7 +42,7 @@ vtkStandardNewMacro(vtkLabeledSolidsRepresentation);
 
 namespace
 {
-constexpr std::size_t MostLabels = 50;
+constexpr std::size_t MaxLabels = 50;
 constexpr int MassDigits = 4;
 /// The colour in which ParaView draws selections.
 constexpr double SelectionColor[3] = { 1.0, 0.0, 1.0 };
@@ -198,7 +198,7 @@ void vtkLabeledSolidsRepresentation::MakeLabels(vtkDataObject* data)
     });
   std::stable_sort(
     labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.Size > b.Size; });
-  labels.resize(std::min(labels.size(), MostLabels));
+  labels.resize(std::min(labels.size(), MaxLabels));
   vtkNew<vtkPoints> points;
   vtkNew<vtkStringArray> texts;
   texts->SetName(TextArray);

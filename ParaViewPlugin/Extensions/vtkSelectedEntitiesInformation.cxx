@@ -30,9 +30,9 @@ namespace names = sm::names;
 
 /// Largest number of single cells that are highlighted. ParaView's time grows with their number, and with the
 /// cube of the number of their solids.
-constexpr std::size_t MostHighlightedCells = 50000;
-constexpr std::size_t MostSolidsWithHighlightedCells = 50;
-constexpr std::size_t MostDrawnEdges = 1000;
+constexpr std::size_t MaxHighlightedCells = 50000;
+constexpr std::size_t MaxSolidsWithHighlightedCells = 50;
+constexpr std::size_t MaxDrawnEdges = 1000;
 
 vtkPolyData* GetMesh(vtkPartitionedDataSetCollection* meshes, vtkIdType solid)
 {
@@ -314,7 +314,7 @@ void vtkSelectedEntitiesInformation::FindHighlight(vtkPartitionedDataSetCollecti
       this->Shown.Cells[solid] = std::move(cells);
     }
   }
-  if (count > MostHighlightedCells || this->Shown.Cells.size() > MostSolidsWithHighlightedCells)
+  if (count > MaxHighlightedCells || this->Shown.Cells.size() > MaxSolidsWithHighlightedCells)
   {
     if (this->Selected == MeshesPort || this->Selected == ClippedPort)
     {
@@ -339,7 +339,7 @@ void vtkSelectedEntitiesInformation::FindEdges(
 {
   const std::vector<vtkIdType> rows = this->FindRows(edges);
   this->Text = sm::DescribeEdges(solids, edges, rows);
-  const std::size_t drawn = std::min(rows.size(), MostDrawnEdges);
+  const std::size_t drawn = std::min(rows.size(), MaxDrawnEdges);
   if (drawn < rows.size())
   {
     this->Text += "The first " + std::to_string(drawn) + " edges are drawn.\n";

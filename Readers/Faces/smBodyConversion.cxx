@@ -300,7 +300,7 @@ private:
     face->Messages = draft.Messages;
     ConvertedFace& result = this->Faces[index];
     const std::vector<std::shared_ptr<const Edge>> added =
-      MakeAddedEdges(draft, map, this->Place.MakeMap(Placement()), this->Place.GetLargestOrigin());
+      MakeAddedEdges(draft, map, this->Place.MakeMap(Placement()), this->Place.GetMaxOrigin());
     for (std::size_t l = 0; l < draft.Loops.size(); ++l)
     {
       this->ConvertLoop(draft, draft.Loops[l], added, surface, box, trims[l], *face, result);
@@ -356,7 +356,7 @@ private:
                                     : ConvertTrim(from.Trim, coedge.Use->Curve.GetStart(),
                                         coedge.Use->Curve.GetEnd(), surface.Map, width);
       if (from.Trim.Residual[0] + from.Trim.Residual[1] > 0.0 ||
-        (from.Trim.Feet && coedge.Curve.GetLargestResidual() > 1e-12))
+        (from.Trim.Feet && coedge.Curve.GetMaxResidual() > 1e-12))
       {
         LowerResidual(surface.Surface, coedge.Use->Curve, coedge.Curve);
       }

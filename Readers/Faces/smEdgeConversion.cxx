@@ -23,7 +23,7 @@ AffineMap BodyPlace::MakeMap(const Placement& location) const
   return map;
 }
 
-double BodyPlace::GetLargestOrigin() const
+double BodyPlace::GetMaxOrigin() const
 {
   return std::max({ std::abs(this->Origin[0]), std::abs(this->Origin[1]), std::abs(this->Origin[2]) });
 }
@@ -71,7 +71,7 @@ std::shared_ptr<const Edge> ConvertEdgeShape(
         const auto uv = trim.Evaluate(t);
         return map.MapPoint(face.Surface->Evaluate(uv[0], uv[1]));
       },
-      trim.GetBreaks(), place.GetLargestOrigin());
+      trim.GetBreaks(), place.GetMaxOrigin());
   }
   for (int i = 0; i < 2; ++i)
   {

@@ -23,7 +23,7 @@ struct BodyPlace
   /// Returns the map for geometry that has this location in the shape.
   AffineMap MakeMap(const Placement& location) const;
   /// Returns the largest magnitude of a coordinate of Origin.
-  double GetLargestOrigin() const;
+  double GetMaxOrigin() const;
 };
 
 /**

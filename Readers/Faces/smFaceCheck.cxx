@@ -21,10 +21,10 @@ constexpr double FineTolerance = 1e-9;
 constexpr int FineParts = 8;
 
 /// Distances between edge and boundary along the surface count up to this, relative to the perimeter.
-constexpr double LargestSlip = 1e-3;
+constexpr double MaxSlip = 1e-3;
 
 /// The limit is this, relative to the perimeter's power, for gaps of any width.
-constexpr double LargestLimit = 3e-3;
+constexpr double MaxLimit = 3e-3;
 
 /// Limit of the moments relative to that of the vector area times the perimeter: points of a loop are no
 /// farther from its centre.
@@ -407,9 +407,9 @@ private:
     double gaps = 0.0;
     for (const Face* face : this->Parts)
     {
-      gaps += scale * scale * GetGapArea(*face, LargestSlip * perimeter / scale, perimeter / scale, samples);
+      gaps += scale * scale * GetGapArea(*face, MaxSlip * perimeter / scale, perimeter / scale, samples);
     }
-    return perimeter * perimeter * Negligible + std::min(Safety * gaps, LargestLimit * perimeter * perimeter);
+    return perimeter * perimeter * Negligible + std::min(Safety * gaps, MaxLimit * perimeter * perimeter);
   }
 
   /// Returns true if the face agrees.

@@ -65,7 +65,7 @@ struct FaceStatement
   /// Change of the vector area if each arc is replaced by the rest of its curve.
   Vector3 OtherArcs{};
   /// Largest gap between two edges of a bound.
-  double LargestGap = 0.0;
+  double MaxGap = 0.0;
   int EdgeLoops = 0;
   int VertexLoops = 0;
   /// Two edges that follow each other in a bound and cover the same part of one curve; 0: there are none.

@@ -12,7 +12,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 
 /// Longest arc that one Gauss rule integrates: its error is 1e-11 of the radius's powers.
-constexpr double LongestArc = 0.25 * Pi;
+constexpr double MaxArc = 0.25 * Pi;
 
 /// Tolerance of splines whose integrands one Gauss rule does not integrate exactly.
 constexpr double SplineTolerance = 1e-9;
@@ -79,7 +79,7 @@ void IntegrateRange(const SpaceCurve& curve, double a, double b, const Vector3& 
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
   {
     const double width = std::abs(breaks[i + 1] - breaks[i]);
-    const int parts = isSpline || isExact ? 1 : std::max(1, static_cast<int>(std::ceil(width / LongestArc)));
+    const int parts = isSpline || isExact ? 1 : std::max(1, static_cast<int>(std::ceil(width / MaxArc)));
     for (int k = 0; k < parts; ++k)
     {
       const double step = (breaks[i + 1] - breaks[i]) / parts;

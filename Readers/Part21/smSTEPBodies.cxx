@@ -23,7 +23,7 @@ constexpr std::uint64_t BodyRoles = STEPRole::Solid | STEPRole::OtherSolid | STE
   STEPRole::WireModel | STEPRole::GeometricSet | STEPRole::Tessellated | STEPRole::Shell | STEPRole::Face;
 
 /// Largest length of a chain of oriented faces or shells that refer to each other; the standard allows one.
-constexpr int LongestChain = 16;
+constexpr int MaxChain = 16;
 
 CensusBodyKind GetKind(std::uint64_t roles)
 {
@@ -194,7 +194,7 @@ STEPCensusTaker::Index STEPCensusTaker::Unwrap(Index i, const STEPAttribute& ele
   const Index first = i;
   for (int k = 0; i != None && this->Entities.FindRecord(i, element.Record, parameters); ++k)
   {
-    if (k == LongestChain)
+    if (k == MaxChain)
     {
       this->Add(CensusDefect::CyclicReference, first, this->File.GetId(i), place);
       return None;

@@ -30,7 +30,7 @@ constexpr const char* TooClose = "knots too close to each other";
 
 /// Numbers above this are refused, because algorithms of OpenCASCADE that step along a curve do not terminate
 /// for curves of this size.
-constexpr double LargestNumber = 1e100;
+constexpr double MaxNumber = 1e100;
 
 std::int64_t CountValues(std::string_view list)
 {
@@ -221,7 +221,7 @@ bool STEPCensusTaker::CheckValue(Index i, const Part21Value& value, char kind)
     case 'p':
     case 'z':
       valid = value.GetNumber(number);
-      huge = value.IsNumber() && (!valid || std::abs(number) > LargestNumber);
+      huge = value.IsNumber() && (!valid || std::abs(number) > MaxNumber);
       valid = valid && !huge;
       if (value.IsNumber() && (!valid || number < 0.0 || number == 0.0))
       {

@@ -15,7 +15,7 @@ constexpr STEPAttribute UncertaintiesOfContext = { "GLOBAL_UNCERTAINTY_ASSIGNED_
   "uncertainties" };
 
 /// Largest number of conversions from unit to unit; inch to millimetre is one.
-constexpr int LongestConversion = 8;
+constexpr int MaxConversion = 8;
 /// The record of a complex unit, the unit of SI, what it is in the unit of the result, the smallest and
 /// largest that is not damage, and the relative accuracy with which factors are written: 0.01745 for a degree
 /// is off by 1.9e-4, 0.4536 for a pound by 2e-5; of lengths, which are exact, the foot of American surveyors
@@ -164,7 +164,7 @@ bool IsSomeUnit(const STEPAttributes& entities, Part21File::Index unit)
 bool IsOfKind(const STEPAttributes& entities, Part21File::Index unit, STEPUnitKind kind)
 {
   const SIKind& si = SIKinds[static_cast<int>(kind)];
-  for (int k = 0; k < LongestConversion && unit != Part21File::None; ++k)
+  for (int k = 0; k < MaxConversion && unit != Part21File::None; ++k)
   {
     std::string_view record;
     if (entities.FindRecord(unit, si.Record, record))
@@ -205,7 +205,7 @@ CensusUnit ReadSTEPUnit(const STEPAttributes& entities, Part21File::Index unit, 
   result.Status = CensusUnit::State::Wrong;
   result.Id = entities.File.GetId(unit);
   double factor = 1.0;
-  for (int k = 0; k < LongestConversion; ++k)
+  for (int k = 0; k < MaxConversion; ++k)
   {
     std::string_view record;
     if (entities.File.IsDamaged(unit) || HasWrongCount(entities.File, unit) ||

@@ -23,7 +23,7 @@ namespace
 constexpr double UsualDeflection = 0.9e-3;
 constexpr double UsualAngle = 0.35;
 /// That mesh is not too fine where up to so many times its deflection is asked for.
-constexpr double MostDeflectionRatio = 1.5;
+constexpr double MaxDeflectionRatio = 1.5;
 
 /// Field array of a scale mesh: the deflection that it was made for.
 constexpr const char* DeflectionName = "Deflection";
@@ -125,7 +125,7 @@ bool DoesSuit(vtkPolyData* scaleMesh, const MeshLimits& limits)
   vtkDataArray* array = scaleMesh ? scaleMesh->GetFieldData()->GetArray(DeflectionName) : nullptr;
   const double deflection = array ? array->GetComponent(0, 0) : 0.0;
   return deflection > 0.0 && limits.Angle == UsualAngle && limits.Deflection >= deflection &&
-    limits.Deflection <= MostDeflectionRatio * deflection;
+    limits.Deflection <= MaxDeflectionRatio * deflection;
 }
 
 vtkSmartPointer<vtkPolyData> JoinMeshes(const std::vector<FacePointer>& faces, std::vector<FaceMesh> meshes,

@@ -25,7 +25,7 @@ namespace sm
 namespace
 {
 /// Numbers of bodies and faces are signed.
-constexpr std::uint64_t LargestNumber = std::numeric_limits<std::int64_t>::max();
+constexpr std::uint64_t MaxNumber = std::numeric_limits<std::int64_t>::max();
 
 /// The text of the file, and its census.
 struct DeclaredContent
@@ -94,10 +94,10 @@ struct DeclaredContent
   {
     for (Part21File::Index i = 0; i < this->Text.GetNumberOfInstances(); ++i)
     {
-      if (this->Text.GetId(i) > LargestNumber && this->Census.Uses[i] != 0)
+      if (this->Text.GetId(i) > MaxNumber && this->Census.Uses[i] != 0)
       {
         return "the number of its entity #" + std::to_string(this->Text.GetId(i)) + " exceeds " +
-          std::to_string(LargestNumber) + ", the largest one that is read; number its entities anew";
+          std::to_string(MaxNumber) + ", the largest one that is read; number its entities anew";
       }
     }
     return {};

@@ -76,7 +76,7 @@ std::string FindContradiction(const BodyShape& body, bool isReversed, RepairLog&
 }
 }
 
-bool IsSoundBody(BodyShape& body, RepairLog& log, const FaceRepair& repair)
+bool MakeSoundBody(BodyShape& body, RepairLog& log, const FaceRepair& repair)
 {
   if (body.Shells.empty())
   {

@@ -52,12 +52,11 @@ struct RepairLog
 SMREADERSSTEP_EXPORT std::vector<std::string> Describe(const RepairLog& log);
 
 /**
- * Returns true if a solid or shell needs no repair, or no more after some of its faces were repaired: edges
- * of a solid are used once in either direction, each shell is connected, and all faces pass InspectFace()
- * (smFaceInspection.h). A solid that is inside out is reversed. If only a few faces do not pass, these
- * alone are repaired. The result is added to the log.
+ * Reverses a solid that is inside out, and repairs its faces if only a few of them do not pass InspectFace()
+ * (smFaceInspection.h). Returns true if the solid or shell is sound then: edges of a solid are used once in
+ * either direction, each shell is connected, and all faces pass. Adds what was done to the log.
  */
-SMREADERSSTEP_EXPORT bool IsSoundBody(BodyShape& body, RepairLog& log, const FaceRepair& repair);
+SMREADERSSTEP_EXPORT bool MakeSoundBody(BodyShape& body, RepairLog& log, const FaceRepair& repair);
 
 /// Adds the sides of faces, and faces outside their loops, to the log, before a shape is repaired whatever it
 /// is.

@@ -24,7 +24,7 @@ constexpr struct
   { "SURFACE_STYLE_USAGE", 1 }, { "SURFACE_SIDE_STYLE", 1 }, { "SURFACE_STYLE_FILL_AREA", 0 },
   { "FILL_AREA_STYLE", 1 }, { "FILL_AREA_STYLE_COLOUR", 1 }, { "SURFACE_STYLE_RENDERING", 1 },
   { "SURFACE_STYLE_RENDERING_WITH_PROPERTIES", 1 } };
-constexpr int LongestChain = 8;
+constexpr int MaxChain = 8;
 
 /// Types of styled items, and the parameters that they share.
 constexpr const char* StyledTypes[] = { "STYLED_ITEM", "OVER_RIDING_STYLED_ITEM",
@@ -81,7 +81,7 @@ bool STEPAppearance::FindColor(const Part21Value& styles, int depth, Vector3& co
     return false;
   }
   const Index entity = this->Entities.Follow(styles);
-  if (entity == Part21File::None || depth > LongestChain)
+  if (entity == Part21File::None || depth > MaxChain)
   {
     return false;
   }

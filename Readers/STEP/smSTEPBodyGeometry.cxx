@@ -24,7 +24,7 @@ constexpr std::size_t MaxChunks = 64;
 /// Number of chunks between two calls of `shouldContinue`.
 constexpr std::size_t ChunksPerReport = 16;
 /// Largest number of entities from one to its basis.
-constexpr int LongestBasisChain = 64;
+constexpr int MaxBasisChain = 64;
 
 SurfacePointer Require(const SurfacePointer& surface, const std::string& problem)
 {
@@ -47,7 +47,7 @@ STEPBodyGeometry::STEPBodyGeometry(
 Part21File::Index STEPBodyGeometry::FindBasis(Index entity) const
 {
   constexpr std::uint64_t roles = STEPRole::Curve | STEPRole::Surface | STEPRole::CurveSegment;
-  for (int step = 0; step < LongestBasisChain && entity != Part21File::None; ++step)
+  for (int step = 0; step < MaxBasisChain && entity != Part21File::None; ++step)
   {
     const Part21Range<Index> references = this->Entities.File.GetReferences(entity);
     const auto next = std::find_if(references.begin(), references.end(),

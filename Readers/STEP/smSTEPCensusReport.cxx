@@ -10,7 +10,7 @@ namespace sm
 namespace
 {
 /// Largest number of entity numbers in a message.
-constexpr std::size_t MostIds = 10;
+constexpr std::size_t MaxIds = 10;
 
 /// Appends what the census found to a document.
 class CensusReport
@@ -56,7 +56,7 @@ private:
       {
         without.push_back(product.Id);
       }
-      else if (++elsewhere <= MostIds)
+      else if (++elsewhere <= MaxIds)
       {
         this->Result.Defects.push_back("Product " + NameEntity(product.Id, product.Name) +
           " of an assembly has its shape in another file, " + product.File +
@@ -65,10 +65,10 @@ private:
           "(--search), or export the assembly as one file.");
       }
     }
-    if (elsewhere > MostIds)
+    if (elsewhere > MaxIds)
     {
       this->Result.Defects.push_back(
-        std::to_string(elsewhere - MostIds) + " more products have their shapes in other files.");
+        std::to_string(elsewhere - MaxIds) + " more products have their shapes in other files.");
     }
     if (!without.empty())
     {
@@ -105,7 +105,7 @@ private:
         ++counted;
         this->Result.Messages.push_back(Describe(problem));
       }
-      else if (listed < MostIds)
+      else if (listed < MaxIds)
       {
         ++listed;
         ++counted;
@@ -203,11 +203,11 @@ std::string NameEntity(std::uint64_t id, const std::string& name)
 std::string ListEntities(const std::vector<std::uint64_t>& ids)
 {
   std::string list;
-  for (std::size_t i = 0; i < std::min(ids.size(), MostIds); ++i)
+  for (std::size_t i = 0; i < std::min(ids.size(), MaxIds); ++i)
   {
     list += (i ? ", #" : "#") + std::to_string(ids[i]);
   }
-  return list + (ids.size() > MostIds ? " and " + std::to_string(ids.size() - MostIds) + " more" : "");
+  return list + (ids.size() > MaxIds ? " and " + std::to_string(ids.size() - MaxIds) + " more" : "");
 }
 
 std::string CountInstances(CensusCount count)

@@ -21,7 +21,7 @@ constexpr STEPAttribute MultiplicitiesOfSpline = { "B_SPLINE_CURVE_WITH_KNOTS", 
 constexpr STEPAttribute KnotsOfSpline = { "B_SPLINE_CURVE_WITH_KNOTS", 1, 7, "knots" };
 
 /// Longest chain of curves on surfaces and trimmed curves that refer to one another.
-constexpr int LongestCurveChain = 8;
+constexpr int MaxCurveChain = 8;
 
 class CurveReader
 {
@@ -214,7 +214,7 @@ bool ReadSTEPCurve(
   const STEPAttributes& entities, Part21File::Index entity, SpaceCurve& curve, bool& isReversed)
 {
   isReversed = false;
-  for (int k = 0; k < LongestCurveChain; ++k)
+  for (int k = 0; k < MaxCurveChain; ++k)
   {
     std::string_view record;
     if (entities.FindRecord(entity, BasisOfTrimmed.Record, record))

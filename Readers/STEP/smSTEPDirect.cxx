@@ -22,7 +22,7 @@ namespace sm
 namespace
 {
 /// Tolerance that the repair may give edges and vertices, in millimetres.
-constexpr double LargestTolerance = 1.0;
+constexpr double MaxTolerance = 1.0;
 
 using Index = Part21File::Index;
 
@@ -220,7 +220,7 @@ private:
     {
       ShapeGroup& shapes = body.Shapes;
       const double precision = this->Shapes.GetPrecision(this->Census.Bodies[index]);
-      const RepairLimits limits{ precision, std::max(precision, LargestTolerance) };
+      const RepairLimits limits{ precision, std::max(precision, MaxTolerance) };
       const auto report = [&]
       { return progress(0.5 + 0.5 * static_cast<double>(done) / static_cast<double>(this->Bodies.size())); };
       ShapeGroup result;
@@ -259,7 +259,7 @@ private:
     }
     else
     {
-      isSound = IsSoundBody(body, this->Log,
+      isSound = MakeSoundBody(body, this->Log,
         [&](const BodyShape& whole, const std::vector<const FaceShape*>& faces,
           std::vector<const FaceShape*>& repaired)
         {
@@ -281,7 +281,7 @@ private:
       if (repair == RepairMode::Always)
       {
         // A body that needs no repair is taken as it is.
-        isSound = IsSoundBody(body, this->Log,
+        isSound = MakeSoundBody(body, this->Log,
           [](const BodyShape& whole, const std::vector<const FaceShape*>&, std::vector<const FaceShape*>&)
           { return whole; });
         if (isSound)

@@ -347,7 +347,7 @@ private:
         statement.OtherArcs[c] -= sign * use.Edge->WholeCurve[c];
       }
       const LoopUse& next = this->Loop[k + 1 < this->Loop.size() ? k + 1 : 0];
-      statement.LargestGap = std::max(statement.LargestGap, Norm(Subtract(next.GetStart(), use.GetEnd())));
+      statement.MaxGap = std::max(statement.MaxGap, Norm(Subtract(next.GetStart(), use.GetEnd())));
       this->AddGap(use.GetEnd(), next.GetStart(), sense);
       if (use.Id != next.Id && Overlap(*use.Edge, *next.Edge))
       {
@@ -438,7 +438,7 @@ private:
     }
     const Matrix3 scale{ Vector3{ unit, 0.0, 0.0 }, Vector3{ 0.0, unit, 0.0 }, Vector3{ 0.0, 0.0, unit } };
     statement.Boundary = sum.Map(scale);
-    statement.LargestGap *= unit;
+    statement.MaxGap *= unit;
     for (int c = 0; c < 3; ++c)
     {
       statement.Center[c] = unit * center[c];

@@ -7,7 +7,7 @@ namespace sm
 namespace
 {
 /// Longest chain of entities of geometry that refer to one another.
-constexpr int LongestGeometryChain = 1000;
+constexpr int MaxGeometryChain = 1000;
 
 std::string DescribeType(const Part21File& file, Part21File::Index entity)
 {
@@ -49,10 +49,10 @@ const Value* STEPGeometry::Find(
   ++this->Depth;
   try
   {
-    if (this->Depth > LongestGeometryChain)
+    if (this->Depth > MaxGeometryChain)
     {
       throw STEPGeometryFailure{ "it is at the end of a chain of more than " +
-        std::to_string(LongestGeometryChain) + " curves and surfaces" };
+        std::to_string(MaxGeometryChain) + " curves and surfaces" };
     }
     if (file.IsDamaged(entity))
     {

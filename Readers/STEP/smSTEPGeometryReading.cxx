@@ -16,7 +16,7 @@ constexpr STEPAttribute ReferenceInPlane = { "AXIS2_PLACEMENT_2D", 0, 2, "refere
 constexpr std::size_t ParametersInPlane = 4;
 constexpr std::size_t ParametersInSpace = 5;
 
-constexpr double SmallestSine = 1e-12;
+constexpr double MinSine = 1e-12;
 
 template <int Dimension>
 bool ReadCoordinates(const Part21Value& list, std::array<double, Dimension>& numbers)
@@ -51,7 +51,7 @@ Vector3 MakeFirstAxis(const Vector3& z, const Vector3& reference)
 {
   Vector3 x = Cross(z, Cross(reference, z));
   const double length = Norm(x);
-  if (!(length > SmallestSine))
+  if (!(length > MinSine))
   {
     ProjectFirstAxis(z, nullptr, x);
     return x;

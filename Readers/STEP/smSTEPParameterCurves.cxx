@@ -22,7 +22,7 @@ constexpr double GapLimit = 1e-3;
 constexpr double ApproximationLimit = 1e-2;
 
 /// Parameter curves may be moved by this many whole periods.
-constexpr int MostTurns = 2;
+constexpr int MaxTurns = 2;
 
 /// A parameter curve on its surface, searched for its point that is closest to another one.
 class CurveSearch
@@ -60,7 +60,7 @@ public:
     {
       return 0.0;
     }
-    const int turns[2] = { this->Period[0] > 0.0 ? MostTurns : 0, this->Period[1] > 0.0 ? MostTurns : 0 };
+    const int turns[2] = { this->Period[0] > 0.0 ? MaxTurns : 0, this->Period[1] > 0.0 ? MaxTurns : 0 };
     for (int i = -turns[0]; i <= turns[0]; ++i)
     {
       for (int k = -turns[1]; k <= turns[1]; ++k)
@@ -143,7 +143,7 @@ private:
   double Period[2];
 };
 
-double GetLargestDistance(
+double GetMaxDistance(
   const STEPParameterCurve& stated, const CurvePointer<2>& curve, const ParameterRange& range, double limit)
 {
   const CurveSearch search(stated, curve, range);
@@ -174,7 +174,7 @@ CurvePointer<2> TakeRadians(const STEPParameterCurve& stated, ParameterScale& ow
 
 double Measure(const STEPParameterCurve& stated, double limit)
 {
-  double distance = GetLargestDistance(stated, stated.Curve.Value, stated.Curve.Range, limit);
+  double distance = GetMaxDistance(stated, stated.Curve.Value, stated.Curve.Range, limit);
   ParameterScale own;
   const CurvePointer<2> other = distance > limit ? TakeRadians(stated, own) : nullptr;
   if (other)
@@ -185,7 +185,7 @@ double Measure(const STEPParameterCurve& stated, double limit)
       t = own(t);
     }
     const ParameterRange range{ own(stated.Curve.Range.Low), own(stated.Curve.Range.High) };
-    distance = std::min(distance, GetLargestDistance(radians, other, range, limit));
+    distance = std::min(distance, GetMaxDistance(radians, other, range, limit));
   }
   return distance;
 }

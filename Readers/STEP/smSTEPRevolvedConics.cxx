@@ -20,7 +20,7 @@ constexpr STEPAttribute SurfaceOfRevolvedTrim = { "PCURVE", 0, 1, "surface" };
 constexpr STEPAttribute DefinitionOfRevolvedTrim = { "PCURVE", 1, 2, "curve" };
 
 /// Largest distance of the centre from the axis, relative to the radius, or in millimetres.
-constexpr double LargestDistance = 1e-6;
+constexpr double MaxDistance = 1e-6;
 
 using Index = Part21File::Index;
 
@@ -30,8 +30,8 @@ bool IsThroughCenter(const RevolvedSurface& surface, const ConicCurve<3>& conic,
 {
   const Vector3 side = Cross(conic.X, conic.Y);
   const Vector3 away = Subtract(conic.Center, surface.Origin);
-  if (!(Norm(Cross(away, surface.Axis)) <= LargestDistance * std::max(1.0, conic.Radii[0])) ||
-    !(std::abs(Dot(surface.Axis, side)) <= LargestDistance))
+  if (!(Norm(Cross(away, surface.Axis)) <= MaxDistance * std::max(1.0, conic.Radii[0])) ||
+    !(std::abs(Dot(surface.Axis, side)) <= MaxDistance))
   {
     return false;
   }

@@ -63,7 +63,7 @@ ComputeBuffer& ComputeBuffer::operator=(ComputeBuffer&& other) noexcept
     this->Size = std::exchange(other.Size, 0);
     this->Capacity = std::exchange(other.Capacity, 0);
     this->SmallUses = std::exchange(other.SmallUses, 0);
-    this->LargestSmallUse = std::exchange(other.LargestSmallUse, 0);
+    this->MaxSmallUse = std::exchange(other.MaxSmallUse, 0);
     this->Error = std::move(other.Error);
   }
   return *this;
@@ -106,7 +106,7 @@ void ComputeBuffer::Free()
   this->Size = 0;
   this->Capacity = 0;
   this->SmallUses = 0;
-  this->LargestSmallUse = 0;
+  this->MaxSmallUse = 0;
 }
 
 bool ComputeBuffer::Create(std::size_t bytes)
@@ -154,11 +154,11 @@ std::size_t ComputeBuffer::ChooseCapacity(std::size_t bytes)
   if (this->Capacity <= SmallStore || bytes >= this->Capacity / 4)
   {
     this->SmallUses = 0;
-    this->LargestSmallUse = 0;
+    this->MaxSmallUse = 0;
     return this->Capacity;
   }
-  this->LargestSmallUse = std::max(this->LargestSmallUse, bytes);
-  return ++this->SmallUses < UsesBeforeShrinking ? this->Capacity : this->LargestSmallUse;
+  this->MaxSmallUse = std::max(this->MaxSmallUse, bytes);
+  return ++this->SmallUses < UsesBeforeShrinking ? this->Capacity : this->MaxSmallUse;
 }
 
 bool ComputeBuffer::Allocate(std::size_t bytes)

@@ -134,7 +134,7 @@ private:
   // Calls of Allocate() in a row that needed less than a quarter of the store, and the largest of these
   // needs.
   int SmallUses = 0;
-  std::size_t LargestSmallUse = 0;
+  std::size_t MaxSmallUse = 0;
   std::string Error;
 };
 }

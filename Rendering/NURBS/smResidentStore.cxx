@@ -29,7 +29,7 @@ struct PageData
   std::vector<double> Caps;
   std::size_t Items = 0;
 
-  std::size_t GetLargestBlock() const
+  std::size_t GetMaxBlock() const
   {
     return std::max(
       { this->Points.size() * sizeof(this->Points[0]), this->Patches.size() * sizeof(PatchRecord),
@@ -44,7 +44,7 @@ constexpr std::size_t FacesPerReport = 256;
 
 constexpr const char* CacheName = "sm::ResidentStore";
 
-std::size_t GetLargestBlock(const FacePanels& panels)
+std::size_t GetMaxBlock(const FacePanels& panels)
 {
   return std::max(
     { panels.Points.size() * sizeof(panels.Points[0]), panels.Patches.size() * sizeof(PatchRecord),
@@ -250,7 +250,7 @@ bool ResidentStore::UploadAll(
     const CutFace& face = *faces[i];
     ResidentFace location;
     location.Source = face.Source;
-    const std::size_t size = GetLargestBlock(face.Panels);
+    const std::size_t size = GetMaxBlock(face.Panels);
     if (size > blockLimit)
     {
       location.Error = "face #" + std::to_string(face.Source->FileId) + " has " + std::to_string(size >> 20) +
@@ -258,7 +258,7 @@ bool ResidentStore::UploadAll(
     }
     else
     {
-      if (data.GetLargestBlock() + size > blockLimit && !this->Flush(request, data))
+      if (data.GetMaxBlock() + size > blockLimit && !this->Flush(request, data))
       {
         return false;
       }

@@ -236,7 +236,7 @@ struct Column
 {
   std::vector<double> Errors;
   double Seconds = 0.0;
-  double LargestBound = 0.0;
+  double MaxBound = 0.0;
 
   double GetMedian() const { return this->GetQuantile(0.5); }
   double GetQuantile(double share) const
@@ -283,7 +283,7 @@ std::string AddFile(const std::string& path, const std::map<std::string, Measure
     const double error = std::abs(all[i].Volume - truth.Volume);
     columns[i].Errors.push_back(error / truth.Volume);
     columns[i].Seconds += all[i].Seconds;
-    columns[i].LargestBound = std::max(columns[i].LargestBound, all[i].Bound / truth.Volume);
+    columns[i].MaxBound = std::max(columns[i].MaxBound, all[i].Bound / truth.Volume);
     exceeded = exceeded || error > all[i].Bound + truth.Bound;
   }
   return "";
@@ -298,7 +298,7 @@ std::string WriteTable(const std::vector<Column>& columns, const std::string& pa
     const Column& c = columns[i];
     text += "\"" + GetName(Methods[i]) + "\"," + sm::FormatDigits(c.Seconds, 17) + "," +
       sm::FormatDigits(c.GetMedian(), 17) + "," + sm::FormatDigits(c.GetQuantile(1.0), 17) + "," +
-      (Methods[i].By == Program::Ours ? sm::FormatDigits(c.LargestBound, 17) : "") + "\n";
+      (Methods[i].By == Program::Ours ? sm::FormatDigits(c.MaxBound, 17) : "") + "\n";
   }
   const std::string problem = sm::SaveFile(path, text);
   return problem.empty() ? "" : path + " could not be written: " + problem;
@@ -334,7 +334,7 @@ int Run(const std::vector<std::string>& paths, const std::string& certifiedPath,
     const Column& c = columns[i];
     std::printf("| %s | %.3f | %.1e | %.1e | ", GetName(Methods[i]).c_str(), c.Seconds, c.GetMedian(),
       c.GetQuantile(1.0));
-    std::printf(Methods[i].By == Program::Ours ? "%.1e |\n" : "|\n", c.LargestBound);
+    std::printf(Methods[i].By == Program::Ours ? "%.1e |\n" : "|\n", c.MaxBound);
   }
   if (!folder.empty())
   {

@@ -123,7 +123,7 @@ void VariantBenchmark::Measure(
   {
     std::size_t count = variants.GetPolynomial() ? 16384 : 512;
     std::vector<double> c = this->MakeNumbers(count, range);
-    const bool isOnDevice = variants.GetBackend() == sm::VariantBackend::OpenGL;
+    const bool isOnDevice = variants.GetBackend() == sm::BackendChoice::OpenGL;
     for (double seconds = 0.0; isOnDevice && seconds < 0.2 && count < 1000000;)
     {
       count *= 2;
@@ -216,7 +216,7 @@ int VariantBenchmark::Run() const
   {
     std::string error;
     const auto variants = sm::VariantIntegrator::Make(shape, options, error,
-      { method, this->UsesOpenGL ? sm::VariantBackend::OpenGL : sm::VariantBackend::CPU });
+      { method, this->UsesOpenGL ? sm::BackendChoice::OpenGL : sm::BackendChoice::CPU });
     if (!variants)
     {
       std::fprintf(stderr, "%s\n", error.c_str());
@@ -230,7 +230,7 @@ int VariantBenchmark::Run() const
   for (const auto& variants : all)
   {
     std::printf("%s by %s: %s\n", variants->GetPolynomial() ? "polynomials" : "frozen points",
-      variants->GetBackend() == sm::VariantBackend::OpenGL ? "OpenGL" : "the CPU",
+      variants->GetBackend() == sm::BackendChoice::OpenGL ? "OpenGL" : "the CPU",
       variants->GetReason().c_str());
     if (!variants->GetPolynomial())
     {

@@ -281,7 +281,7 @@ private:
   {
     KernelComparison& result = this->Result;
     result.TrimPieces += coedge.Curve.GetNumberOfPieces();
-    result.TrimResidual = std::max(result.TrimResidual, coedge.Curve.GetLargestResidual());
+    result.TrimResidual = std::max(result.TrimResidual, coedge.Curve.GetMaxResidual());
     for (const double x : { 0.0, 0.25, 0.5, 1.0 })
     {
       // Also where the file gives no curve, and none was made.
@@ -332,7 +332,7 @@ private:
         line << "trim of face #" << face.Result->FileId << " (" << surface->DynamicType()->Name()
              << "), edge #" << coedge.Use->FileId << ", x=" << x << ": " << error << "; native " << uv.X()
              << " " << uv.Y() << " ours " << c[0] << " " << c[1] << " residual "
-             << coedge.Curve.GetLargestResidual();
+             << coedge.Curve.GetMaxResidual();
         result.Messages.push_back(line.str());
         ++result.AboveLimits;
       }
@@ -373,7 +373,7 @@ private:
         std::ostringstream line;
         line << "edge #" << coedge.Use->FileId << " ("
              << (isOwn ? "of several parts" : curve->DynamicType()->Name()) << "), x=" << x << ": " << error
-             << ", range " << first << " " << last << ", residual " << coedge.Use->Curve.GetLargestResidual();
+             << ", range " << first << " " << last << ", residual " << coedge.Use->Curve.GetMaxResidual();
         result.Messages.push_back(line.str());
         ++result.AboveLimits;
       }

@@ -16,7 +16,7 @@ namespace sm
 double GetReach(const FacePanels& panels, const std::array<double, 3>& center);
 
 /// Returns an upper bound of the area of the chain; `stripArea` is that of its strips.
-double GetLargestArea(const FacePanels& panels, double stripArea);
+double GetMaxArea(const FacePanels& panels, double stripArea);
 
 /// Returns false if all of the chain is further from the plane than the distance.
 bool MayTouch(const FacePanels& panels, const HeightPlane& plane, double distance);

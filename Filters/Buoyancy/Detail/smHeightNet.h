@@ -50,10 +50,10 @@ struct SMFILTERSBUOYANCY_EXPORT NetRange
   double Low, High;
   /// Ranges of the derivatives of N.
   double SlopeLow[2], SlopeHigh[2];
-  double LowestWeight;
+  double MinWeight;
 
   /// Returns an upper bound of |h| on the box; infinity if the weight may be 0.
-  double GetLargestHeight() const;
+  double GetMaxHeight() const;
 };
 
 /// The numerator N(s,r) = sum B_i(s) B_j(r) w_ij h_ij of the height over one patch. Its zeros are the
@@ -76,8 +76,8 @@ public:
   double Solve(double v, double low, double high) const;
   /// Returns an upper bound of |S_u x S_v| on the patch: surface area per area in the parameters of the trim
   /// pieces.
-  double GetLargestNormal() const { return this->Normal; }
-  /// Raises the bound of GetLargestNormal(); NaN counts as infinity.
+  double GetMaxNormal() const { return this->Normal; }
+  /// Raises the bound of GetMaxNormal(); NaN counts as infinity.
   void RaiseNormal(double normal)
   {
     this->Normal = normal <= this->Normal ? this->Normal
@@ -92,7 +92,7 @@ public:
   /// plane.
   double GetNoise(double displacement) const
   {
-    return this->GetRounding() + 1.001 * this->LargestWeight * displacement;
+    return this->GetRounding() + 1.001 * this->MaxWeight * displacement;
   }
 
   /// Returns the net with its two parameters exchanged.
@@ -104,8 +104,8 @@ private:
   double Start[2] = { 0.0, 0.0 };
   double Width[2] = { 1.0, 1.0 };
   double Normal = 0.0;
-  double LargestNumerator = 0.0;
-  double LargestWeight = 0.0;
+  double MaxNumerator = 0.0;
+  double MaxWeight = 0.0;
   /// Coefficients (N, w), with s varying fastest.
   std::vector<std::array<double, 2>> Coefficients;
 };

@@ -34,7 +34,7 @@ public:
   double Gap;
   double Length;
   /// Lowest weight of the patch.
-  double LowestWeight;
+  double MinWeight;
   /// Largest distance of the edge's control points from the model's origin.
   double EdgeReach = 0.0;
 

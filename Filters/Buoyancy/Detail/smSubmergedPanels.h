@@ -88,7 +88,7 @@ private:
   }
   /// Returns an upper bound of |n| on a part of a patch of the source: surface area per area in the
   /// parameters of the trim pieces.
-  double GetLargestNormal(std::uint32_t patch, const ParameterRange& range) const;
+  double GetMaxNormal(std::uint32_t patch, const ParameterRange& range) const;
   /// Returns true if halving the box further cannot decide on which side of the plane it is.
   bool IsFinal(const Box& box) const;
   void AddLeftover(const Box& box);

@@ -65,7 +65,7 @@ struct OffsetFace
 
 /// Faces are continued to meet at an edge if the edge moves across them by no more than so many offsets. A
 /// sharper edge is cut off there.
-constexpr double LongestOffsetWay = 10.0;
+constexpr double MaxOffsetWay = 10.0;
 /// Faces are tangent if the sine of the angle between their normals is no larger; if their offsets differ
 /// there is a step between them.
 constexpr double TangentSine = 1e-3;
@@ -84,10 +84,7 @@ struct OffsetEdgeSample
 
   /// Tangent of half the angle: the way of the edge across both faces by an offset of 1.
   double GetHalfTangent() const { return this->Sine / (1.0 + this->Cosine); }
-  double GetWay() const
-  {
-    return std::min(std::max(this->GetHalfTangent(), -LongestOffsetWay), LongestOffsetWay);
-  }
+  double GetWay() const { return std::min(std::max(this->GetHalfTangent(), -MaxOffsetWay), MaxOffsetWay); }
 };
 
 struct OffsetEdge

@@ -14,7 +14,7 @@ OffsetFace MeasureOffsetFace(const Face& source);
 
 /// Largest angle of a crease, in radians, that counts as an error of the curvature's integral; a sharper one
 /// is an edge that nothing measures.
-constexpr double LargestCrease = 0.03;
+constexpr double MaxCrease = 0.03;
 
 /// Finds creases of a face at which it has no edges: borders of a face without loops that are neither closed
 /// smoothly nor smooth poles, and knot lines at which normals turn.

@@ -23,15 +23,14 @@ class PatchIntegrator
 {
 public:
   /// `context`: null for one of its own, which is made when it is needed.
-  explicit PatchIntegrator(
-    GradientBackend backend = GradientBackend::CPU, vtkComputeContext* context = nullptr);
+  explicit PatchIntegrator(BackendChoice backend = BackendChoice::CPU, vtkComputeContext* context = nullptr);
 
   /// Computes the integrals of all tasks, by OpenGL or on all threads. Returns false if stopped.
   bool Compute(
     const std::vector<PatchTask>& tasks, std::vector<PatchSums>& sums, const ProgressCallback& progress);
 
   /// OpenGL if it computed something, and did not fail later.
-  GradientBackend GetUsed() const { return this->IsUsed ? GradientBackend::OpenGL : GradientBackend::CPU; }
+  BackendChoice GetUsed() const { return this->IsUsed ? BackendChoice::OpenGL : BackendChoice::CPU; }
   /// Why the processor, where OpenGL was asked for or tried.
   const std::string& GetReason() const { return this->Reason; }
   /// Seconds of all calls of Compute().
@@ -41,7 +40,7 @@ private:
   bool WantsDevice(const std::vector<PatchTask>& tasks);
   bool ComputeOnDevice(const std::vector<PatchTask>& tasks, std::vector<PatchSums>& sums);
 
-  GradientBackend Backend;
+  BackendChoice Backend;
   vtkSmartPointer<vtkComputeContext> Context;
   std::unique_ptr<GradientDevice> Device;
   bool HasFailed = false;

@@ -52,7 +52,7 @@ public:
   /// Numbers of the last Prepare(): sub-patches whose deviation was computed, and the largest number of them
   /// in one portion.
   std::int64_t GetDeviations() const { return this->Deviations; }
-  std::int64_t GetLargestPortion() const { return this->LargestPortion; }
+  std::int64_t GetMaxPortion() const { return this->MaxPortion; }
 
 private:
   std::vector<std::size_t> FindMissing(const std::vector<SchemeTask>& tasks, const SchemeOptions& options);
@@ -70,7 +70,7 @@ private:
   FaceCache<Key, PreparedFace> Kept;
   std::vector<PreparedFace> Faces;
   std::int64_t Deviations = 0;
-  std::int64_t LargestPortion = 0;
+  std::int64_t MaxPortion = 0;
 };
 }
 

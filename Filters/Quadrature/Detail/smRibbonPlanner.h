@@ -30,7 +30,7 @@ private:
   bool FindShares(bool sound, const Majorants& real, double share);
   /// Fills AlongT by Shares, from ellipses.
   void BoundAlong(bool sound);
-  /// Returns the lowest order that meets all tolerances; more than LargestOrder when none does.
+  /// Returns the lowest order that meets all tolerances; more than MaxOrder when none does.
   int ChooseOrder() const;
   void AddItem(const PlannedItem& item);
   /// Returns true if the part is narrower than the rounding bound of its evaluation. It is left out then,

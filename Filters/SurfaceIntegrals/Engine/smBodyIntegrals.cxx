@@ -35,8 +35,8 @@ namespace
 constexpr double LargeOverhang = 1e-5;
 // Half the diagonal of a body, below and above which products of lengths, of which second moments have five,
 // may leave the range of doubles: they become 0 without an error that a bound counts.
-constexpr double SmallestSize = 1e-40;
-constexpr double LargestSize = 1e40;
+constexpr double MinSize = 1e-40;
+constexpr double MaxSize = 1e40;
 
 std::string NameOf(vtkInformation* info, const std::string& otherwise)
 {
@@ -185,7 +185,7 @@ void CheckTopology(BodyIntegrals& body)
       "translations are supported");
   }
   const double size = GetRadius(*body.Model);
-  if (size > 0.0 && !(size >= SmallestSize && size <= LargestSize))
+  if (size > 0.0 && !(size >= MinSize && size <= MaxSize))
   {
     body.Flag(Status::Suspect,
       "its size, " + FormatBound(size) +

@@ -294,7 +294,7 @@ bool CPUItemRunner::Sum(
         const auto [first, last] = segments[i];
         const double* rows = self.Rows.data() + static_cast<std::size_t>(first) * stride;
         SumRows(rows, last - first, stride, sums.data() + i * stride);
-        largestGaps[i] = FindLargest(rows + RowLayout::LargestGap, last - first, stride);
+        largestGaps[i] = FindLargest(rows + RowLayout::MaxGap, last - first, stride);
       }
     });
   return true;

@@ -46,7 +46,7 @@ public:
   void Release() override;
 
   /// Computes the sums of all columns over each segment [first, last) of rows, GetLayout().GetStride()
-  /// doubles each, and the maximum of the column LargestGap. An empty segment has zeros. Sums are
+  /// doubles each, and the maximum of the column MaxGap. An empty segment has zeros. Sums are
   /// compensated; a NaN is preserved.
   using Segment = std::pair<unsigned int, unsigned int>;
   bool Sum(const std::vector<Segment>& segments, std::vector<double>& sums, std::vector<double>& largestGaps);

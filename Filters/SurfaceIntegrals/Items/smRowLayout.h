@@ -20,7 +20,7 @@ namespace sm
 class SMFILTERSSURFACEINTEGRALS_EXPORT RowLayout
 {
 public:
-  static constexpr int LargestGap = 0;
+  static constexpr int MaxGap = 0;
   static constexpr int SquaredGap = 1;
   static constexpr int GapArea = 2;
   static constexpr int FirstValue = 3;

@@ -22,7 +22,7 @@ namespace sm
 namespace
 {
 /// Largest stated tolerance that counts, relative to the diagonal of the body.
-constexpr double LargestTolerance = 1e-3;
+constexpr double MaxTolerance = 1e-3;
 /// Volumes are measured coarsely up to this part of the cube of the diagonal.
 constexpr double NegligibleVolume = 1e-15;
 /// Corners are closed if their gaps are within so many u of the coordinates.
@@ -310,7 +310,7 @@ std::shared_ptr<const ClosingSpread> ClosingSpreads::Measure(vtkTrimmedNURBSMode
 {
   Internals& self = *this->Implementation;
   const double diagonal = 2.0 * GetRadius(model);
-  const double largest = LargestTolerance * diagonal;
+  const double largest = MaxTolerance * diagonal;
   const double negligible = NegligibleVolume * diagonal * diagonal * diagonal;
   auto spread = std::make_shared<ClosingSpread>();
   const std::vector<UsedEdge> edges = CollectEdges(model);

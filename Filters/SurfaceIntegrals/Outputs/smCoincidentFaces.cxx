@@ -12,8 +12,8 @@ namespace
 {
 /// Largest volume between two faces that lie on each other, relative to their area times the size of the
 /// body, besides the bounds of their integrals; and the largest such bound that decides.
-constexpr double LargestDistance = 1e-9;
-constexpr double LargestBound = 1e-6;
+constexpr double MaxDistance = 1e-9;
+constexpr double MaxBound = 1e-6;
 /// Largest number of faces with the same edges that are compared, and of pairs that are reported.
 constexpr std::size_t MaxFaces = 16;
 constexpr int MaxPairs = 5;
@@ -102,7 +102,7 @@ void FlagCoincidentFaces(BodyIntegrals& body, int volume, int area)
       first.Face[volume] + first.Closing[volume] + second.Face[volume] + second.Closing[volume];
     const double bound = first.GetBound(volume) + second.GetBound(volume);
     const double scale = size * (first.Face[area] + second.Face[area]);
-    return std::abs(sum) <= bound + LargestDistance * scale && bound <= LargestBound * scale;
+    return std::abs(sum) <= bound + MaxDistance * scale && bound <= MaxBound * scale;
   };
   for (const auto& [hash, group] : groups)
   {

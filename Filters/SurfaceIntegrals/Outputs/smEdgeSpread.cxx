@@ -23,7 +23,7 @@ constexpr double OuterWeight = 0.20696685170880647;
 constexpr double RuleTolerance = 0.02;
 constexpr int MaxHalvings = 5;
 /// Cosine of the largest angle between a surface and its edge at which sections are curves across the edge.
-constexpr double SmallestCosine = 0.5;
+constexpr double MinCosine = 0.5;
 /// Nodes and weights of the Gauss rule of three points on [0,1].
 constexpr double GaussNodes[3] = { 0.11270166537925831, 0.5, 0.88729833462074169 };
 constexpr double GaussWeights[3] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
@@ -194,7 +194,7 @@ public:
         this->Lag = t - plane.Parameter;
         return this->Describe(plane, gap, speed, step, section) ? Outcome::Found : Outcome::NotFound;
       }
-      if (!(speed > SmallestCosine * Norm(this->Velocity)))
+      if (!(speed > MinCosine * Norm(this->Velocity)))
       {
         return Outcome::NotFound;
       }
@@ -238,7 +238,7 @@ private:
     const Vector3 normal{ cross[0] / size, cross[1] / size, cross[2] / size };
     const Vector3 across = Cross(normal, plane.Tangent);
     const double cosine = Norm(across);
-    if (!(cosine > SmallestCosine))
+    if (!(cosine > MinCosine))
     {
       return false;
     }

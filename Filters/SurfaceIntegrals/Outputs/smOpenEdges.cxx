@@ -60,7 +60,7 @@ std::vector<Vector3> EvaluateBorder(const NURBSSurface& surface, int direction, 
   return points;
 }
 
-double GetLargestDistance(const std::vector<Vector3>& points, const std::vector<Vector3>& others)
+double GetMaxDistance(const std::vector<Vector3>& points, const std::vector<Vector3>& others)
 {
   double largest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -255,11 +255,11 @@ void AddBorders(const Face& face, std::vector<Border>& borders, double& gap)
     const int other = 1 - direction;
     const std::vector<Vector3> first = EvaluateBorder(surface, direction, surface.GetDomainStart(other));
     const std::vector<Vector3> last = EvaluateBorder(surface, direction, surface.GetDomainEnd(other));
-    const double across = GetLargestDistance(first, last);
+    const double across = GetMaxDistance(first, last);
     const std::vector<Vector3> middle =
       EvaluateBorder(surface, direction, 0.5 * (surface.GetDomainStart(other) + surface.GetDomainEnd(other)));
-    const double size = std::max({ across, GetLargestDistance(middle, first),
-      GetLargestDistance(middle, std::vector<Vector3>(middle.size(), middle.front())) });
+    const double size = std::max({ across, GetMaxDistance(middle, first),
+      GetMaxDistance(middle, std::vector<Vector3>(middle.size(), middle.front())) });
     if (across <= CoincidenceTolerance * size)
     {
       gap = std::max(gap, IgnoreRounding(across, size, first.front()));
@@ -269,7 +269,7 @@ void AddBorders(const Face& face, std::vector<Border>& borders, double& gap)
     {
       const std::vector<Vector3>& points = isLast ? last : first;
       const std::vector<Vector3> pole(points.size(), points.front());
-      if (GetLargestDistance(points, pole) > CoincidenceTolerance * size)
+      if (GetMaxDistance(points, pole) > CoincidenceTolerance * size)
       {
         // Counter-clockwise: s = 0 and r = 1 are passed backwards.
         const bool isBackwards = (isLast == (direction == 0)) != face.Reversed;

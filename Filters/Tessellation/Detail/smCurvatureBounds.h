@@ -76,10 +76,10 @@ struct EnoughBound
 };
 
 /// Largest length of vectors, and of their components along a unit vector.
-class LargestVector
+class MaxVector
 {
 public:
-  explicit LargestVector(const Vector3& normal)
+  explicit MaxVector(const Vector3& normal)
     : Normal(normal)
   {
   }

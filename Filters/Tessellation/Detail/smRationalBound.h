@@ -44,9 +44,9 @@ private:
       , Corners(normal)
     {
     }
-    LargestVector Coefficients;
+    MaxVector Coefficients;
     /// Values over the weight, at the corners.
-    LargestVector Corners;
+    MaxVector Corners;
     double Weight = 0.0;
   };
   void AddLines(int direction, Bracket& bracket) const;

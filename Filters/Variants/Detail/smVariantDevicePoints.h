@@ -57,7 +57,7 @@ struct DevicePoints
   std::vector<std::uint32_t> Words;
   std::vector<DeviceGroup> Groups;
   /// Numbers of the largest net in a buffer.
-  std::size_t LargestNet = 0;
+  std::size_t MaxNet = 0;
   /// Samples, with three for each node of a ribbon and nine for a cap.
   std::int64_t Samples = 0;
   /// False where a bound is not known for any c.

@@ -67,7 +67,7 @@ double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array
   double t, double low, double high)
 {
   typename GeometricCurve<Dimension>::Derivatives d;
-  const int order = std::min(2, curve.GetLargestOrder());
+  const int order = std::min(2, curve.GetMaxOrder());
   double minimum = std::numeric_limits<double>::infinity();
   double best = t;
   double step = 0.0;

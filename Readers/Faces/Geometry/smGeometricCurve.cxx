@@ -264,7 +264,7 @@ std::string CheckValue(SplineCurve<Dimension>& spline)
 template <int Dimension>
 std::string CheckValue(const OffsetCurve<Dimension>& offset)
 {
-  if (!offset.Basis || offset.Basis->GetLargestOrder() < 2)
+  if (!offset.Basis || offset.Basis->GetMaxOrder() < 2)
   {
     return "it is an offset of a curve of which there are no second derivatives";
   }
@@ -303,8 +303,7 @@ std::string GeometricCurve<Dimension>::Complete()
     {
       return "its surface or its curve is missing";
     }
-    this->LargestOrder =
-      std::min({ 2, onSurface->Surface->GetLargestOrder(), onSurface->Curve->GetLargestOrder() });
+    this->MaxOrder = std::min({ 2, onSurface->Surface->GetMaxOrder(), onSurface->Curve->GetMaxOrder() });
     this->Domain = onSurface->Curve->GetDomain();
     return {};
   }
@@ -339,7 +338,7 @@ std::string GeometricCurve<Dimension>::Complete()
     {
       this->Domain = offset->Basis->GetDomain();
       this->Period = offset->Basis->GetPeriod();
-      this->LargestOrder = offset->Basis->GetLargestOrder() - 1;
+      this->MaxOrder = offset->Basis->GetMaxOrder() - 1;
     }
     return problem;
   }
@@ -351,7 +350,7 @@ std::string GeometricCurve<Dimension>::Complete()
     if (problem.empty())
     {
       this->Starts.push_back(this->Starts.back() + segment.Length);
-      this->LargestOrder = std::min(this->LargestOrder, segment.Curve->GetLargestOrder());
+      this->MaxOrder = std::min(this->MaxOrder, segment.Curve->GetMaxOrder());
     }
   }
   this->Domain = { 0.0, this->Starts.back() };

@@ -148,11 +148,11 @@ public:
   }
 
   Point Evaluate(double t) const;
-  /// Evaluates the derivatives of order 0 to `order`, at most GetLargestOrder(). They are NaN where an offset
+  /// Evaluates the derivatives of order 0 to `order`, at most GetMaxOrder(). They are NaN where an offset
   /// has no direction.
   void Evaluate(double t, int order, Derivatives& result) const;
   /// MaximumOrder; for an offset curve one less than for its basis, for a curve on a surface 1 or 2.
-  int GetLargestOrder() const { return this->LargestOrder; }
+  int GetMaxOrder() const { return this->MaxOrder; }
 
   /// Returns the natural domain: a whole turn from 0 for an ellipse, infinite for lines, parabolas and
   /// hyperbolas.
@@ -172,7 +172,7 @@ private:
   Variant Value;
   ParameterRange Domain;
   double Period = 0.0;
-  int LargestOrder = MaximumOrder;
+  int MaxOrder = MaximumOrder;
   /// Parameters at which the segments of a composite curve begin, and the end of the last one.
   std::vector<double> Starts;
 };

@@ -347,7 +347,7 @@ std::string GeometricSurface::Complete()
     {
       return "its profile or its direction is missing";
     }
-    this->LargestOrder = std::min(2, extruded->Profile->GetLargestOrder());
+    this->MaxOrder = std::min(2, extruded->Profile->GetMaxOrder());
     return {};
   }
   if (auto* revolved = std::get_if<RevolvedSurface>(&this->Value))
@@ -359,7 +359,7 @@ std::string GeometricSurface::Complete()
     }
     this->Domain[0] = { 0.0, FullTurn };
     this->Period[0] = FullTurn;
-    this->LargestOrder = std::min(2, revolved->Profile->GetLargestOrder());
+    this->MaxOrder = std::min(2, revolved->Profile->GetMaxOrder());
     return {};
   }
   if (auto* spline = std::get_if<SplineSurface>(&this->Value))
@@ -386,12 +386,12 @@ std::string GeometricSurface::Complete()
     return isFinite ? "" : "a control point is not finite, or a weight is not positive";
   }
   const auto& offset = std::get<OffsetSurface>(this->Value);
-  if (!offset.Basis || offset.Basis->GetIf<OffsetSurface>() || offset.Basis->GetLargestOrder() < 2 ||
+  if (!offset.Basis || offset.Basis->GetIf<OffsetSurface>() || offset.Basis->GetMaxOrder() < 2 ||
     !std::isfinite(offset.Distance))
   {
     return "it is an offset of a surface of which there are no second derivatives";
   }
-  this->LargestOrder = 1;
+  this->MaxOrder = 1;
   for (int d = 0; d < 2; ++d)
   {
     this->Domain[d] = offset.Basis->GetDomain(d);

@@ -121,11 +121,11 @@ public:
   }
 
   Vector3 Evaluate(double s, double t) const;
-  /// Evaluates the derivatives with i + j <= order, at most GetLargestOrder(). They are NaN where an offset
+  /// Evaluates the derivatives with i + j <= order, at most GetMaxOrder(). They are NaN where an offset
   /// has no normal.
   void Evaluate(double s, double t, int order, Derivatives& result) const;
   /// 2; 1 for an offset surface, or along a curve that has no more.
-  int GetLargestOrder() const { return this->LargestOrder; }
+  int GetMaxOrder() const { return this->MaxOrder; }
 
   /// Returns the natural domain of a direction: a whole turn from 0 for angles, -90 to 90 degrees for the
   /// latitude of a sphere, else infinite or that of the spline or curve.
@@ -145,7 +145,7 @@ private:
   Variant Value;
   ParameterRange Domain[2];
   double Period[2] = { 0.0, 0.0 };
-  int LargestOrder = 2;
+  int MaxOrder = 2;
 };
 
 /// Returns an elementary surface of this kind; null for any other surface.

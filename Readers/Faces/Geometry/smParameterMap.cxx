@@ -105,7 +105,7 @@ double ParameterMap::EvaluateInArc(int arc, double native) const
   return arc + s;
 }
 
-double ParameterMap::GetLargestSlope() const
+double ParameterMap::GetMaxSlope() const
 {
   // The slope is largest at the ends of an arc, and in the middle of a piece of a hyperbola.
   return this->Type == Kind::Identity ? 1.0

@@ -90,7 +90,7 @@ struct SMREADERSFACES_EXPORT ParameterMap
     return this->Type == Kind::Identity ? native : this->EvaluateInArc(this->FindArc(native), native);
   }
   /// Returns the largest derivative of the mapped parameter.
-  double GetLargestSlope() const;
+  double GetMaxSlope() const;
   /// Returns a bound of the rounding error of the mapped parameter.
   double GetRounding() const;
   /// Returns the homogeneous control points (c, s, w) of the unit circle (or hyperbola) over all arcs.

@@ -22,7 +22,7 @@ constexpr int Samples = 8;
 
 /// If an edge is farther from its surface than this, relative to the face's size, its foot points are not
 /// meaningful.
-constexpr double LargestShare = 0.02;
+constexpr double MaxShare = 0.02;
 
 /// Returns the distance of a point from an edge.
 double GetDistance(const EdgeShape& edge, const Vector3& point)
@@ -90,7 +90,7 @@ void SampleCoedge(const DraftFace& face, double tolerance, DraftCoedge& coedge, 
 }
 
 /// Returns the largest distance in space between the end of a coedge and the start of the next one.
-double GetLargestGap(const DraftFace& face, const std::vector<Point2>& points)
+double GetMaxGap(const DraftFace& face, const std::vector<Point2>& points)
 {
   double gap = 0.0;
   for (std::size_t i = Samples; i < points.size(); i += Samples + 1)
@@ -220,7 +220,7 @@ FaceInspection InspectLoops(
     }
   }
   const double size = Norm(Subtract(sampled.High, sampled.Low));
-  result.Problem = FindWideGap(face, tolerance, std::min(largestGap, LargestShare * size));
+  result.Problem = FindWideGap(face, tolerance, std::min(largestGap, MaxShare * size));
   if (!result.Problem.empty())
   {
     return result;
@@ -230,7 +230,7 @@ FaceInspection InspectLoops(
   std::size_t largest = 0;
   for (const std::vector<Point2>& points : sampled.Loops)
   {
-    if (!(GetLargestGap(face, points) <= tolerance))
+    if (!(GetMaxGap(face, points) <= tolerance))
     {
       result.Problem = "a loop does not close";
       return result;

@@ -20,7 +20,7 @@ namespace
 /// Gaps between edges and surfaces up to this, relative to the size, need no repair. It is a quarter of the
 /// limit of the integrals, because their bound of the distance of an edge beyond its surface may be several
 /// times too large.
-constexpr double LargestGap = 2.5e-4;
+constexpr double MaxGap = 2.5e-4;
 
 /// Number of faces of the first group that is inspected in parallel; each further group has as many as all
 /// groups before it, and this many more.
@@ -284,7 +284,7 @@ private:
       return result;
     }
     const std::string failure = CatchFailure(
-      [&] { result = InspectFace(draft, shell.Box.GetCenter(), this->Tolerance, LargestGap * this->Size); });
+      [&] { result = InspectFace(draft, shell.Box.GetCenter(), this->Tolerance, MaxGap * this->Size); });
     result.Problem = failure.empty() ? result.Problem : failure;
     return result;
   }

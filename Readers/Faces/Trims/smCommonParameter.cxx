@@ -12,7 +12,7 @@ namespace sm
 {
 namespace
 {
-constexpr double SmallestLag = 1e-7;
+constexpr double MinLag = 1e-7;
 constexpr double LagOverGap = 3.0;
 constexpr int FittedDegree = 9;
 
@@ -375,7 +375,7 @@ Step MeasureStep(CellSurface& surface, const TrimCurve& trim, const EdgeCurve& e
 
 bool IsLagging(const Step& step, double size)
 {
-  return step.Lag > SmallestLag * size && step.Lag > LagOverGap * step.Gap;
+  return step.Lag > MinLag * size && step.Lag > LagOverGap * step.Gap;
 }
 }
 

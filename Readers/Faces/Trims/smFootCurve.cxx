@@ -12,7 +12,7 @@ namespace sm
 namespace
 {
 /// Largest motion of a foot point between two samples, relative to the period; a full circle has 64 samples.
-constexpr double LargestStep = 0.15;
+constexpr double MaxStep = 0.15;
 
 /// Largest number of samples that are added where foot points move fast, close to a pole.
 constexpr int MaxAddedParts = 64;
@@ -163,7 +163,7 @@ bool FootCurve::IsFar(const Sample& a, const Sample& b) const
   for (int d = 0; d < 2; ++d)
   {
     const double period = this->Finder->GetPeriod(d);
-    if (period > 0.0 && std::abs(b.UV[d] - a.UV[d]) > LargestStep * period)
+    if (period > 0.0 && std::abs(b.UV[d] - a.UV[d]) > MaxStep * period)
     {
       return true;
     }

@@ -403,7 +403,7 @@ void AddNativeResidual(const double residual[2], const ParameterMap maps[2], Tri
 {
   for (int d = 0; d < 2; ++d)
   {
-    curve.AddResidual(d, residual[d] * maps[d].GetLargestSlope());
+    curve.AddResidual(d, residual[d] * maps[d].GetMaxSlope());
   }
 }
 

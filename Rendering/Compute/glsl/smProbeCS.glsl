@@ -91,7 +91,7 @@ double smSumOfShared()
 }
 
 // The largest of infinity, the NaN and 3, where a NaN remains.
-double smLargestSpecial()
+double smMaxSpecial()
 {
   double largest = smOperand(0);
   for (int i = smCount - 3; i >= smCount - 5; --i)
@@ -129,5 +129,5 @@ void main()
   int passed = (abs(smSpecial[3]) <= maximum ? 0 : 1) + (abs(smSpecial[4]) <= maximum ? 0 : 2) +
     (abs(smSpecial[5]) <= maximum ? 4 : 0) + (smIsNaN(smSpecial[4]) && !smIsNaN(smSpecial[3]) ? 8 : 0);
   smStore(double(passed));
-  smStore(smIsNaN(smLargestSpecial()) ? 1.0LF : 0.0LF);
+  smStore(smIsNaN(smMaxSpecial()) ? 1.0LF : 0.0LF);
 }

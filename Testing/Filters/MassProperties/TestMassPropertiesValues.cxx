@@ -32,7 +32,7 @@ double GetFloor(const std::string& solid, const std::string& quantity)
 /// Runs that may end as tolerance-not-met, of four tolerances in 15 variants: at 1e-12 half of them, and
 /// distant and far at 1e-9, at most; for those whose floor, or whose area with what reading costs, is above
 /// 1e-12 the whole column of 1e-12.
-int GetLargestUnmet(const std::string& solid)
+int GetMaxUnmet(const std::string& solid)
 {
   bool floored = GetFloor(solid, names::SurfaceArea) > 5e-12;
   for (const char* name : { "ellipsoid", "gear", "spline_ring", "moebius_1000", "moebius_left" })
@@ -64,7 +64,7 @@ double GetReadingLimit(const Expected& expected, const std::string& quantity)
 }
 
 /// Value and bound of one quantity, as the filter reports them.
-double GetLargestError(vtkFieldData* fields, const char* name, const ExactQuantity& exact)
+double GetMaxError(vtkFieldData* fields, const char* name, const ExactQuantity& exact)
 {
   double error = 0.0;
   for (std::size_t i = 0; i < exact.Values.size(); ++i)
@@ -84,7 +84,7 @@ void CheckBounds(const ExactValues& exact, vtkFieldData* fields)
   for (const ExactQuantity& quantity : exact.Quantities)
   {
     const double bound = GetFieldBound(fields, quantity.Name);
-    const double error = GetLargestError(fields, quantity.Name, quantity);
+    const double error = GetMaxError(fields, quantity.Name, quantity);
     CheckTrue(std::string(quantity.Name) + " bound is not zero", bound > 0.0);
     Check(std::string(quantity.Name) + " within its bound", 0.0, error, bound + quantity.Allowance,
       "(bound + digits of the file + gaps)");
@@ -148,8 +148,8 @@ void CheckErrors(const Expected& expected, const ExactValues& exact, vtkFieldDat
   for (int i = 0; i < 4; ++i)
   {
     const ExactQuantity& quantity = exact.Find(quantities[i]);
-    Check(std::string(quantity.Name) + " error", 0.0, GetLargestError(fields, quantity.Name, quantity),
-      limits[i], "(promised + digits of the file)");
+    Check(std::string(quantity.Name) + " error", 0.0, GetMaxError(fields, quantity.Name, quantity), limits[i],
+      "(promised + digits of the file)");
   }
   CheckRange("area of the gaps", 0.0, GetField(fields, names::GapArea), 1e-5 * expected.Area,
     "(OCCT projects trims to 1e-4 mm)");
@@ -251,7 +251,7 @@ void CheckThatItCanFail(const Expected& expected, Pipeline& pipeline)
   {
     const ExactQuantity& quantity = exact.Find(name);
     CheckTrue(std::string("a wrong sample shows in ") + name,
-      GetLargestError(fields, name, quantity) > GetFieldBound(fields, name) + quantity.Allowance);
+      GetMaxError(fields, name, quantity) > GetFieldBound(fields, name) + quantity.Allowance);
   }
 }
 
@@ -316,7 +316,7 @@ int TestMassPropertiesValues(int argc, char* argv[])
   }
   if (argc == 3)
   {
-    CheckRange("tolerances that were not met", 0, unmet, GetLargestUnmet(argv[2]), "(rounding)");
+    CheckRange("tolerances that were not met", 0, unmet, GetMaxUnmet(argv[2]), "(rounding)");
   }
   return Finish();
 }

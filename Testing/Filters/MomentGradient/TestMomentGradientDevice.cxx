@@ -15,7 +15,7 @@ namespace
 using namespace smtest;
 
 sm::MomentGradientResult Compute(
-  vtkDataObject* model, sm::GradientBackend backend, vtkComputeContext* context, double tolerance = 1e-9)
+  vtkDataObject* model, sm::BackendChoice backend, vtkComputeContext* context, double tolerance = 1e-9)
 {
   sm::MomentGradientOptions options;
   options.Backend = backend;
@@ -32,14 +32,14 @@ bool AreSame(const std::vector<double>& a, const std::vector<double>& b)
 /// All entries differ by no more than both bounds, bounds by little, and NaN is at the same places.
 void CheckModel(const std::string& what, vtkDataObject* model, vtkComputeContext* context)
 {
-  const sm::MomentGradientResult known = Compute(model, sm::GradientBackend::CPU, nullptr);
+  const sm::MomentGradientResult known = Compute(model, sm::BackendChoice::CPU, nullptr);
   context->ResetCounters();
-  const sm::MomentGradientResult own = Compute(model, sm::GradientBackend::OpenGL, context);
-  const sm::MomentGradientResult again = Compute(model, sm::GradientBackend::OpenGL, context);
+  const sm::MomentGradientResult own = Compute(model, sm::BackendChoice::OpenGL, context);
+  const sm::MomentGradientResult again = Compute(model, sm::BackendChoice::OpenGL, context);
   CheckTrue(what + ": by OpenGL",
-    own.Backend == sm::GradientBackend::OpenGL && context->GetNumberOfDispatches() > 0, own.BackendReason);
+    own.Backend == sm::BackendChoice::OpenGL && context->GetNumberOfDispatches() > 0, own.BackendReason);
   CheckTrue(what + ": the CPU without a reason",
-    known.Backend == sm::GradientBackend::CPU && known.BackendReason.empty());
+    known.Backend == sm::BackendChoice::CPU && known.BackendReason.empty());
   if (!CheckEqual(what + ": faces", known.Faces.size(), own.Faces.size()))
   {
     return;
@@ -86,39 +86,39 @@ void CheckModel(const std::string& what, vtkDataObject* model, vtkComputeContext
 void CheckFallbacks()
 {
   const auto torus = MakeRoundBody({ MakeTorus({ 0.0, 1.0, 2.0 }, 3.0, 1.0) });
-  const sm::MomentGradientResult known = Compute(torus, sm::GradientBackend::CPU, nullptr);
+  const sm::MomentGradientResult known = Compute(torus, sm::BackendChoice::CPU, nullptr);
   const auto check =
     [&](const std::string& what, const sm::MomentGradientResult& result, const std::string& reason)
   {
     CheckTrue(what + ": the CPU computes",
-      result.Backend == sm::GradientBackend::CPU && result.Status == "ok" &&
+      result.Backend == sm::BackendChoice::CPU && result.Status == "ok" &&
         AreSame(result.Faces[0].Values, known.Faces[0].Values));
     CheckTrue(
       what + ": the reason", result.BackendReason.find(reason) != std::string::npos, result.BackendReason);
   };
   vtkNew<vtkComputeContext> none;
   none->SetSource(vtkComputeContext::WINDOW);
-  check("no context", Compute(torus, sm::GradientBackend::OpenGL, none), "no OpenGL");
+  check("no context", Compute(torus, sm::BackendChoice::OpenGL, none), "no OpenGL");
   vtkNew<vtkComputeContext> old;
   old->SetSource(vtkComputeContext::EGL);
   old->SetMaximumVersion(4, 2);
-  check("an old driver", Compute(torus, sm::GradientBackend::OpenGL, old), "4.3");
+  check("an old driver", Compute(torus, sm::BackendChoice::OpenGL, old), "4.3");
   vtkNew<vtkComputeContext> context;
   for (const char* shader : { "smGradientRowsCS", "smGradientLinesCS", "smGradientSumsCS" })
   {
     sm::GetFaultyShaders().insert(shader);
-    check(shader, Compute(torus, sm::GradientBackend::OpenGL, context), "computes a gradient wrong");
+    check(shader, Compute(torus, sm::BackendChoice::OpenGL, context), "computes a gradient wrong");
     sm::GetFaultyShaders().clear();
   }
-  const sm::MomentGradientResult right = Compute(torus, sm::GradientBackend::OpenGL, context);
-  CheckTrue("right again", right.Backend == sm::GradientBackend::OpenGL, right.BackendReason);
+  const sm::MomentGradientResult right = Compute(torus, sm::BackendChoice::OpenGL, context);
+  CheckTrue("right again", right.Backend == sm::BackendChoice::OpenGL, right.BackendReason);
   context->GetResources()->Window->FlushesSubnormals = true;
-  check("subnormal numbers are 0", Compute(torus, sm::GradientBackend::OpenGL, context), "for 0");
+  check("subnormal numbers are 0", Compute(torus, sm::BackendChoice::OpenGL, context), "for 0");
   context->GetResources()->Window->FlushesSubnormals = false;
   // A torus takes milliseconds.
-  const sm::MomentGradientResult small = Compute(torus, sm::GradientBackend::Automatic, context);
+  const sm::MomentGradientResult small = Compute(torus, sm::BackendChoice::Automatic, context);
   CheckTrue("OpenGL does not pay for a torus",
-    small.Backend == sm::GradientBackend::CPU && small.BackendReason.empty(), small.BackendReason);
+    small.Backend == sm::BackendChoice::CPU && small.BackendReason.empty(), small.BackendReason);
 }
 
 /// A net of many spans: more rows than a batch of a software renderer has.

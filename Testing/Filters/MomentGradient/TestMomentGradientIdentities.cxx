@@ -242,7 +242,7 @@ int TestMomentGradientIdentities(int argc, char* argv[])
 {
   RequireUsage(argc > 1, "TestMomentGradientIdentities [opengl] [entries] FILE.step...");
   const bool onDevice = std::string(argv[1]) == "opengl";
-  GradientTestBackend = onDevice ? sm::GradientBackend::OpenGL : sm::GradientBackend::CPU;
+  GradientTestBackend = onDevice ? sm::BackendChoice::OpenGL : sm::BackendChoice::CPU;
   const int first = onDevice ? 2 : 1;
   const bool withEntries = argc > first && std::string(argv[first]) == "entries";
   for (int k = withEntries ? first + 1 : first; k < argc; ++k)

@@ -401,7 +401,7 @@ void CheckErrors()
 int TestMomentGradientValues(int argc, char* argv[])
 {
   RequireUsage(argc == 1 || std::string(argv[1]) == "opengl", "TestMomentGradientValues [opengl]");
-  GradientTestBackend = argc == 1 ? sm::GradientBackend::CPU : sm::GradientBackend::OpenGL;
+  GradientTestBackend = argc == 1 ? sm::BackendChoice::CPU : sm::BackendChoice::OpenGL;
   CheckBall();
   CheckTorus();
   CheckBox(false);

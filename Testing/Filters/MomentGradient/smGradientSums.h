@@ -19,7 +19,7 @@
 namespace smtest
 {
 /// Where gradients are computed.
-inline sm::GradientBackend GradientTestBackend = sm::GradientBackend::CPU;
+inline sm::BackendChoice GradientTestBackend = sm::BackendChoice::CPU;
 
 /// Computes the gradients there, in one context for all calls.
 inline sm::MomentGradientResult ComputeGradient(vtkDataObject* model, sm::MomentGradientOptions options)

@@ -208,7 +208,7 @@ void CheckPreparing()
   CheckTrue("the same deviations",
     parts.Get()[0]->Deviations == whole.Deviations &&
       std::count(whole.Deviations.begin(), whole.Deviations.end(), 0.0) == 0);
-  CheckRange("in several portions", 256.0, static_cast<double>(parts.GetLargestPortion()), 2048.0);
+  CheckRange("in several portions", 256.0, static_cast<double>(parts.GetMaxPortion()), 2048.0);
   CheckTrue("kept", parts.Prepare(tasks, options, nullptr) && parts.GetDeviations() == 0);
 
   // Kept within the budget that all caches share; what it removed is prepared again, with the same values.

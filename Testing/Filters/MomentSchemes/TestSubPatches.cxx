@@ -34,9 +34,9 @@ void CheckGrid()
 struct Extremes
 {
   double MinimumBound = HUGE_VAL;
-  double LargestBound = 0.0;
+  double MaxBound = 0.0;
   double MinimumSample = HUGE_VAL;
-  double LargestSample = 0.0;
+  double MaxSample = 0.0;
 };
 
 void CheckRandomSurfaces(int count, int lowest, int highest, double spread, const std::vector<int>& factors,
@@ -75,9 +75,9 @@ void CheckRandomSurfaces(int count, int lowest, int highest, double spread, cons
           const double rounding = 1e-13 / dense;
           Extremes& e = extremes[f];
           e.MinimumBound = std::min(e.MinimumBound, bounded / dense + rounding);
-          e.LargestBound = std::max(e.LargestBound, bounded / dense);
+          e.MaxBound = std::max(e.MaxBound, bounded / dense);
           e.MinimumSample = std::min(e.MinimumSample, sampled / dense);
-          e.LargestSample = std::max(e.LargestSample, sampled / bounded - rounding);
+          e.MaxSample = std::max(e.MaxSample, sampled / bounded - rounding);
         }
       }
     }
@@ -97,10 +97,10 @@ void CheckBounds(int count, int lowest, int highest, double spread, double exces
     std::printf("--- %s, k = %d\n", name.c_str(), factors[f]);
     const Extremes& e = extremes[f];
     CheckRange("smallest bound / true", 1.0 - 1e-14, e.MinimumBound, 1.0 + excess / factors[f], "rounding");
-    CheckRange("largest bound / true", 1.0, e.LargestBound, 1.0 + excess / factors[f]);
+    CheckRange("largest bound / true", 1.0, e.MaxBound, 1.0 + excess / factors[f]);
     CheckRange("smallest sample / true", 1.0 - 1.0 / factors[f], e.MinimumSample, 1.0 + 1e-9);
     CheckRange(
-      "largest sample / bound", 1.0 / (1.0 + excess / factors[f]), e.LargestSample, 1.0 + 1e-14, "rounding");
+      "largest sample / bound", 1.0 / (1.0 + excess / factors[f]), e.MaxSample, 1.0 + 1e-14, "rounding");
   }
 }
 

@@ -72,8 +72,8 @@ void CheckStored()
   CheckEqual("edges", 3, model->GetNumberOfEdges());
   const sm::Coedge& second = trimmed->Loops[0].Coedges[1];
   CheckTrue("reversed", second.Reversed && !trimmed->Loops[0].Coedges[0].Reversed);
-  smtest::Check("residual of a trim curve", 1e-7, second.Curve.GetLargestResidual(), 0.0);
-  smtest::Check("residual of an edge", 1e-9, second.Use->Curve.GetLargestResidual(), 0.0);
+  smtest::Check("residual of a trim curve", 1e-7, second.Curve.GetMaxResidual(), 0.0);
+  smtest::Check("residual of an edge", 1e-9, second.Use->Curve.GetMaxResidual(), 0.0);
   CheckEqual("pieces", 2, second.Use->Curve.GetNumberOfPieces());
   smtest::Check("the first piece ends at 2, in x = 2", 2.0, second.Use->Curve.Evaluate(2.0)[0], 0.0);
   smtest::Check("the last vertex", 4.0, second.Use->EndVertex[0], 0.0);

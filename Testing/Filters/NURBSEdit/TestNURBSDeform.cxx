@@ -88,7 +88,7 @@ void CheckDisplacement()
   filter->Update();
   CheckEqual("the lid alone", 1, filter->GetNumberOfChangedFaces());
   CheckEqual("opens its edges", 4, filter->GetNumberOfOpenedEdges());
-  Check("by the displacement", 1.0, filter->GetLargestGap(), 1e-13, "rounding of about 10");
+  Check("by the displacement", 1.0, filter->GetMaxGap(), 1e-13, "rounding of about 10");
   filter->AddFace(6);
   CheckFails(filter, "no face 6");
   filter->RemoveAllFaces();
@@ -189,7 +189,7 @@ void CheckGap()
     filter->Update();
     CheckEqual("warnings of torn faces", warnings, trap.NumberOfWarnings);
     CheckEqual("uses at the lid's edges across, of both faces", 4, filter->GetNumberOfOpenedEdges());
-    return filter->GetLargestGap();
+    return filter->GetMaxGap();
   };
   // The edge's line has control points at its ends, which stay: the gap is the whole of the lid's own bend,
   // about half the height; and the faces' bends differ by the squared distance of their control points.

@@ -126,7 +126,7 @@ void CheckCoveredEnd(double largest)
   face.Coefficients = { 1.0, 0.0, 1.0, 0.5 };
   face.Panels[0].TrimDegree = 1;
   face.Panels[0].Covered = true;
-  face.LargestTrim[1] = largest;
+  face.MaxTrim[1] = largest;
   sm::PlanRequest request;
   request.Classes = { { sm::BoundClass::AreaMoment, 0 } };
   request.Tolerances = { 1e-18 };

@@ -111,7 +111,7 @@ struct Score
   int Exceeded = 0;
   int Estimated = 0;
   int Above = 0;
-  double LargestRatio = 0.0;
+  double MaxRatio = 0.0;
   std::int64_t Points = 0;
 };
 
@@ -148,7 +148,7 @@ void Run(const Case& made, double weights, double tolerance, const std::string& 
     const double bound = plan.QuadratureBound[k];
     // Some thousand terms of order 1 in extended precision.
     const double rounding = 1e-17;
-    score.LargestRatio = std::max(score.LargestRatio, error / (bound + rounding));
+    score.MaxRatio = std::max(score.MaxRatio, error / (bound + rounding));
     if (!(error <= bound + rounding))
     {
       ++score.Exceeded;
@@ -180,10 +180,10 @@ void RunFamily(double weights, double bend, bool pole, double tolerance, int cou
     Run(made, weights, tolerance, std::string(label) + ", seed " + std::to_string(seed), score);
   }
   std::printf("%s: %d estimated, largest error/bound %.2g, %.0f points a case\n", label, score.Estimated,
-    score.LargestRatio, static_cast<double>(score.Points) / count);
+    score.MaxRatio, static_cast<double>(score.Points) / count);
   CheckTrue(std::string(label) + ": no bound exceeded", score.Exceeded == 0);
   CheckTrue(std::string(label) + ": bounds within the tolerance", score.Above == 0);
-  CheckTrue(std::string(label) + ": bounds say something", score.LargestRatio > 1e-9);
+  CheckTrue(std::string(label) + ": bounds say something", score.MaxRatio > 1e-9);
 }
 
 /// On a plane an edge that is the image of the trim curve leaves no ribbon: its gap is known to be rounding.

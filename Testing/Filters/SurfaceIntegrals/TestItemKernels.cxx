@@ -220,7 +220,7 @@ void CheckRibbonFormulas()
   Check("vector area y", 2 * h, strip.GetValue(6), limit);
   Check("vector area z", 2 * d, strip.GetValue(7), limit);
   Check("no area of a ribbon", 0.0, strip.GetValue(8), 0.0);
-  Check("largest gap", 0.5, strip.Row[sm::RowLayout::LargestGap], limit);
+  Check("largest gap", 0.5, strip.Row[sm::RowLayout::MaxGap], limit);
   Check("squared gap", 2.0 * 0.25, strip.Row[sm::RowLayout::SquaredGap], limit);
   Check("gap area", 2.0 * 0.5, strip.Row[sm::RowLayout::GapArea], limit);
   CheckEqual("evaluations", 3, strip.Result.Evaluations);
@@ -229,7 +229,7 @@ void CheckRibbonFormulas()
   face.Ribbons[0].EdgeStart = 0.05;
   face.Ribbons[0].EdgeEnd = 1.05;
   const Evaluation late(face, MakeItems(face)[0], 3, 1);
-  Check("largest gap out of step", 0.5, late.Row[sm::RowLayout::LargestGap], limit);
+  Check("largest gap out of step", 0.5, late.Row[sm::RowLayout::MaxGap], limit);
   Check("squared gap out of step", 0.5, late.Row[sm::RowLayout::SquaredGap], limit);
 
   face.Ribbons[0] = { 0, 0, 4, 1, 1, true, false, 0.0, 1.0, 0.0, 1.0, -1 };
@@ -237,7 +237,7 @@ void CheckRibbonFormulas()
   CheckTrue(
     "flipped", flipped.GetValue(0) == -strip.GetValue(0) && flipped.GetValue(6) == -strip.GetValue(6));
   CheckTrue("no gap of a closing strip",
-    flipped.Row[sm::RowLayout::LargestGap] == 0.0 && flipped.Row[sm::RowLayout::SquaredGap] == 0.0 &&
+    flipped.Row[sm::RowLayout::MaxGap] == 0.0 && flipped.Row[sm::RowLayout::SquaredGap] == 0.0 &&
       flipped.Row[sm::RowLayout::GapArea] == 0.0);
   sm::WorkItems halves;
   sm::BisectItem(MakeItems(face)[0], 1, halves);

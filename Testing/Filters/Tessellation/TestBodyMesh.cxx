@@ -40,7 +40,7 @@ bool IsPolyhedron(const std::vector<sm::FacePointer>& faces)
 }
 
 /// Largest part of a stated turn of the normal that was measured, over all solids.
-double LargestTurnShare = 0.0;
+double MaxTurnShare = 0.0;
 
 void CheckSolid(const Expected& solid)
 {
@@ -58,7 +58,7 @@ void CheckSolid(const Expected& solid)
     CheckEqual(solid.Solid + ": triangles inverted", 0, m.Inverted);
     CheckRange(solid.Solid + ": distance / stated", 0.0, m.WorstShare, 1.0);
     CheckRange(solid.Solid + ": turn of the normal / stated", 0.0, m.WorstTurnShare, 1.0);
-    LargestTurnShare = std::max(LargestTurnShare, m.WorstTurnShare);
+    MaxTurnShare = std::max(MaxTurnShare, m.WorstTurnShare);
     double stated = 0.0;
     double turn = 0.0;
     for (const sm::FaceMesh& mesh : meshes)
@@ -385,7 +385,7 @@ int TestBodyMesh(int argc, char* argv[])
       CheckManyDeflections(solid);
     }
   }
-  CheckRange("largest turn of a normal / stated, all solids", 0.5, LargestTurnShare, 1.0);
+  CheckRange("largest turn of a normal / stated, all solids", 0.5, MaxTurnShare, 1.0);
   CheckThreads(manifest.GetVariant("plain").front());
   CheckLoops();
   CheckNarrowFaces();

@@ -25,7 +25,7 @@ struct Results
   std::vector<double> Values, Bounds;
 };
 
-Integrator MakePoints(const VariantSolid& solid, sm::VariantBackend backend, vtkComputeContext* context)
+Integrator MakePoints(const VariantSolid& solid, sm::BackendChoice backend, vtkComputeContext* context)
 {
   sm::VariantOptions options;
   options.Ranges = solid.Ranges;
@@ -68,13 +68,13 @@ void CheckSolid(
   const VariantSolid& solid, vtkComputeContext* context, double poles, double share, std::size_t truths = 8)
 {
   constexpr std::size_t count = 37;
-  const Integrator device = MakePoints(solid, sm::VariantBackend::OpenGL, context);
-  const Integrator cpu = MakePoints(solid, sm::VariantBackend::CPU, nullptr);
+  const Integrator device = MakePoints(solid, sm::BackendChoice::OpenGL, context);
+  const Integrator cpu = MakePoints(solid, sm::BackendChoice::CPU, nullptr);
   if (!device || !cpu)
   {
     return;
   }
-  CheckTrue(solid.Name + ": OpenGL evaluates", device->GetBackend() == sm::VariantBackend::OpenGL,
+  CheckTrue(solid.Name + ": OpenGL evaluates", device->GetBackend() == sm::BackendChoice::OpenGL,
     device->GetReason());
   const std::vector<double> c = MakeNumbers(solid, count, share);
   const std::size_t k = solid.Ranges.size();
@@ -131,12 +131,12 @@ void CheckForms(const VariantSolid& solid, vtkComputeContext* context, double po
   const std::size_t k = solid.Ranges.size();
   sm::VariantOptions options;
   options.Ranges = solid.Ranges;
-  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::VariantBackend::OpenGL);
+  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::BackendChoice::OpenGL);
   settings.Context = context;
   std::string error;
   const Integrator device = sm::VariantIntegrator::Make(solid.Shape, options, error, settings);
   if (!CheckTrue(solid.Name + ": polynomials by OpenGL",
-        device && device->GetPolynomial() && device->GetBackend() == sm::VariantBackend::OpenGL,
+        device && device->GetPolynomial() && device->GetBackend() == sm::BackendChoice::OpenGL,
         device ? device->GetReason() : error))
   {
     return;
@@ -232,7 +232,7 @@ void CheckWithoutBounds(vtkComputeContext* context)
   const std::shared_ptr<const sm::VariantShape> shape = MakeWeightedCube(1e-40);
   for (const sm::VariantMethod method : { sm::VariantMethod::Points, sm::VariantMethod::Polynomial })
   {
-    sm::VariantSettings settings(method, sm::VariantBackend::OpenGL);
+    sm::VariantSettings settings(method, sm::BackendChoice::OpenGL);
     settings.Context = context;
     std::string error;
     const Integrator device = sm::VariantIntegrator::Make(shape, {}, error, settings);
@@ -244,7 +244,7 @@ void CheckWithoutBounds(vtkComputeContext* context)
     const Results own = Evaluate(*device, &c, 1);
     CheckTrue("it has no bounds", std::isnan(own.Bounds[0]));
     CheckRange("a moment that vanishes", -1e-14, own.Values[2], 1e-14, "roundings");
-    CheckTrue("OpenGL evaluates it", device->GetBackend() == sm::VariantBackend::OpenGL, device->GetReason());
+    CheckTrue("OpenGL evaluates it", device->GetBackend() == sm::BackendChoice::OpenGL, device->GetReason());
   }
 }
 
@@ -253,16 +253,16 @@ void CheckFormFallback()
   const VariantSolid solid = MakeBoxOfSides();
   vtkNew<vtkComputeContext> none;
   none->SetSource(vtkComputeContext::WINDOW);
-  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::VariantBackend::OpenGL);
+  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::BackendChoice::OpenGL);
   settings.Context = none;
   std::string error;
   const Integrator variants = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
   CheckTrue("polynomials without a context",
-    variants && variants->GetBackend() == sm::VariantBackend::CPU &&
+    variants && variants->GetBackend() == sm::BackendChoice::CPU &&
       variants->GetReason().find("no OpenGL") != std::string::npos,
     variants ? variants->GetReason() : error);
   // Points have no gradients.
-  const Integrator points = MakePoints(solid, sm::VariantBackend::CPU, nullptr);
+  const Integrator points = MakePoints(solid, sm::BackendChoice::CPU, nullptr);
   std::vector<double> values(10);
   std::vector<double> gradients(30, 1.0);
   points->Evaluate(std::vector<double>(3, 0.1).data(), 1, values.data(), nullptr, gradients.data());
@@ -273,7 +273,7 @@ void CheckFormFallback()
 void CheckBatches(vtkComputeContext* context)
 {
   const VariantSolid solid = MakeBoxOfSides();
-  const Integrator device = MakePoints(solid, sm::VariantBackend::OpenGL, context);
+  const Integrator device = MakePoints(solid, sm::BackendChoice::OpenGL, context);
   constexpr std::size_t total = 10000;
   const std::vector<double> c = MakeNumbers(solid, total, 1.0);
   const Results all = Evaluate(*device, c.data(), total);
@@ -304,8 +304,8 @@ void CheckBatches(vtkComputeContext* context)
 void CheckNotFinite(vtkComputeContext* context)
 {
   const VariantSolid solid = MakeEllipsoid(false);
-  const Integrator device = MakePoints(solid, sm::VariantBackend::OpenGL, context);
-  const Integrator cpu = MakePoints(solid, sm::VariantBackend::CPU, nullptr);
+  const Integrator device = MakePoints(solid, sm::BackendChoice::OpenGL, context);
+  const Integrator cpu = MakePoints(solid, sm::BackendChoice::CPU, nullptr);
   std::vector<double> c = MakeNumbers(solid, 40, 1.0);
   const Results before = Evaluate(*device, c.data(), 40);
   c[3 * 7 + 1] = std::numeric_limits<double>::quiet_NaN();
@@ -338,10 +338,10 @@ void CheckNotFinite(vtkComputeContext* context)
 void CheckFallback(const std::string& what, const Integrator& variants, const std::string& reason)
 {
   const VariantSolid solid = MakeTorusOfRadii();
-  CheckTrue(what + ": the CPU evaluates", variants && variants->GetBackend() == sm::VariantBackend::CPU);
+  CheckTrue(what + ": the CPU evaluates", variants && variants->GetBackend() == sm::BackendChoice::CPU);
   CheckTrue(what + ": the reason", variants && variants->GetReason().find(reason) != std::string::npos,
     variants ? variants->GetReason() : "");
-  const Integrator cpu = MakePoints(solid, sm::VariantBackend::CPU, nullptr);
+  const Integrator cpu = MakePoints(solid, sm::BackendChoice::CPU, nullptr);
   const std::vector<double> c = MakeNumbers(solid, 3, 1.0);
   const Results own = Evaluate(*variants, c.data(), 3);
   const Results known = Evaluate(*cpu, c.data(), 3);
@@ -355,19 +355,19 @@ void CheckFallbacks()
   const VariantSolid solid = MakeTorusOfRadii();
   vtkNew<vtkComputeContext> none;
   none->SetSource(vtkComputeContext::WINDOW);
-  CheckFallback("no context", MakePoints(solid, sm::VariantBackend::OpenGL, none), "no OpenGL");
+  CheckFallback("no context", MakePoints(solid, sm::BackendChoice::OpenGL, none), "no OpenGL");
   vtkNew<vtkComputeContext> old;
   old->SetSource(vtkComputeContext::EGL);
   old->SetMaximumVersion(4, 2);
-  CheckFallback("an old driver", MakePoints(solid, sm::VariantBackend::OpenGL, old), "4.3");
+  CheckFallback("an old driver", MakePoints(solid, sm::BackendChoice::OpenGL, old), "4.3");
   vtkNew<vtkComputeContext> context;
   sm::GetFaultyShaders().insert("smVariantPanelsCS");
-  CheckFallback("a shader whose arrays are floats", MakePoints(solid, sm::VariantBackend::OpenGL, context),
+  CheckFallback("a shader whose arrays are floats", MakePoints(solid, sm::BackendChoice::OpenGL, context),
     "computes a variant wrong");
   sm::GetFaultyShaders().clear();
   // A shader that is wrong only after the context ended.
-  const Integrator lost = MakePoints(solid, sm::VariantBackend::OpenGL, context);
-  CheckTrue("it is right again", lost->GetBackend() == sm::VariantBackend::OpenGL, lost->GetReason());
+  const Integrator lost = MakePoints(solid, sm::BackendChoice::OpenGL, context);
+  CheckTrue("it is right again", lost->GetBackend() == sm::BackendChoice::OpenGL, lost->GetReason());
   context->Stop();
   sm::GetFaultyShaders().insert("smVariantPanelsCS");
   std::vector<double> values(10);
@@ -381,14 +381,14 @@ void CheckNoMemory(vtkComputeContext* context)
 {
   const VariantSolid solid = MakeTorusOfRadii();
   sm::GetFailingBatch() = 3;
-  CheckFallback("no memory", MakePoints(solid, sm::VariantBackend::OpenGL, context), "does not fit");
-  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::VariantBackend::OpenGL);
+  CheckFallback("no memory", MakePoints(solid, sm::BackendChoice::OpenGL, context), "does not fit");
+  sm::VariantSettings settings(sm::VariantMethod::Polynomial, sm::BackendChoice::OpenGL);
   settings.Context = context;
   std::string error;
   const Integrator forms = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
   sm::GetFailingBatch() = std::numeric_limits<std::size_t>::max();
   CheckTrue("no memory for polynomials",
-    forms && forms->GetBackend() == sm::VariantBackend::CPU &&
+    forms && forms->GetBackend() == sm::BackendChoice::CPU &&
       forms->GetReason().find("no OpenGL for polynomials") != std::string::npos,
     forms ? forms->GetReason() : error);
 }
@@ -396,7 +396,7 @@ void CheckNoMemory(vtkComputeContext* context)
 /// Polynomials that fail leave points on the device.
 void CheckOneFails(vtkComputeContext* context)
 {
-  sm::VariantSettings settings(sm::VariantMethod::Automatic, sm::VariantBackend::OpenGL);
+  sm::VariantSettings settings(sm::VariantMethod::Automatic, sm::BackendChoice::OpenGL);
   settings.Context = context;
   settings.Expected = 1000000000;
   std::string error;
@@ -413,7 +413,7 @@ void CheckOneFails(vtkComputeContext* context)
   CheckTrue("polynomials are left, not points",
     reason.find("no OpenGL for polynomials") != std::string::npos &&
       reason.find("there by OpenGL") != std::string::npos &&
-      arePoints == (variants->GetBackend() == sm::VariantBackend::OpenGL),
+      arePoints == (variants->GetBackend() == sm::BackendChoice::OpenGL),
     reason);
 }
 
@@ -423,7 +423,7 @@ void CheckAutomatic(vtkComputeContext* context)
   const VariantSolid solid = MakeTorusOfRadii();
   for (const std::int64_t expected : { std::int64_t{ 1 }, std::int64_t{ 1000000000 } })
   {
-    sm::VariantSettings settings(sm::VariantMethod::Points, sm::VariantBackend::Automatic);
+    sm::VariantSettings settings(sm::VariantMethod::Points, sm::BackendChoice::Automatic);
     settings.Expected = expected;
     vtkNew<vtkComputeContext> own;
     settings.Context = own;
@@ -431,7 +431,7 @@ void CheckAutomatic(vtkComputeContext* context)
     const Integrator variants = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
     CheckTrue("automatic for " + std::to_string(expected) + " is made", variants != nullptr, error);
     const std::string reason = variants->GetReason();
-    const bool isOpenGL = variants->GetBackend() == sm::VariantBackend::OpenGL;
+    const bool isOpenGL = variants->GetBackend() == sm::BackendChoice::OpenGL;
     if (expected == 1)
     {
       CheckTrue("a variant needs no context", !isOpenGL && own->GetStatus() == vtkComputeContext::NOT_STARTED,
@@ -448,13 +448,13 @@ void CheckLostContext()
 {
   const VariantSolid solid = MakeBlock({ 2, 2, 2 }, true, 3);
   vtkNew<vtkComputeContext> context;
-  const Integrator device = MakePoints(solid, sm::VariantBackend::OpenGL, context);
+  const Integrator device = MakePoints(solid, sm::BackendChoice::OpenGL, context);
   const std::vector<double> c = MakeNumbers(solid, 5, 1.0);
   const Results before = Evaluate(*device, c.data(), 5);
   context->Stop();
   const Results after = Evaluate(*device, c.data(), 5);
   CheckTrue(
-    "OpenGL in a new context", device->GetBackend() == sm::VariantBackend::OpenGL, device->GetReason());
+    "OpenGL in a new context", device->GetBackend() == sm::BackendChoice::OpenGL, device->GetReason());
   CheckTrue("bits in a new context",
     AreSame(before.Values.data(), after.Values.data(), 50) &&
       AreSame(before.Bounds.data(), after.Bounds.data(), 50));
@@ -466,7 +466,7 @@ void CheckProgress()
   for (const sm::VariantMethod method : { sm::VariantMethod::Points, sm::VariantMethod::Polynomial })
   {
     std::vector<double> seen;
-    sm::VariantSettings settings(method, sm::VariantBackend::CPU);
+    sm::VariantSettings settings(method, sm::BackendChoice::CPU);
     settings.Progress = [&seen](double fraction)
     {
       seen.push_back(fraction);

@@ -168,7 +168,7 @@ void CheckChoice()
 {
   const VariantSolid solid = MakeEllipsoid(false);
   std::string error;
-  sm::VariantSettings settings(sm::VariantMethod::Automatic, sm::VariantBackend::CPU);
+  sm::VariantSettings settings(sm::VariantMethod::Automatic, sm::BackendChoice::CPU);
   settings.Expected = 1;
   const auto few = sm::VariantIntegrator::Make(solid.Shape, {}, error, settings);
   CheckTrue(

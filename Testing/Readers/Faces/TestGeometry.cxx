@@ -27,7 +27,7 @@ void CheckDerivatives(const char* name, const sm::GeometricCurve<Dimension>& cur
   {
     const double t = Uniform(first + step, last - step);
     typename sm::GeometricCurve<Dimension>::Derivatives d[3];
-    const int order = curve.GetLargestOrder();
+    const int order = curve.GetMaxOrder();
     for (int k = 0; k < 3; ++k)
     {
       curve.Evaluate(t + (k - 1) * step, order, d[k]);
@@ -58,7 +58,7 @@ void CheckSlopes(const char* name, const sm::GeometricSurface& surface, const sm
     const double at[2] = { Uniform(box.Low[0] + step, box.High[0] - step),
       Uniform(box.Low[1] + step, box.High[1] - step) };
     sm::GeometricSurface::Derivatives here;
-    const int order = surface.GetLargestOrder();
+    const int order = surface.GetMaxOrder();
     surface.Evaluate(at[0], at[1], order, here);
     for (int d = 0; d < 2; ++d)
     {

@@ -116,7 +116,7 @@ void CheckCase(const Case& c)
   CheckTrue(
     "the ends", trim.GetStartPoint() == before.GetStartPoint() && trim.GetEndPoint() == before.GetEndPoint());
   CheckTrue("the range", trim.GetStart() == 0.0 && trim.GetEnd() == 1.0);
-  CheckRange("the residual", 0.0, trim.GetLargestResidual(), 1e-12, "some tolerances");
+  CheckRange("the residual", 0.0, trim.GetMaxResidual(), 1e-12, "some tolerances");
   // Every point of the new curve is one of the old: the area next to it is the same.
   Check("the area", EnclosedArea(before), EnclosedArea(trim), 4e-12,
     "the residual times the length, Simpson's error");

@@ -82,7 +82,7 @@ void CheckValue(const char* name, const Handle(Geom_Surface) & surface, const sm
     gp_Vec d[5];
     surface->D2(u, v, p, d[0], d[1], d[2], d[3], d[4]);
     sm::GeometricSurface::Derivatives own;
-    const int order = value->GetLargestOrder();
+    const int order = value->GetMaxOrder();
     value->Evaluate(u, v, order, own);
     worst[0] = std::max(worst[0], GetKernelDistance(own[0][0], p.XYZ()));
     const double slope = std::max({ 1.0, d[0].Magnitude(), d[1].Magnitude() });
@@ -115,7 +115,7 @@ void CheckValue(const char* name, const Handle(Geom_Curve) & curve, double first
     gp_Vec d[3];
     curve->D3(t, p, d[0], d[1], d[2]);
     sm::GeometricCurve<3>::Derivatives own;
-    const int order = value->GetLargestOrder();
+    const int order = value->GetMaxOrder();
     value->Evaluate(t, order, own);
     worst[0] = std::max(worst[0], GetKernelDistance(own[0], p.XYZ()));
     double size = 1.0;
@@ -378,10 +378,10 @@ void CheckTrim(const char* name, const Handle(Geom2d_Curve) & curve, double firs
   }
   smtest::CheckTrue(std::string(name) + ": breaks increase from 10 to 13",
     increasing && result.GetStart() == 10.0 && result.GetEnd() == 13.0);
-  smtest::CheckRange(name, 0.0, worst, 2.0 * result.GetLargestResidual() + 2e-14, "stated residual");
+  smtest::CheckRange(name, 0.0, worst, 2.0 * result.GetMaxResidual() + 2e-14, "stated residual");
   smtest::CheckRange(std::string(name) + " from its own evaluation", 0.0, worstOwn,
-    2.0 * result.GetLargestResidual() + 2e-14, "stated residual");
-  smtest::CheckRange(std::string(name) + " residual", 0.0, result.GetLargestResidual(), exact ? 0.0 : 4e-13);
+    2.0 * result.GetMaxResidual() + 2e-14, "stated residual");
+  smtest::CheckRange(std::string(name) + " residual", 0.0, result.GetMaxResidual(), exact ? 0.0 : 4e-13);
 }
 
 void CheckTrims()
@@ -442,10 +442,10 @@ void CheckEdge(const char* name, const Handle(Geom_Curve) & curve, double first,
     const sm::Vector3 expected = map.MapPoint(curve->Value(t).XYZ());
     worst = std::max(worst, sm::Norm(sm::Subtract(result.Evaluate(t), expected)));
   }
-  smtest::CheckRange(std::string("edge: ") + name, 0.0, worst, 2.0 * result.GetLargestResidual() + 2e-14,
+  smtest::CheckRange(std::string("edge: ") + name, 0.0, worst, 2.0 * result.GetMaxResidual() + 2e-14,
     "stated residual and rounding");
   smtest::CheckRange(
-    std::string("edge: ") + name + " residual", 0.0, result.GetLargestResidual(), exact ? 0.0 : 5e-14);
+    std::string("edge: ") + name + " residual", 0.0, result.GetMaxResidual(), exact ? 0.0 : 5e-14);
   smtest::CheckRange(std::string("edge: ") + name + " pieces", 1, result.GetNumberOfPieces(), 32);
 }
 
