@@ -39,6 +39,11 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
       "${SOLIDMOMENTS_TEST_SOLIDS}/box-plain.step" "${SOLIDMOMENTS_TEST_OUTPUT}")
   solidmoments_add_test(NAME PythonProducts LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestPythonProducts.py" "$<TARGET_FILE:solidmoments>" "${SOLIDMOMENTS_TEST_OUTPUT}")
+  # The counts are those that the filter states.
+  solidmoments_add_test(NAME CountDispatches LABELS value gpu NODISPLAY ENVIRONMENT "${python_path}" "CC=${CMAKE_C_COMPILER}"
+    STATUS 0 TEXT "sample_part.step [^#]* [0-9]+ \\| [0-9]+ \\| [1-9]" WITHOUT "wrong"
+    COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Testing/Benchmarks/CountDispatches.py" "${PROJECT_BINARY_DIR}" --runs 1
+      --files "${SOLIDMOMENTS_SAMPLE_PART}")
   solidmoments_add_test(NAME DisplayMesh LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestDisplayMesh.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
       "${SOLIDMOMENTS_SAMPLE_PART}")
