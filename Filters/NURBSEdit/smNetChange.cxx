@@ -349,7 +349,7 @@ std::shared_ptr<Edge> NetChange::GetNewEdge(const std::shared_ptr<const Edge>& e
   return copy;
 }
 
-void NetChange::MoveVertex(std::size_t end, const Point& to)
+void NetChange::MoveVertex(std::size_t end, const Point3& to)
 {
   if (GetVertex(*this->Edges[end / 2].Source, end) != to)
   {
@@ -382,8 +382,8 @@ void NetChange::CarryEdge(std::size_t index)
     {
       // The vertex is displaced from its position before the first edit, so that an undo restores its bits;
       // if other edges moved it since, from its present position.
-      const Point& vertex = GetVertex(*edge.Source, end);
-      const Point& source = GetVertex(*origin->Source, end);
+      const Point3& vertex = GetVertex(*edge.Source, end);
+      const Point3& source = GetVertex(*origin->Source, end);
       const bool followed = Move(source, get(origin->Row), get(before)) == vertex;
       this->MoveVertex(
         end, followed ? Move(source, get(origin->Row), get(now)) : Move(vertex, get(before), get(now)));
@@ -407,7 +407,7 @@ void NetChange::MapEdge(std::size_t index)
   {
     point = this->Map(point);
   }
-  const Point ends[2] = { this->Map(edge.Source->StartVertex), this->Map(edge.Source->EndVertex) };
+  const Point3 ends[2] = { this->Map(edge.Source->StartVertex), this->Map(edge.Source->EndVertex) };
   const bool moves = curve.Coefficients != edge.Source->Curve.Coefficients;
   // An edge with coincident rows whose control points do not move is not changed, even if the map moves
   // points between them.
@@ -418,7 +418,7 @@ void NetChange::MapEdge(std::size_t index)
   }
   this->MoveVertex(2 * index, ends[0]);
   this->MoveVertex(2 * index + 1, ends[1]);
-  const auto isFinite = [](const Point& point)
+  const auto isFinite = [](const Point3& point)
   { return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }); };
   this->Finite = this->Finite && isFinite(ends[0]) && isFinite(ends[1]) &&
     std::all_of(curve.Coefficients.begin(), curve.Coefficients.end(), isFinite);
@@ -449,8 +449,8 @@ void NetChange::MoveVertices()
         this->Vertices.empty() ? this->Vertices.end() : this->Vertices.find(this->FindVertex(end));
       return place == this->Vertices.end() ? GetVertex(*edge.Source, end) : place->second;
     };
-    const Point start = moved(2 * i);
-    const Point end = moved(2 * i + 1);
+    const Point3 start = moved(2 * i);
+    const Point3 end = moved(2 * i + 1);
     if (start == now.StartVertex && end == now.EndVertex)
     {
       continue;

@@ -3,6 +3,7 @@
 #include "Detail/smVariantBase.h"
 #include "smBernstein.h"
 #include "smUnitRoundoff.h"
+#include "smVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace sm
 {
 namespace
 {
-using MotionPoint = std::array<double, 3>;
 constexpr std::size_t MaximumDirections = 10000;
 
 bool IsSameCurve(const TrimCurve& a, const TrimCurve& b)
@@ -20,11 +20,11 @@ bool IsSameCurve(const TrimCurve& a, const TrimCurve& b)
 }
 
 /// Returns the coefficients of a curve on [start, end], which lies in one of its pieces, with this degree.
-std::vector<MotionPoint> GetPart(const EdgeCurve& curve, double start, double end, int degree)
+std::vector<Point3> GetPart(const EdgeCurve& curve, double start, double end, int degree)
 {
   const int piece = curve.FindPiece(0.5 * (start + end));
   const BernsteinPiece<3> source = curve.GetPiece(piece);
-  std::vector<MotionPoint> points(source.Coefficients, source.Coefficients + source.Degree + 1);
+  std::vector<Point3> points(source.Coefficients, source.Coefficients + source.Degree + 1);
   const double first = curve.Breaks[piece];
   const double width = curve.Breaks[piece + 1] - first;
   const double low = (start - first) / width;
@@ -146,7 +146,7 @@ std::string VariantShape::AddFace(std::size_t index, const Face& moved, double f
   {
     return "has other degrees, knots or another orientation";
   }
-  std::vector<MotionPoint> displacements(a.ControlPoints.size());
+  std::vector<Point3> displacements(a.ControlPoints.size());
   bool isMoved = false;
   for (std::size_t i = 0; i < displacements.size(); ++i)
   {
@@ -234,16 +234,16 @@ void VariantShape::DivideEdges()
       {
         degree = std::max(degree, GetDegreeAt(other.first->Curve, middle));
       }
-      const std::vector<MotionPoint> base = GetPart(source->Curve, breaks[i], breaks[i + 1], degree);
+      const std::vector<Point3> base = GetPart(source->Curve, breaks[i], breaks[i + 1], degree);
       const std::size_t first = curve.Coefficients.size();
       curve.AppendPiece(breaks[i + 1], base.data(), degree);
       for (const auto& [direction, other] : moved)
       {
-        std::vector<MotionPoint>& to = edge.Displacements[direction];
-        const std::vector<MotionPoint> part = GetPart(other.first->Curve, breaks[i], breaks[i + 1], degree);
+        std::vector<Point3>& to = edge.Displacements[direction];
+        const std::vector<Point3> part = GetPart(other.first->Curve, breaks[i], breaks[i + 1], degree);
         for (int k = 0; k <= degree; ++k)
         {
-          MotionPoint d;
+          Point3 d;
           for (int c = 0; c < 3; ++c)
           {
             d[c] = other.second * (part[k][c] - base[k][c]);
@@ -256,7 +256,7 @@ void VariantShape::DivideEdges()
     edge.Curve = std::move(curve);
     for (const auto& [direction, other] : moved)
     {
-      std::array<MotionPoint, 2>& vertices = edge.Vertices[direction];
+      std::array<Point3, 2>& vertices = edge.Vertices[direction];
       for (int c = 0; c < 3; ++c)
       {
         vertices[0][c] = other.second * (other.first->StartVertex[c] - source->StartVertex[c]);

@@ -63,9 +63,9 @@ private:
 
   void CheckPlacement(Index i)
   {
-    STEPVector z = { 0.0, 0.0, 1.0 };
-    STEPVector reference{};
-    STEPVector x{};
+    Vector3 z = { 0.0, 0.0, 1.0 };
+    Vector3 reference{};
+    Vector3 x{};
     const Part21Value axis = this->Entities.Get(i, AxisOfPlacement);
     const bool hasAxis =
       axis.Kind == Part21Kind::Omitted || ReadSTEPDirection(this->Entities, this->Entities.Follow(axis), z);
@@ -91,9 +91,9 @@ private:
     {
       values.push_back(value);
     }
-    std::array<STEPVector, 3> read{};
-    std::array<const STEPVector*, 3> given{};
-    std::array<STEPVector, 3> axes{};
+    std::array<Vector3, 3> read{};
+    std::array<const Vector3*, 3> given{};
+    std::array<Vector3, 3> axes{};
     for (std::size_t k = 0; k < 3 && values.size() >= OperatorParameters; ++k)
     {
       const Part21Value& value = values[values.size() - OperatorParameters + AxesOfOperator[k]];

@@ -15,7 +15,7 @@ namespace
 constexpr double ParallelSine = 1e-12;
 /// The same for the default of a direction, for which a file's rounding errors must not decide.
 constexpr double DefaultSine = 1e-9;
-bool ReadThreeNumbers(std::string_view list, STEPVector& numbers)
+bool ReadThreeNumbers(std::string_view list, Vector3& numbers)
 {
   Part21Values values(list);
   Part21Value value;
@@ -31,7 +31,7 @@ bool ReadThreeNumbers(std::string_view list, STEPVector& numbers)
 
 /// Subtracts the part along the unit vector `axis` and makes the rest a unit vector, which the second time
 /// removes what rounding left of a nearly parallel vector. Returns the length of the rest.
-double Project(const STEPVector& axis, STEPVector& vector)
+double Project(const Vector3& axis, Vector3& vector)
 {
   double rest = 0.0;
   for (int i = 0; i < 2; ++i)
@@ -48,7 +48,7 @@ double Project(const STEPVector& axis, STEPVector& vector)
 }
 }
 
-bool ReadSTEPDirection(const STEPAttributes& entities, Part21File::Index direction, STEPVector& unit)
+bool ReadSTEPDirection(const STEPAttributes& entities, Part21File::Index direction, Vector3& unit)
 {
   if (!entities.Has(direction, STEPRole::Direction) || entities.File.IsDamaged(direction) ||
     !ReadThreeNumbers(entities.Get(direction, RatiosOfDirection).Text, unit))
@@ -59,7 +59,7 @@ bool ReadSTEPDirection(const STEPAttributes& entities, Part21File::Index directi
   return length > 0.0 && std::isfinite(length);
 }
 
-bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVector& x)
+bool ProjectFirstAxis(const Vector3& z, const Vector3* reference, Vector3& x)
 {
   if (reference)
   {
@@ -75,17 +75,17 @@ bool ProjectFirstAxis(const STEPVector& z, const STEPVector* reference, STEPVect
   return true;
 }
 
-bool MakeBaseAxes(const std::array<const STEPVector*, 3>& given, std::array<STEPVector, 3>& axes)
+bool MakeBaseAxes(const std::array<const Vector3*, 3>& given, std::array<Vector3, 3>& axes)
 {
-  STEPVector& x = axes[0];
-  STEPVector& y = axes[1];
-  STEPVector& z = axes[2];
-  z = given[2] ? *given[2] : STEPVector{ 0.0, 0.0, 1.0 };
+  Vector3& x = axes[0];
+  Vector3& y = axes[1];
+  Vector3& z = axes[2];
+  z = given[2] ? *given[2] : Vector3{ 0.0, 0.0, 1.0 };
   if (!ProjectFirstAxis(z, given[0], x))
   {
     return false;
   }
-  y = given[1] ? *given[1] : STEPVector{ 0.0, 1.0, 0.0 };
+  y = given[1] ? *given[1] : Vector3{ 0.0, 1.0, 0.0 };
   Project(z, y);
   return Project(x, y) > ParallelSine;
 }
@@ -101,9 +101,9 @@ bool ReadSTEPFrame(const STEPAttributes& entities, Part21File::Index placement, 
   const Part21File::Index location = entities.Follow(entities.Get(placement, LocationOfPlacement));
   const Part21Value axis = entities.Get(placement, AxisOfPlacement);
   const Part21Value reference = entities.Get(placement, ReferenceOfPlacement);
-  STEPVector& z = frame.Axes[2];
+  Vector3& z = frame.Axes[2];
   z = { 0.0, 0.0, 1.0 };
-  STEPVector near{};
+  Vector3 near{};
   if (!entities.Has(location, STEPRole::Point) || entities.File.IsDamaged(location) ||
     !ReadThreeNumbers(entities.Get(location, CoordinatesOfPoint).Text, frame.Origin) ||
     (axis.Kind != Part21Kind::Omitted && !ReadSTEPDirection(entities, entities.Follow(axis), z)) ||

@@ -8,6 +8,7 @@
 #include "smBoundaryRows.h"
 #include "smMapSlopes.h"
 #include "smModelEdit.h"
+#include "smVector.h"
 
 #include <array>
 #include <deque>
@@ -52,7 +53,6 @@ public:
 
 private:
   using Homogeneous = std::array<double, 4>;
-  using Point = std::array<double, 3>;
 
   /// One use of an edge by a face.
   struct Use
@@ -96,7 +96,7 @@ private:
   void MoveEdges();
   void CarryEdge(std::size_t index);
   void MapEdge(std::size_t index);
-  void MoveVertex(std::size_t end, const Point& to);
+  void MoveVertex(std::size_t end, const Point3& to);
   void MoveVertices();
   std::shared_ptr<Edge> GetNewEdge(const std::shared_ptr<const Edge>& edge);
 
@@ -121,7 +121,7 @@ private:
   /// equal coordinates. Equal coordinates elsewhere may be a coincidence of one edit.
   std::vector<std::size_t> SameVertex;
   /// Present position of each vertex, by its representative end.
-  std::map<std::size_t, Point> Vertices;
+  std::map<std::size_t, Point3> Vertices;
 };
 }
 

@@ -12,7 +12,6 @@ namespace sm
 {
 namespace
 {
-using Point = ShellMesh::Point;
 
 /// Largest number of points at which the winding number is computed.
 constexpr std::size_t MaxSamples = 24;
@@ -26,7 +25,7 @@ constexpr int MaximumDepth = 16;
 constexpr double WholeNumber = 0.25;
 
 /// Returns c + x a + y b.
-Point Combine(const Point& c, double x, const Point& a, double y, const Point& b)
+Point3 Combine(const Point3& c, double x, const Point3& a, double y, const Point3& b)
 {
   return { c[0] + x * a[0] + y * b[0], c[1] + x * a[1] + y * b[1], c[2] + x * a[2] + y * b[2] };
 }
@@ -37,23 +36,23 @@ double GetLength(const vtkBoundingBox& box)
 }
 }
 
-void ShellMesh::AddTriangle(const std::array<Point, 3>& corners, const std::array<Point, 3>& normals)
+void ShellMesh::AddTriangle(const std::array<Point3, 3>& corners, const std::array<Point3, 3>& normals)
 {
-  for (const Point& corner : corners)
+  for (const Point3& corner : corners)
   {
     this->Box.AddPoint(corner[0], corner[1], corner[2]);
   }
   this->Triangles.push_back({ corners, EstimateDeviation(corners, normals) });
 }
 
-void ShellMesh::SetSphere(const Point& center, double radius)
+void ShellMesh::SetSphere(const Point3& center, double radius)
 {
   this->Center = center;
   this->Radius = radius;
   this->Triangles.clear();
   for (int d = 0; d < 3; ++d)
   {
-    Point p = center;
+    Point3 p = center;
     p[d] = center[d] - radius;
     this->Box.AddPoint(p.data());
     p[d] = center[d] + radius;
@@ -61,7 +60,7 @@ void ShellMesh::SetSphere(const Point& center, double radius)
   }
 }
 
-void ShellMesh::AddSamples(const std::array<Point, 3>& corners, double deviation,
+void ShellMesh::AddSamples(const std::array<Point3, 3>& corners, double deviation,
   const vtkBoundingBox& region, int depth, std::vector<Sample>& samples)
 {
   vtkBoundingBox own;
@@ -80,15 +79,15 @@ void ShellMesh::AddSamples(const std::array<Point, 3>& corners, double deviation
   }
   if (length > SampleSpacing * GetLength(region) && depth < MaximumDepth)
   {
-    const Point& a = corners[longest];
-    const Point& b = corners[(longest + 1) % 3];
-    const Point& c = corners[(longest + 2) % 3];
-    const Point middle = Combine(a, 0.5, Subtract(b, a), 0.0, a);
+    const Point3& a = corners[longest];
+    const Point3& b = corners[(longest + 1) % 3];
+    const Point3& c = corners[(longest + 2) % 3];
+    const Point3 middle = Combine(a, 0.5, Subtract(b, a), 0.0, a);
     AddSamples({ a, middle, c }, deviation, region, depth + 1, samples);
     AddSamples({ middle, b, c }, deviation, region, depth + 1, samples);
     return;
   }
-  const Point center = Combine(
+  const Point3 center = Combine(
     corners[0], 1.0 / 3.0, Subtract(corners[1], corners[0]), 1.0 / 3.0, Subtract(corners[2], corners[0]));
   if (region.ContainsPoint(center.data()) != 0)
   {
@@ -116,7 +115,7 @@ std::vector<ShellMesh::Sample> ShellMesh::TakeSamples(const vtkBoundingBox& box)
   return samples;
 }
 
-double ShellMesh::GetWindingNumber(const Point& p) const
+double ShellMesh::GetWindingNumber(const Point3& p) const
 {
   double sum = 0.0;
   for (const Triangle& triangle : this->Triangles)
@@ -165,7 +164,7 @@ ShellMesh::Place ShellMesh::FindMeshInSphere(const ShellMesh& other) const
     for (const Triangle& triangle : this->Triangles)
     {
       const double slack = rounding + (isStrict ? triangle.Deviation : 0.0);
-      for (const Point& corner : triangle.Corners)
+      for (const Point3& corner : triangle.Corners)
       {
         const double height = GetDistance(corner, other.Center) - other.Radius;
         inside += height < -slack ? 1 : 0;

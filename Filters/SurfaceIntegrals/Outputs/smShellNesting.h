@@ -5,6 +5,8 @@
 #ifndef smShellNesting_h
 #define smShellNesting_h
 
+#include "smVector.h"
+
 #include "vtkBoundingBox.h"
 
 #include <array>
@@ -16,14 +18,12 @@ namespace sm
 class ShellMesh
 {
 public:
-  using Point = std::array<double, 3>;
-
   /// Adds a triangle. The `normals` at the corners, unit or zero, determine how far the surface may deviate
   /// from the flat triangle.
-  void AddTriangle(const std::array<Point, 3>& corners, const std::array<Point, 3>& normals);
+  void AddTriangle(const std::array<Point3, 3>& corners, const std::array<Point3, 3>& normals);
 
   /// Makes the shell a sphere, which needs no triangles.
-  void SetSphere(const Point& center, double radius);
+  void SetSphere(const Point3& center, double radius);
 
   bool IsEmpty() const { return this->Triangles.empty() && !(this->Radius > 0.0); }
   const vtkBoundingBox& GetBox() const { return this->Box; }
@@ -57,19 +57,19 @@ public:
 private:
   struct Triangle
   {
-    std::array<Point, 3> Corners;
+    std::array<Point3, 3> Corners;
     /// Largest distance between the triangle and the surface.
     double Deviation;
   };
   struct Sample
   {
-    Point Position;
+    Point3 Position;
     double Deviation;
   };
-  static void AddSamples(const std::array<Point, 3>& corners, double deviation, const vtkBoundingBox& region,
+  static void AddSamples(const std::array<Point3, 3>& corners, double deviation, const vtkBoundingBox& region,
     int depth, std::vector<Sample>& samples);
   std::vector<Sample> TakeSamples(const vtkBoundingBox& box) const;
-  double GetWindingNumber(const Point& p) const;
+  double GetWindingNumber(const Point3& p) const;
   bool IsFarFrom(const Sample& sample) const;
   double GetRounding() const;
   Place FindSphereInSphere(const ShellMesh& other) const;
@@ -78,7 +78,7 @@ private:
 
   std::vector<Triangle> Triangles;
   /// The sphere; Radius 0: there are triangles.
-  Point Center{};
+  Point3 Center{};
   double Radius = 0.0;
   vtkBoundingBox Box;
 };

@@ -139,7 +139,7 @@ std::vector<bool> SetSpheres(vtkTrimmedNURBSModel& model, vtkPolyData* mesh,
     {
       const double* const m = leaf->GetPlacementData();
       const double* const origin = model.GetOrigin();
-      ShellMesh::Point center;
+      Point3 center;
       for (int r = 0; r < 3; ++r)
       {
         center[r] = m[4 * r + 3];
