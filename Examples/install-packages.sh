@@ -19,6 +19,11 @@ solidmoments_packages() {
   # Compiler and build
   echo g++ cmake ninja-build
   solidmoments_library_packages
+  # Titles of the table of materials in ParaView's panel; Debian 12's ParaView has Qt 5, newer ones Qt 6
+  case $(. /etc/os-release 2>/dev/null && echo "${VERSION_CODENAME:-}") in
+    bookworm) echo qtbase5-dev ;;
+    *) echo qt6-base-dev ;;
+  esac
   # OpenGL on machines without a GPU, and a display for those without one
   echo libgl1-mesa-dri libegl1 xvfb xauth
   # Header libraries

@@ -1,5 +1,9 @@
 # Builds and installs the ParaView plugin, whose folder is excluded from both.
 add_custom_target(smPlugin ALL DEPENDS SolidMoments)
+if (TARGET smParaViewPanel)
+  add_dependencies(smPlugin smParaViewPanel)
+  install(TARGETS smParaViewPanel LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/SolidMoments" COMPONENT Plugin)
+endif ()
 set(solidmoments_plugin_destination "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}")
 install(TARGETS SolidMoments LIBRARY DESTINATION "${solidmoments_plugin_destination}/SolidMoments" COMPONENT Plugin)
 install(FILES "${CMAKE_BINARY_DIR}/${solidmoments_plugin_destination}/solidmoments.xml"

@@ -14,7 +14,6 @@ namespace
 {
 using Cells = std::array<std::string, MaterialTableColumns>;
 
-const Cells Titles = { "Part", "Material", "kg/m^3", "kg" };
 constexpr const char* TotalName = "Total";
 constexpr const char* TickedTotalName = "Total of ticked solids";
 constexpr const char* FromFile = " (file)";
@@ -145,7 +144,7 @@ Cells GetRow(const std::vector<std::string>& cells, std::size_t row)
 
 std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& parts,
   const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density,
-  bool isSomeSolids)
+  bool isSomeSolids, bool hasTitles)
 {
   if (parts.empty() && rules.empty())
   {
@@ -161,7 +160,11 @@ std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& part
     total.Weighed += part.Weighed;
     total.Mass += part.Mass;
   }
-  std::vector<std::string> cells(Titles.begin(), Titles.end());
+  std::vector<std::string> cells;
+  if (hasTitles)
+  {
+    cells.assign(MaterialTableTitles.begin(), MaterialTableTitles.end());
+  }
   std::vector<bool> isShown(rules.size(), false);
   for (const PartMaterial& part : parts)
   {
@@ -211,7 +214,7 @@ std::vector<MaterialRow> ReadMaterialTable(
   for (std::size_t i = 0; i < rows; ++i)
   {
     const Cells row = GetRow(cells, i);
-    const bool isTitle = row[1] == Titles[1] && row[2] == Titles[2];
+    const bool isTitle = row[1] == MaterialTableTitles[1] && row[2] == MaterialTableTitles[2];
     const bool isTotal = i + 1 == rows && (row[0] == TotalName || row[0] == TickedTotalName);
     const bool isKnown = std::any_of(
       result.begin(), result.end(), [&row](const MaterialRow& other) { return other[0] == row[0]; });

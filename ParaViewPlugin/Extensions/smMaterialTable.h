@@ -2,8 +2,8 @@
  * @file smMaterialTable.h
  * @brief The table of parts, materials, densities and masses in the panel of Mass Properties, as texts
  *
- * A row has four cells: part, material, density in kg/m^3, mass in kg. The first row has titles, since
- * ParaView 5.11 shows none, and the last one the total. Between them is a row for each part of the input,
+ * A row has four cells: part, material, density in kg/m^3, mass in kg. The first row has titles where the
+ * panel shows none (smPanel.h), and the last one the total. Between them is a row for each part of the input,
  * then one for each rule that has another pattern. A rule is a row of the property Materials: pattern of
  * names, material, density, or a mass with a unit in its place.
  *
@@ -40,13 +40,15 @@ struct PartMaterial
 using MaterialRow = std::array<std::string, 3>;
 
 constexpr int MaterialTableColumns = 4;
+constexpr std::array<const char*, MaterialTableColumns> MaterialTableTitles = { "Part", "Material", "kg/m^3",
+  "kg" };
 
 /// Returns the cells, row by row; none without parts and rules. `parts` are those of the input, `masses`
-/// those of the last run (may be empty), `density` is that of all solids, or 0. A total of only some solids
-/// is marked as such.
+/// those of the last run (may be empty), `density` is that of all solids, or 0, `hasTitles` asks for the row
+/// of titles. A total of only some solids is marked as such.
 std::vector<std::string> MakeMaterialTable(const std::vector<PartMaterial>& parts,
   const std::vector<PartMaterial>& masses, const std::vector<MaterialRow>& rules, double density,
-  bool isSomeSolids);
+  bool isSomeSolids, bool hasTitles);
 
 /// If exactly one cell differs from the previous table, it was edited: removes the ending of the cell, so
 /// that it has the text that was typed.

@@ -1,5 +1,7 @@
 #include "vtkSMMaterialTableDomain.h"
 
+#include "smPanel.h"
+
 #include "vtkPartMaterialsInformation.h"
 
 #include "vtkCommand.h"
@@ -21,6 +23,8 @@ constexpr int SolidsPort = 1;
 vtkSMMaterialTableDomain::vtkSMMaterialTableDomain()
 {
   this->Masses->SetPortNumber(SolidsPort);
+  // Before the panel makes its widgets.
+  sm::HasPanel();
 }
 
 vtkSMMaterialTableDomain::~vtkSMMaterialTableDomain() = default;
@@ -89,9 +93,7 @@ void vtkSMMaterialTableDomain::FollowCells()
   std::vector<std::string> cells = table->GetElements();
   sm::TakeEditedCell(this->Filled, cells);
   const std::vector<sm::MaterialRow> read = sm::ReadMaterialTable(cells, rules);
-  const std::vector<std::string> filled = sm::MakeMaterialTable(
-    this->Parts->GetParts(), this->Masses->GetParts(), rules, this->GetDensity(), this->IsSomeSolids());
-  if (read == sm::ReadMaterialTable(filled, rules))
+  if (read == sm::ReadMaterialTable(this->MakeCells(), rules))
   {
     this->FillCells();
     return;
@@ -133,11 +135,16 @@ bool vtkSMMaterialTableDomain::IsSomeSolids()
   return selectors && vtkSMPropertyHelper(selectors).GetNumberOfElements() > 0;
 }
 
+std::vector<std::string> vtkSMMaterialTableDomain::MakeCells()
+{
+  return sm::MakeMaterialTable(this->Parts->GetParts(), this->Masses->GetParts(), this->GetRules(),
+    this->GetDensity(), this->IsSomeSolids(), !sm::HasPanel());
+}
+
 void vtkSMMaterialTableDomain::FillCells()
 {
   auto* table = vtkSMStringVectorProperty::SafeDownCast(this->GetProperty());
-  const std::vector<std::string> cells = sm::MakeMaterialTable(this->Parts->GetParts(),
-    this->Masses->GetParts(), this->GetRules(), this->GetDensity(), this->IsSomeSolids());
+  const std::vector<std::string> cells = this->MakeCells();
   this->Filled = cells;
   if (table && table->GetElements() != cells)
   {

@@ -56,6 +56,7 @@ private:
   void FollowCells();
   void FollowRun();
   void FillCells();
+  std::vector<std::string> MakeCells();
 
   vtkNew<vtkPartMaterialsInformation> Parts;
   /// Masses of the last run, unless something has changed since.

@@ -20,7 +20,16 @@ panel = "pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrolla
 with open(os.path.join(here, "TestPluginMaterialsWindow.xml"), encoding="utf-8") as file:
     # Qt 6, which newer versions of ParaView have, writes exponents with as few digits as it can.
     is_qt_5 = "paraview-5.11" in plugin
-    events = file.read().replace("PANEL", panel).replace("DEFAULT_TOLERANCE", "1e-09" if is_qt_5 else "1e-9")
+    events = file.read()
+# Titles are those of the table's header where the plugin has its library for Qt, else a first row.
+table = 'object="PANEL/MaterialTable/ScalarValueList/Table'
+has_header = os.path.exists(os.path.join(os.path.dirname(plugin), "smParaViewPanel.so"))
+titles = (f'<pqcheck {table}/1QHeaderView0" property="visible" arguments="true" />' if has_header
+          else f'<pqcheck {table}" property="modelItemData" arguments="0.2,kg/m^3" />')
+rows = [str(row - has_header) for row in (1, 2, 3)]
+for word, text in zip(("TITLES", "BOLT", "RAIL", "TOTAL", "PANEL", "DEFAULT_TOLERANCE"),
+                      [titles, *rows, panel, "1e-09" if is_qt_5 else "1e-9"]):
+    events = events.replace(word, text)
 script, state = (os.path.join(folder, "materials_window." + end) for end in ("xml", "pvsm"))
 with open(script, "w", encoding="utf-8") as file:
     file.write(events)

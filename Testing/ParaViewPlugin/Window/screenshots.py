@@ -45,7 +45,8 @@ elif scene in ("table", "parts"):
 elif scene == "materials":
     mass.Density = 0.0
     mass.UpdatePipeline()
-    parts = list(mass.MaterialTable)[4:-4:4]
+    # Without the total, and the titles that are a row where the plugin has no library for Qt.
+    parts = [part for part in list(mass.MaterialTable)[:-4:4] if part != "Part"]
     # All but the last part get a material or a density.
     given = (("steel", ""), ("aluminium", ""), ("brass", ""), ("", "7900"))
     mass.Materials = [cell for i, part in enumerate(parts[:-1]) for cell in (part, *given[i % 4])]

@@ -1,0 +1,60 @@
+#include "smMaterialTablePanel.h"
+
+#include "smMaterialTable.h"
+
+#include "pqApplicationCore.h"
+#include "pqInterfaceTracker.h"
+#include "pqPropertyWidget.h"
+#include "pqScalarValueListPropertyWidget.h"
+#include "vtkSMProperty.h"
+
+#include <QVBoxLayout>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace
+{
+class TitledTable : public pqPropertyWidget
+{
+public:
+  TitledTable(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
+    : pqPropertyWidget(proxy, parent)
+  {
+    auto* table = new pqScalarValueListPropertyWidget(property, proxy, this);
+    // As ParaView's own widget names it, so that recorded tests and macros find it.
+    table->setObjectName("ScalarValueList");
+    std::vector<const char*> titles(sm::MaterialTableTitles.begin(), sm::MaterialTableTitles.end());
+    table->setLabels(titles);
+    table->setShowLabels(true);
+    this->addPropertyLink(table, "scalars", SIGNAL(scalarsChanged()), property);
+    this->setChangeAvailableAsChangeFinished(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(table);
+    this->setShowLabel(false);
+  }
+};
+}
+
+pqPropertyWidget* smMaterialTablePanel::createWidgetForProperty(
+  vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
+{
+  const char* widget = property ? property->GetPanelWidget() : nullptr;
+  return widget && std::strcmp(widget, "solidmoments_material_table") == 0
+    ? new TitledTable(proxy, property, parent)
+    : nullptr;
+}
+
+/// Adds the table to ParaView's window; returns false without one.
+extern "C" Q_DECL_EXPORT bool smRegisterPanel()
+{
+  pqApplicationCore* core = pqApplicationCore::instance();
+  if (!core || !core->interfaceTracker())
+  {
+    return false;
+  }
+  core->interfaceTracker()->addInterface(new smMaterialTablePanel(core->interfaceTracker()));
+  return true;
+}
