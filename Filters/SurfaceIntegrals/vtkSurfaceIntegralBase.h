@@ -83,6 +83,8 @@ class SMFILTERSSURFACEINTEGRALS_EXPORT vtkSurfaceIntegralBase : public vtkPolyDa
 public:
   vtkTypeMacro(vtkSurfaceIntegralBase, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   ///@{
   /**

@@ -2,6 +2,7 @@
 #include "vtkSurfaceIntegralBase.h"
 
 #include "Engine/smBodySelection.h"
+#include "Outputs/smEmptyRanges.h"
 #include "Outputs/smFlaggedPlaces.h"
 #include "smBodyMeshes.h"
 #include "smBodyScales.h"
@@ -362,6 +363,21 @@ void vtkSurfaceIntegralBase::AddMessages(const std::vector<sm::BodyIntegrals>& b
   {
     report.Messages.push_back("computed on the CPU, without OpenGL: " + report.FallbackReason);
   }
+}
+
+vtkTypeBool vtkSurfaceIntegralBase::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const vtkTypeBool result = this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    // Also of what subclasses have added to the outputs.
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      sm::MarkEmptyRanges(vtkDataObject::GetData(outputVector, port));
+    }
+  }
+  return result;
 }
 
 int vtkSurfaceIntegralBase::RequestData(

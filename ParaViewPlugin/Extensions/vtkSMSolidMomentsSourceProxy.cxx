@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVProgressHandler.h"
+#include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPTools.h"
 #include "vtkSMSession.h"
@@ -199,11 +200,15 @@ void vtkSMSolidMomentsSourceProxy::CreateVTKObjects()
   {
     sm::FollowPlane(this, vtkAlgorithm::SafeDownCast(this->GetClientSideObject()));
   }
-  // The text of the status bar, also for a run on a server; the default is the name of the class.
-  vtkClientServerStream stream;
-  stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetProgressText" << this->GetXMLLabel()
-         << vtkClientServerStream::End;
-  this->ExecuteStream(stream);
+  // The text of the status bar, also for a run on a server; the default is the name of the class. ParaView
+  // asks readers that only the first rank has whether they read a file: the others do not know these.
+  if (this->GetLocation() & vtkPVSession::DATA_SERVER)
+  {
+    vtkClientServerStream stream;
+    stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetProgressText" << this->GetXMLLabel()
+           << vtkClientServerStream::End;
+    this->ExecuteStream(stream);
+  }
   // Not null in the built-in session only.
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->GetClientSideObject()))
   {

@@ -1,11 +1,14 @@
-"""TestPluginWalk.py PARAVIEW PLUGIN.so OUTPUT: plays the session of TestPluginWalk.xml back in ParaView's window, on the display in the environment.
+"""TestPluginWalk.py PARAVIEW PLUGIN.so OUTPUT [RANKS PVSERVER [MPIRUN]]: plays the session of TestPluginWalk.xml back in ParaView's window, on the
+display in the environment; with RANKS of a pvserver the data is there, and both sides load the plugin at their start, as an installed one is.
 
 After each step it keeps a picture of the screen, OUTPUT/walk/STEP.png, and the state STEP.pvsm, and checks both. ParaView writes its states into
 pipes, and stands still until they are read: the picture is taken before that.
 """
+import csv
 import os
 import re
 import select
+import socket
 import subprocess
 import sys
 import time
@@ -22,7 +25,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData  # noqa: E402
 from vtkmodules.vtkIOImage import vtkPNGWriter  # noqa: E402
 
 paraview, plugin, output = sys.argv[1:4]
-STEPS = ("opened", "mass", "material", "picked", "section", "plotted", "emptied", "reloaded")
+ranks, pvserver, mpirun = (sys.argv[4:] + ["0", None, None])[:3]
+STEPS = ("opened", "mass", "material", "saved", "picked", "section", "plotted", "emptied", "reloaded")
 COLORS = {"rail": (0.85, 0.1, 0.1), "bolt": (0.1, 0.25, 0.9)}
 WINDOW = "pqClientMainWindow"
 FRAME = WINDOW + "/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container/Frame.0"
@@ -113,17 +117,42 @@ def take_step(display, step, window, deadline):
     return picture
 
 
+def start_server(log, environment):
+    """Starts the pvserver and returns it with its address."""
+    with socket.socket() as free:
+        free.bind(("localhost", 0))
+        port = free.getsockname()[1]
+    launcher = [mpirun, "-np", ranks] if int(ranks) > 1 else []
+    started = subprocess.Popen(launcher + [pvserver, "--force-offscreen-rendering", f"--server-port={port}"], env=environment,
+                               stdout=subprocess.PIPE, stderr=log, text=True)
+    for line in started.stdout:
+        if "Accepting connection" in line:
+            break
+    return started, f"cs://localhost:{port}"
+
+
 write_assembly(os.path.join(folder, "walk.step"))
 events = os.path.join(folder, "walk.xml")
 write_events(events)
 pictures = {}
 with open(os.path.join(folder, "walk.log"), "w", encoding="utf-8") as log:
+    # That of pvpython's start: MPI has since put variables into it with which mpirun believes to be a child.
+    with open("/proc/self/environ", encoding="utf-8", errors="surrogateescape") as file:
+        environment = dict(entry.split("=", 1) for entry in file.read().split("\0") if "=" in entry)
+    environment["HOME"] = folder
+    server, options = None, ["--plugin-search-paths=" + os.path.dirname(plugin), "--plugins=SolidMoments"]
+    if pvserver:
+        environment["PV_PLUGIN_CONFIG_FILE"] = os.path.join(folder, "plugins.xml")
+        with open(environment["PV_PLUGIN_CONFIG_FILE"], "w", encoding="utf-8") as file:
+            file.write(f'<?xml version="1.0"?>\n<Plugins>\n  <Plugin name="SolidMoments" auto_load="1" filename="{plugin}"/>\n</Plugins>\n')
+        server, address = start_server(log, environment)
+        options = ["--server-url=" + address]
     window = subprocess.Popen([
-        paraview, "--dr", "--plugin-search-paths=" + os.path.dirname(plugin), "--plugins=SolidMoments", "--data-directory=" + folder,
-        "--test-directory=" + folder, "--test-script=" + events, "--exit"], env=dict(os.environ, HOME=folder), stdout=log, stderr=log)
+        paraview, *options, "--dr", "--data-directory=" + folder,
+        "--test-directory=" + folder, "--test-script=" + events, "--exit"], env=environment, stdout=log, stderr=log)
     try:
         display = Display()
-        deadline = time.monotonic() + 240.0
+        deadline = time.monotonic() + 540.0
         for step in STEPS:
             picture = take_step(display, step, window, deadline)
             if picture is None:
@@ -137,6 +166,13 @@ with open(os.path.join(folder, "walk.log"), "w", encoding="utf-8") as log:
     finally:
         if window.poll() is None:
             window.kill()
+        if server:
+            # It ends with its client.
+            try:
+                server.communicate(timeout=30.0)
+            except subprocess.TimeoutExpired:
+                server.kill()
+            check_equal("the server ends with", 0, server.returncode)
 with open(os.path.join(folder, "walk.log"), encoding="utf-8", errors="replace") as log:
     text = log.read()
 check_equal("errors and warnings in the log", [], [line[:200] for line in text.splitlines() if " ERR|" in line or "WARN|" in line])
@@ -186,6 +222,11 @@ check_true("opened: the colours of the file", count("opened", is_red) > 5000 and
 check_equal("opened: nothing is selected", 0, count("opened", is_magenta))
 check_true("mass: a cyan marker", count("mass", is_cyan) > count("opened", is_cyan) + 100, f"{count('mass', is_cyan)}")
 check_equal("material: a rule", ["rail", "Aluminium", "2700"], get_property(read_state("material"), "MassPropertiesGPU", "Materials"))
+with open(os.path.join(folder, "walk.csv"), encoding="utf-8", newline="") as file:
+    rows = list(csv.DictReader(file))
+check_equal("saved: rows of the table", ["bolt", "bolt", "rail"], [row["Name"] for row in rows])
+check_equal("saved: volumes", ["24000", "24000", "360000"], [f"{float(row['Volume (mm^3)']):.12g}" for row in rows])
+check_equal("saved: 17 digits", [row["Mass (kg)"] for row in rows], [f"{float(row['Mass (kg)']):.17e}" for row in rows])
 check_true("picked: a face is highlighted", count("picked", is_magenta) > 500, str(count("picked", is_magenta)))
 section = read_state("section")
 check_true("section: a filter on the reader", 'type="SolidSection"' in section and get_property(section, "SolidSection", "Normal") is not None)

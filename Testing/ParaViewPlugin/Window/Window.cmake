@@ -18,9 +18,18 @@ endif ()
 if (SOLIDMOMENTS_PARAVIEW AND ParaView_VERSION VERSION_GREATER_EQUAL 5.12)
   message(STATUS "PluginWalk was recorded with the buttons of ParaView 5.11: the test is left out")
 elseif (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersSection AND TARGET SolidMoments::FiltersNURBSEdit)
-  solidmoments_add_test(NAME PluginWalk LABELS plugin image XVFB
+  solidmoments_add_test(NAME PluginWalk LABELS plugin image XVFB TIMEOUT 600
     COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginWalk.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
       "${SOLIDMOMENTS_TEST_OUTPUT}")
+  # With the data on a server of one and of two ranks.
+  foreach (ranks IN ITEMS 1 2)
+    if (SOLIDMOMENTS_PVSERVER AND (ranks EQUAL 1 OR SOLIDMOMENTS_MPIRUN))
+      solidmoments_add_test(NAME PluginWalkServer_${ranks} LABELS plugin image XVFB TIMEOUT 600 ENVIRONMENT ${SOLIDMOMENTS_MPI_ENVIRONMENT}
+        COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginWalk.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
+          "${SOLIDMOMENTS_TEST_OUTPUT}" ${ranks} "${SOLIDMOMENTS_PVSERVER}" "${SOLIDMOMENTS_MPIRUN}")
+      set_tests_properties(PluginWalkServer_${ranks} PROPERTIES PROCESSORS 2)
+    endif ()
+  endforeach ()
 endif ()
 if (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersSection)
   solidmoments_add_test(NAME PluginKeys LABELS plugin value XVFB TIMEOUT 1200

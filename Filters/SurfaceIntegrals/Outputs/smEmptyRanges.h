@@ -1,0 +1,17 @@
+/**
+ * @file smEmptyRanges.h
+ * @brief Ranges of vectors and matrices of which no value is known
+ */
+#ifndef smEmptyRanges_h
+#define smEmptyRanges_h
+
+class vtkDataObject;
+
+namespace sm
+{
+/// Marks the range of lengths of each array of several components that holds NaN alone as empty. VTK 9.1 to
+/// 9.6 computes NaN for it, and a server that sends the array warns of that in the client's window.
+void MarkEmptyRanges(vtkDataObject* data);
+}
+
+#endif
