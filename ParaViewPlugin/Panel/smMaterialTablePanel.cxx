@@ -8,6 +8,8 @@
 #include "pqScalarValueListPropertyWidget.h"
 #include "vtkSMProperty.h"
 
+#include <QHeaderView>
+#include <QTableView>
 #include <QVBoxLayout>
 
 #include <cstring>
@@ -16,6 +18,16 @@
 
 namespace
 {
+/// Fits the columns into the panel: numbers are shown whole, and names share what these leave.
+void FitColumns(QHeaderView* header)
+{
+  header->setStretchLastSection(false);
+  for (int column = 0; column < header->count(); ++column)
+  {
+    header->setSectionResizeMode(column, column < 2 ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+  }
+}
+
 class TitledTable : public pqPropertyWidget
 {
 public:
@@ -28,6 +40,13 @@ public:
     std::vector<const char*> titles(sm::MaterialTableTitles.begin(), sm::MaterialTableTitles.end());
     table->setLabels(titles);
     table->setShowLabels(true);
+    if (auto* view = table->findChild<QTableView*>())
+    {
+      view->verticalHeader()->hide();
+      QHeaderView* header = view->horizontalHeader();
+      FitColumns(header);
+      QObject::connect(header, &QHeaderView::sectionCountChanged, header, [header]() { FitColumns(header); });
+    }
     this->addPropertyLink(table, "scalars", SIGNAL(scalarsChanged()), property);
     this->setChangeAvailableAsChangeFinished(true);
     auto* layout = new QVBoxLayout(this);
