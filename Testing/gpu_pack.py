@@ -22,7 +22,7 @@ OWN = re.compile(r"^lib(sm|vtk|TK)")
 # would read pictures with them, which no test does. They bring 25 others.
 EMPTY = ("libfreeimage.so.3", "libtiff.so.6")
 # Loaded when something is wanted of them.
-ON_DEMAND = ("libsmRenderingOpenGL.so",)
+ON_DEMAND = ("libsmRenderingOpenGL.so", "libsmExtras.so")
 LAUNCHER = """#!/bin/sh
 here=${0%%/*}/..
 LD_LIBRARY_PATH=$here/lib:$here/lib/chosen${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
