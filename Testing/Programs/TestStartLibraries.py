@@ -142,6 +142,9 @@ check_loaded("OpenGL", [options.program, "--quiet", "--backend", "opengl", optio
 if options.python:
     python = ["import solidmoments", f"solidmoments.mass_properties({options.file!r}, backend='cpu')"]
     check_loaded("import solidmoments", [options.python, "-c", python[0]], ["libc.so"], re.compile(r"lib(vtk|sm)"))
+    late = subprocess.run([options.python, "-c", f"{python[0]}, sys; print(sorted({{'decimal', 'html', 'json', 'numpy', 'subprocess', 'tempfile'}} & set(sys.modules)))"],
+                          stdout=subprocess.PIPE, check=True, timeout=300, encoding="utf-8").stdout
+    check_equal("import solidmoments: modules that functions import", "[]\n", late)
     check_loaded("mass_properties()", [options.python, "-c", "; ".join(python)], ["libsmFiltersMassProperties"])
 
 damaged = os.path.join(options.output, "start_damaged.so")
