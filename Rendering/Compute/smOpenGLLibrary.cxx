@@ -6,6 +6,10 @@
 #include <cctype>
 #include <mutex>
 
+#ifdef SOLIDMOMENTS_LINKS_ALL
+extern "C" sm::LibraryEntry smGetOpenGLEntry();
+#endif
+
 namespace sm
 {
 OpenGLLibrary* GetOpenGLLibrary(std::string& reason)
@@ -16,8 +20,12 @@ OpenGLLibrary* GetOpenGLLibrary(std::string& reason)
   const std::lock_guard<std::mutex> lock(mutex);
   if (!library)
   {
+#ifdef SOLIDMOMENTS_LINKS_ALL
+    library = static_cast<OpenGLLibrary*>(smGetOpenGLEntry().Content);
+#else
     library = static_cast<OpenGLLibrary*>(
       LoadOnDemand(SOLIDMOMENTS_OPENGL_LIBRARY, OpenGLEntryName, SM_OPENGL_LIBRARY_VERSION, reason));
+#endif
     reason = library ? std::string()
                      : "OpenGL: the library " SOLIDMOMENTS_OPENGL_LIBRARY " " + reason +
         ". Install SolidMoments again, with all its libraries in one folder.";
