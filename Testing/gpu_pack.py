@@ -21,6 +21,8 @@ OWN = re.compile(r"^lib(sm|vtk|TK)")
 # Replaced by libraries whose functions end the process when they are called: OpenCASCADE's viewer and VTK
 # would read pictures with them, which no test does. They bring 25 others.
 EMPTY = ("libfreeimage.so.3", "libtiff.so.6")
+# Loaded when something is wanted of them.
+ON_DEMAND = ("libsmRenderingOpenGL.so", "libsmExtras.so")
 LAUNCHER = """#!/bin/sh
 here=${0%%/*}/..
 LD_LIBRARY_PATH=$here/lib:$here/lib/chosen${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
@@ -249,6 +251,9 @@ def pack(options):
             with open(os.path.join(folder, "bin", name), "w", encoding="utf-8") as file:
                 file.write(LAUNCHER % name)
             os.chmod(os.path.join(folder, "bin", name), 0o755)
+        for name in ON_DEMAND:
+            libraries[name] = os.path.join(build, "lib", name)
+            find_libraries(libraries[name], libraries, needed)
         for name, path in libraries.items():
             if name in EMPTY:
                 make_empty(path, os.path.join(folder, "lib", name), [user for user, names in needed.items() if name in names])

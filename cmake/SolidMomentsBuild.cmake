@@ -23,6 +23,9 @@ mark_as_advanced(SOLIDMOMENTS_UNITY_BUILD)
 set(CMAKE_UNITY_BUILD ${SOLIDMOMENTS_UNITY_BUILD})
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 
+# A library that no symbol is needed of is not linked: programs load no OpenGL for headers of its modules.
+add_link_options($<$<PLATFORM_ID:Linux>:LINKER:--as-needed>)
+
 # Results are compared bit for bit between runs and backends: no contraction into fused operations.
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
 
@@ -31,4 +34,12 @@ add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
 function(solidmoments_warnings target)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage> $<$<BOOL:${SOLIDMOMENTS_WARNINGS_AS_ERRORS}>:-Werror>>)
+endfunction ()
+
+# A module that uses headers of VTK's OpenGL classes, and links no OpenGL: VTK's registration of these
+# classes, which every module that names VTK::RenderingOpenGL2 gets, is taken out.
+function(solidmoments_without_opengl target)
+  get_target_property(definitions ${target} COMPILE_DEFINITIONS)
+  list(FILTER definitions EXCLUDE REGEX "^vtkRenderingCore_AUTOINIT")
+  set_target_properties(${target} PROPERTIES COMPILE_DEFINITIONS "${definitions}")
 endfunction ()

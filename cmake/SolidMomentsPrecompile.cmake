@@ -19,7 +19,7 @@ function(solidmoments_precompile owner)
 endfunction ()
 
 solidmoments_precompile(smPrecompiledStandard
-  TARGETS FiltersCommon FiltersBezier FiltersNURBS FiltersQuadrature FiltersStability ReadersFaces ReadersPart21 RenderingCompute RenderingNURBS)
+  TARGETS FiltersCommon FiltersBezier FiltersNURBS FiltersQuadrature FiltersStability ReadersFaces ReadersPart21 RenderingCompute RenderingNURBS RenderingOpenGL)
 solidmoments_precompile(smPrecompiledVTK
   HEADERS <vtkDoubleArray.h> <vtkNew.h> <vtkPolyData.h> <vtkSmartPointer.h>
   LIBRARIES VTK::CommonDataModel

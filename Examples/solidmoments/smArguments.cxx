@@ -4,7 +4,7 @@
 #include "smFormat.h"
 #include "smInputFile.h"
 #include "smMaterialFile.h"
-#include "smMeshFile.h"
+#include "smMeshOrigin.h"
 #include "smOpenGLProbe.h"
 #include "smOptionValues.h"
 #include "smOutputFiles.h"

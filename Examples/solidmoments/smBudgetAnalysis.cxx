@@ -1,8 +1,7 @@
 #include "smBudgetAnalysis.h"
 
-#include "smBodyScene.h"
+#include "smExtras.h"
 #include "smFileJob.h"
-#include "smFilterSetUp.h"
 #include "smFormat.h"
 #include "smMessageList.h"
 #include "smOptions.h"
@@ -12,21 +11,6 @@
 #include "smText.h"
 #include "smToleranceAnalysis.h"
 
-#include "vtkAxis.h"
-#include "vtkChartXY.h"
-#include "vtkContextActor.h"
-#include "vtkContextScene.h"
-#include "vtkDoubleArray.h"
-#include "vtkImageData.h"
-#include "vtkMassPropertiesGPU.h"
-#include "vtkNew.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkPlot.h"
-#include "vtkRenderer.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
-#include "vtkTextProperty.h"
-
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -35,18 +19,16 @@ namespace sm
 {
 namespace
 {
-constexpr int BudgetWidth = 800;
-constexpr int BudgetHeight = 500;
 /// Relative excess of a sum over its rounding.
 constexpr double BudgetExcess = 1.0 + 1e-12;
+}
 
-std::string FormatMass(double mass)
+std::string FormatBudgetMass(double mass)
 {
   return std::isfinite(mass) ? ShortBound(mass) + " kg" : "not known";
 }
 
-/// Returns the sum of the lines; where some are not known, which, and the sum of the others.
-std::string FormatSum(const BudgetResult& budget)
+std::string FormatBudgetSum(const BudgetResult& budget)
 {
   BudgetResult known;
   std::string unknown;
@@ -62,35 +44,9 @@ std::string FormatSum(const BudgetResult& budget)
     }
   }
   known.Sum();
-  return unknown.empty() ? FormatMass(budget.Mass)
-                         : "not known, as is " + unknown + "; the other lines " + FormatMass(known.Mass);
-}
-
-/// Draws the bars into a PNG file. Returns an error message, empty when it is written.
-std::string WriteBudget(const BudgetResult& budget, const JobOptions& options, const std::string& fileName)
-{
-  vtkNew<vtkMassPropertiesGPU> filter;
-  SetUpFilter(filter, options);
-  std::string error;
-  vtkOpenGLRenderWindow* window = StartWindow(filter, error);
-  if (!window)
-  {
-    return error;
-  }
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(MakeBudgetChart(budget));
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1.0, 1.0, 1.0);
-  renderer->AddActor(actor);
-  actor->GetScene()->SetRenderer(renderer);
-  window->SetOffScreenRendering(1);
-  window->SetSize(BudgetWidth, BudgetHeight);
-  window->AddRenderer(renderer);
-  window->Render();
-  error = WriteImage(GrabImage(window), fileName);
-  window->RemoveRenderer(renderer);
-  return error;
-}
+  return unknown.empty()
+    ? FormatBudgetMass(budget.Mass)
+    : "not known, as is " + unknown + "; the other lines " + FormatBudgetMass(known.Mass);
 }
 
 BudgetResult MakeBudget(const Quantities& body, const AnalysisResults& analyses)
@@ -139,50 +95,12 @@ void BudgetResult::Visit(Fields& fields, const char* key)
 std::string BudgetResult::FormatRows(const std::string&) const
 {
   std::string text = Row("mass in doubt",
-    FormatSum(*this) + (std::isfinite(this->Mass) ? ", which is the sum of" : " in all"), "");
+    FormatBudgetSum(*this) + (std::isfinite(this->Mass) ? ", which is the sum of" : " in all"), "");
   for (const BudgetLine& line : this->Lines)
   {
-    text += Row("  " + line.Name, FormatMass(line.Mass), "");
+    text += Row("  " + line.Name, FormatBudgetMass(line.Mass), "");
   }
   return text;
-}
-
-vtkSmartPointer<vtkChartXY> MakeBudgetChart(const BudgetResult& budget)
-{
-  auto chart = vtkSmartPointer<vtkChartXY>::New();
-  vtkNew<vtkTable> table;
-  vtkNew<vtkDoubleArray> places;
-  vtkNew<vtkDoubleArray> masses;
-  vtkNew<vtkStringArray> names;
-  places->SetName("Place");
-  masses->SetName("Mass in doubt, kg");
-  for (std::size_t i = 0; i < budget.Lines.size(); ++i)
-  {
-    places->InsertNextValue(static_cast<double>(i));
-    masses->InsertNextValue(std::isfinite(budget.Lines[i].Mass) ? budget.Lines[i].Mass : 0.0);
-    names->InsertNextValue(budget.Lines[i].Name + "\n" + FormatMass(budget.Lines[i].Mass));
-  }
-  table->AddColumn(places);
-  table->AddColumn(masses);
-  vtkPlot* bars = chart->AddPlot(vtkChart::BAR);
-  bars->SetInputData(table, 0, 1);
-  bars->SetColor(60, 110, 180, 255);
-  vtkAxis* bottom = chart->GetAxis(vtkAxis::BOTTOM);
-  bottom->SetCustomTickPositions(places, names);
-  bottom->SetBehavior(vtkAxis::FIXED);
-  bottom->SetRange(-0.75, static_cast<double>(budget.Lines.size()) - 0.25);
-  bottom->SetTitle("");
-  bottom->SetGridVisible(false);
-  chart->GetAxis(vtkAxis::LEFT)->SetTitle("kg");
-  chart->GetAxis(vtkAxis::LEFT)->SetMinimumLimit(0.0);
-  for (vtkAxis* axis : { bottom, chart->GetAxis(vtkAxis::LEFT) })
-  {
-    axis->GetLabelProperties()->SetFontSize(16);
-    axis->GetTitleProperties()->SetFontSize(16);
-  }
-  chart->SetTitle("Mass in doubt: " + FormatSum(budget));
-  chart->GetTitleProperties()->SetFontSize(20);
-  return chart;
 }
 
 void BudgetAnalysis::Declare(CLI::App& app)
@@ -222,7 +140,7 @@ void BudgetAnalysis::Run(const AnalysisRun& run) const
   const BudgetResult total = *result;
   run.File.Total.Analyses.Set(run.Index, std::move(result));
   const std::string problem = run.File.Total.Mass.IsKnown()
-    ? WriteBudget(total, run.Options, this->PictureName)
+    ? CallExtra(&ExtraFunctions::WriteBudget, total, run.Options, this->PictureName)
     : "the mass is not known, for there is no density; --density gives one";
   run.ReportOutput(problem);
 }

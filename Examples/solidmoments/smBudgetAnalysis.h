@@ -7,12 +7,8 @@
 
 #include "smAnalysis.h"
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 #include <vector>
-
-class vtkChartXY;
 
 namespace sm
 {
@@ -43,8 +39,10 @@ public:
 /// tolerance, if its faces have tolerances.
 BudgetResult MakeBudget(const Quantities& body, const AnalysisResults& analyses);
 
-/// Returns bars for the lines, in kg, one plot of bars with the lines in their order.
-vtkSmartPointer<vtkChartXY> MakeBudgetChart(const BudgetResult& budget);
+/// Returns a mass in kg, or that it is not known.
+std::string FormatBudgetMass(double mass);
+/// Returns the sum of the lines; where some are not known, which, and the sum of the others.
+std::string FormatBudgetSum(const BudgetResult& budget);
 
 class BudgetAnalysis : public Analysis
 {

@@ -1,11 +1,12 @@
 #include "smFileJob.h"
 
-#include "smComparisonPicture.h"
+#include "smComparisonJob.h"
+#include "smExtras.h"
 #include "smFileReader.h"
 #include "smFilterSetUp.h"
 #include "smLengthUnits.h"
 #include "smMassPropertyNames.h"
-#include "smMeshFile.h"
+#include "smMeshOrigin.h"
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smOptionValues.h"
@@ -261,7 +262,8 @@ std::string Draw(vtkPartitionedDataSetCollection* bodies, vtkMassPropertiesBase*
   picture.Stability = drawn.Lines;
   picture.Flagged = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(6));
   picture.Result = &file;
-  return picture.Window ? sm::WritePicture(picture, options.PictureName) : problem;
+  return picture.Window ? sm::CallExtra(&sm::ExtraFunctions::WritePicture, picture, options.PictureName)
+                        : problem;
 }
 
 /// Runs the requested analyses, those of bodies first. Sends the results before each.
@@ -411,8 +413,9 @@ void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, const Dra
   if (!options.MeshName.empty())
   {
     send(JobMessage::OfProgress(sm::stages::Mesh));
-    send(JobMessage::OfOutput(
-      JobMessage::Mesh, sm::WriteMesh(bodies, reader->GetLengthUnit(), plans.MeshOrigin, options.MeshName)));
+    send(JobMessage::OfOutput(JobMessage::Mesh,
+      sm::CallExtra(&sm::ExtraFunctions::WriteMesh, bodies, reader->GetLengthUnit(), plans.MeshOrigin,
+        options.MeshName)));
   }
   if (!options.RobotName.empty())
   {

@@ -27,7 +27,7 @@ struct JobOptions
   std::string
     SourceName; ///< plain file with the content of FileName (InputFile); empty: FileName itself is one
   std::string PictureName;                ///< PNG file to draw; empty: none
-  std::string MeshName;                   ///< file of triangles to write, see WriteMesh(); empty: none
+  std::string MeshName;                   ///< file of triangles to write, see smMeshFile.h; empty: none
   double Deflection = 0.0;                ///< of the triangles, in Unit; 0: the reader's default
   std::string Unit = "mm";                ///< length unit of all results, or "file"
   std::string InputUnit = "mm";           ///< of files that state none, see vtkBREPReader::SetInputUnit

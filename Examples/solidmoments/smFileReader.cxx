@@ -1,7 +1,7 @@
 #include "smFileReader.h"
 
 #include "smFileJob.h"
-#include "smMeshFile.h"
+#include "smMeshOrigin.h"
 
 #include "vtkBREPReader.h"
 #include "vtkSTEPReader.h"

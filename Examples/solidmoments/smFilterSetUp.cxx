@@ -7,7 +7,6 @@
 
 #include "vtkComputeContext.h"
 #include "vtkMassPropertiesBase.h"
-#include "vtkOpenGLRenderWindow.h"
 
 namespace sm
 {

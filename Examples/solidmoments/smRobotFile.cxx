@@ -1,7 +1,7 @@
 #include "smRobotFile.h"
 
+#include "smExtras.h"
 #include "smFileJob.h"
-#include "smMeshFile.h"
 #include "smOptions.h"
 #include "smOutputFiles.h"
 #include "smProductBodies.h"
@@ -99,9 +99,9 @@ std::string WriteRobot(vtkDataObject* input, double metres, const JobOptions& op
     for (const std::string& name : { link.VisualMesh, link.CollisionMesh })
     {
       const std::string path = (std::filesystem::path(options.RobotName).parent_path() / name).string();
-      const std::string problem = name.empty()
-        ? std::string()
-        : WriteLinkMesh(bodies, metres, link.Pose, name == link.CollisionMesh, path);
+      const std::string problem = name.empty() ? std::string()
+                                               : CallExtra(&ExtraFunctions::WriteLinkMesh, bodies, metres,
+                                                   link.Pose, name == link.CollisionMesh, path);
       if (!problem.empty())
       {
         return "not written: the mesh of the link " + link.Name + ": " + problem;

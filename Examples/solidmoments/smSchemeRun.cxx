@@ -1,6 +1,6 @@
 #include "smScheme.h"
 
-#include "smBodyScene.h"
+#include "smExtras.h"
 #include "smOutputFiles.h"
 #include "smResults.h"
 #include "smSchemeNames.h"
@@ -33,7 +33,7 @@ std::string WriteTexture(vtkImageData* image, const std::string& fileName)
   {
     return fileName + " would be overwritten, and it is a CAD file";
   }
-  return sm::WriteImage(image, fileName);
+  return sm::CallExtra(&sm::ExtraFunctions::WriteImage, image, fileName);
 }
 }
 

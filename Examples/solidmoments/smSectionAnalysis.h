@@ -33,6 +33,9 @@ public:
   std::string FormatRows(const std::string& unit) const override;
 };
 
+/// A point, in the unit of the results, and a normal that is not 0, each.
+using SectionPlanes = std::vector<std::array<double, 6>>;
+
 class SectionAnalysis : public Analysis
 {
 public:
@@ -46,8 +49,7 @@ public:
   void Run(const AnalysisRun& run) const override;
 
 private:
-  /// A point, in the unit of the results, and a normal that is not 0.
-  std::vector<std::array<double, 6>> Planes;
+  SectionPlanes Planes;
 };
 }
 

@@ -1,39 +1,11 @@
-#include "smPlaneCut.h"
+#include "smExtras.h"
+#include "smMassPropertyNames.h"
+#include "smMessageList.h"
+#include "smResults.h"
 #include "smSectionAnalysis.h"
-#include "smSectionNames.h"
-
-#include "vtkDataSetAttributes.h"
-#include "vtkNew.h"
-#include "vtkSolidSection.h"
 
 namespace sm
 {
-namespace
-{
-/// Reads the results in a row of field data or of a table. `hasMass`: false with materials by name, which the
-/// filter does not know.
-void ReadSection(vtkFieldData* data, vtkIdType row, bool hasMass, SectionEntry& section)
-{
-  section.Area = GetQuantity<1>(data, row, names::SectionArea);
-  section.Centroid = GetQuantity<3>(data, row, names::SectionCentroid);
-  const Quantity<6> six = GetQuantity<6>(data, row, names::SectionSecondMoments);
-  const std::array<double, 6>& m = six.Value; // xx, yy, zz, xy, yz, xz
-  section.SecondMoments.Value = { m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2] };
-  section.SecondMoments.Bound = six.Bound;
-  section.PrincipalMoments = GetQuantity<2>(data, row, names::SectionPrincipalMoments);
-  section.PrincipalDirections = GetQuantity<6>(data, row, names::SectionPrincipalDirections);
-  section.VolumeBelow = GetQuantity<1>(data, row, names::VolumeBelow);
-  section.CenterBelow = GetQuantity<3>(data, row, names::CenterBelow);
-  section.VolumeAbove = GetQuantity<1>(data, row, names::VolumeAbove);
-  section.CenterAbove = GetQuantity<3>(data, row, names::CenterAbove);
-  if (hasMass)
-  {
-    section.MassBelow = GetQuantity<1>(data, row, names::MassBelow);
-    section.MassAbove = GetQuantity<1>(data, row, names::MassAbove);
-  }
-}
-}
-
 const char* SectionAnalysis::GetMissingModule() const
 {
   return nullptr;
@@ -41,17 +13,13 @@ const char* SectionAnalysis::GetMissingModule() const
 
 void SectionAnalysis::Run(const AnalysisRun& run) const
 {
-  vtkNew<vtkSolidSection> filter;
-  filter->SetRelativeTolerance(run.Options.Tolerance);
-  filter->SetDensity(run.Options.Density);
-  for (std::size_t i = 0; i < this->Planes.size(); ++i)
+  std::string problem;
+  if (const ExtraFunctions* functions = GetExtras(problem))
   {
-    filter->SetPoint(this->Planes[i].data());
-    filter->SetNormal(this->Planes[i].data() + 3);
-    const bool hasMass = run.Options.Materials.empty();
-    RunPlaneCut<SectionResult>(run, filter,
-      [i, hasMass](vtkFieldData* data, vtkIdType row, SectionResult& result)
-      { ReadSection(data, row, hasMass, result.Sections[i]); });
+    functions->RunSections(this->Planes, run);
+    return;
   }
+  run.Messages.AddEcho("no section was computed: " + problem);
+  run.File.Status = run.File.Status == names::StatusOk ? names::StatusNotComputed : run.File.Status;
 }
 }

@@ -2,6 +2,7 @@
 
 #include "smBodyScales.h"
 #include "smMassPropertyNames.h"
+#include "smSphereMesh.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
@@ -11,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -39,13 +39,8 @@ constexpr vtkIdType AxisEnds = 6;
 
 vtkSmartPointer<vtkPolyData> MakeUnitSphere()
 {
-  vtkNew<vtkSphereSource> source;
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->SetRadius(1.0);
-  source->SetThetaResolution(32);
-  source->SetPhiResolution(24);
-  source->Update();
-  return source->GetOutput();
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  return MakeSphereMesh(origin, 1.0, 32, 24);
 }
 
 vtkSmartPointer<vtkPoints> MakePoints(

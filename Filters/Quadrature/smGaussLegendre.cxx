@@ -9,7 +9,8 @@ void ComputeGaussLegendre(int n, std::vector<double>& nodes, std::vector<double>
   nodes.assign(n, 0.0);
   weights.assign(n, 0.0);
   const long double pi = std::acos(-1.0L);
-  for (int i = 0; i < n; ++i)
+  // The other half are the mirror images.
+  for (int i = 0; i < (n + 1) / 2; ++i)
   {
     long double x = -std::cos(pi * (i + 0.75L) / (n + 0.5L));
     long double derivative = 1.0L;
@@ -31,8 +32,9 @@ void ComputeGaussLegendre(int n, std::vector<double>& nodes, std::vector<double>
         break;
       }
     }
+    nodes[n - 1 - i] = static_cast<double>((1.0L - x) / 2.0L);
     nodes[i] = static_cast<double>((1.0L + x) / 2.0L);
-    weights[i] = static_cast<double>(1.0L / ((1.0L - x * x) * derivative * derivative));
+    weights[i] = weights[n - 1 - i] = static_cast<double>(1.0L / ((1.0L - x * x) * derivative * derivative));
   }
 }
 

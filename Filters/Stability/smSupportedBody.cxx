@@ -1,6 +1,7 @@
 #include "Detail/smSupportedBody.h"
 
 #include "smBodyScales.h"
+#include "smSphereMesh.h"
 #include "smStabilityNames.h"
 
 #include "vtkBoundingBox.h"
@@ -10,7 +11,6 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -240,14 +240,7 @@ public:
 
   void AddSphere(const Vector3& center, double radius, const unsigned char* color)
   {
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    sphere->SetCenter(center[0], center[1], center[2]);
-    sphere->SetRadius(radius);
-    sphere->SetThetaResolution(24);
-    sphere->SetPhiResolution(16);
-    sphere->Update();
-    vtkPolyData* mesh = sphere->GetOutput();
+    const vtkSmartPointer<vtkPolyData> mesh = MakeSphereMesh(center.data(), radius, 24, 16);
     for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
     {
       vtkNew<vtkIdList> ids;

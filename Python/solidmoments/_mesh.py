@@ -4,11 +4,8 @@ That process has the VTK that this package was built with. This process may have
 and two VTKs in one process do not work. Only bytes are passed between the two processes.
 """
 import dataclasses
-import json
 import os
-import subprocess
 import sys
-import tempfile
 
 from . import _arguments as arguments
 from ._results import SolidMomentsError
@@ -40,6 +37,11 @@ def display_mesh(file, *, unit="mm", input_unit="mm", deflection=0.001):
 
     Raises FileNotFoundError and IsADirectoryError, TypeError and ValueError for a wrong argument, and SolidMomentsError when the file cannot be read.
     """
+    # Imported here, as in other functions: they take a third of the time to import the package.
+    import json
+    import subprocess
+    import tempfile
+
     from ._run import check_unit
 
     check_unit(unit, input_unit)

@@ -1,10 +1,14 @@
 """Products as plain values: parts list, materials, comparison of two files, validation properties, robots."""
-import json
 import os
 import warnings
 
 from . import _arguments as arguments
 from ._run import make_result, run_filter
+
+
+def _parse(text):
+    import json
+    return json.loads(text)
 
 
 def _run(file, density, options):
@@ -27,7 +31,7 @@ def materials():
     """The densities of common materials in kg/m^3 by their names: a dict."""
     from .smFiltersProducts import vtkProducts
 
-    return {entry["name"]: entry["density"] for entry in json.loads(vtkProducts.GetMaterials())}
+    return {entry["name"]: entry["density"] for entry in _parse(vtkProducts.GetMaterials())}
 
 
 def parts_list(file, density=None, **options):
@@ -40,7 +44,7 @@ def parts_list(file, density=None, **options):
     from .smFiltersProducts import vtkProducts
 
     reader, mass = _run(file, density, options)
-    return json.loads(vtkProducts.GetPartsList(mass))
+    return _parse(vtkProducts.GetPartsList(mass))
 
 
 def compare(old, new, density=None, *, limit=1e-9, **options):
@@ -59,7 +63,7 @@ def compare(old, new, density=None, *, limit=1e-9, **options):
     text = vtkProducts.Compare(before[1], after[1], limit)
     if not text:
         raise ValueError(f"{old} and {new} have different length units; give one by unit")
-    return json.loads(text)
+    return _parse(text)
 
 
 def validation(file, density=None, *, limit=1e-3, **options):
@@ -80,7 +84,7 @@ def validation(file, density=None, *, limit=1e-3, **options):
     stated = vtkTable()
     if not vtkSTEPReader.ReadStatedProducts(arguments.path("file", file), stated):
         return []
-    return json.loads(vtkProducts.CompareValidation(mass, stated, limit))
+    return _parse(vtkProducts.CompareValidation(mass, stated, limit))
 
 
 def robot(file, format="urdf", density=None, *, joints="", fuse=(), **options):
@@ -103,7 +107,7 @@ def robot(file, format="urdf", density=None, *, joints="", fuse=(), **options):
     fuse = [arguments.text("an entry of fuse", name, "the name of a product") for name in fuse]
     reader, mass = _run(file, density, options)
     name = os.path.splitext(os.path.basename(arguments.path("file", file)))[0]
-    found = json.loads(vtkProducts.MakeRobot(mass, name, format, joints, "\n".join(fuse)))
+    found = _parse(vtkProducts.MakeRobot(mass, name, format, joints, "\n".join(fuse)))
     if found["problem"]:
         raise ValueError(f"{file}: {found['problem']}")
     for message in found["messages"]:

@@ -1,12 +1,9 @@
 """The results, exceptions and warnings of `mass_properties`."""
 import dataclasses
-import decimal
-import html
 import math
-from typing import Optional, Tuple
 
-Vector = Tuple[float, float, float]
-Matrix = Tuple[Vector, Vector, Vector]
+Vector = tuple[float, float, float]
+Matrix = tuple[Vector, Vector, Vector]
 
 # Unit of each quantity: power of the length unit L, and its other factors. A bound has the unit of its
 # quantity.
@@ -48,48 +45,48 @@ class MassProperties:
     id: str
     status: str
     length_unit: str
-    volume: Optional[float]
-    volume_bound: Optional[float]
-    area: Optional[float]
-    area_bound: Optional[float]
-    center_of_mass: Optional[Vector]
-    center_of_mass_bound: Optional[float]
-    inertia: Optional[Matrix]
-    inertia_bound: Optional[float]
-    inertia_at_origin: Optional[Matrix]
-    inertia_at_origin_bound: Optional[float]
-    principal_moments: Optional[Vector]
-    principal_moments_bound: Optional[float]
-    principal_axes: Optional[Matrix]
-    principal_axes_bound: Optional[float]
-    radii_of_gyration: Optional[Vector]
-    radii_of_gyration_bound: Optional[float]
-    mass: Optional[float]
-    mass_bound: Optional[float]
-    mass_center: Optional[Vector]
-    mass_center_bound: Optional[float]
-    mass_inertia: Optional[Matrix]
-    mass_inertia_bound: Optional[float]
-    mass_uncertainty: Optional[Tuple[float, float, float, float, float]]
-    overridden_mass: Optional[float]
-    density: Optional[float]
+    volume: "float | None"
+    volume_bound: "float | None"
+    area: "float | None"
+    area_bound: "float | None"
+    center_of_mass: "Vector | None"
+    center_of_mass_bound: "float | None"
+    inertia: "Matrix | None"
+    inertia_bound: "float | None"
+    inertia_at_origin: "Matrix | None"
+    inertia_at_origin_bound: "float | None"
+    principal_moments: "Vector | None"
+    principal_moments_bound: "float | None"
+    principal_axes: "Matrix | None"
+    principal_axes_bound: "float | None"
+    radii_of_gyration: "Vector | None"
+    radii_of_gyration_bound: "float | None"
+    mass: "float | None"
+    mass_bound: "float | None"
+    mass_center: "Vector | None"
+    mass_center_bound: "float | None"
+    mass_inertia: "Matrix | None"
+    mass_inertia_bound: "float | None"
+    mass_uncertainty: "tuple[float, float, float, float, float] | None"
+    overridden_mass: "float | None"
+    density: "float | None"
     material: str
-    volume_spread: Optional[float]
-    area_spread: Optional[float]
-    center_of_mass_spread: Optional[float]
-    inertia_spread: Optional[float]
-    principal_moments_spread: Optional[float]
-    mass_spread: Optional[float]
-    mass_center_spread: Optional[float]
-    mass_inertia_spread: Optional[float]
-    closure_correction: Optional[float]
-    gap_squared: Optional[float]
-    max_gap: Optional[float]
-    gap_area: Optional[float]
-    closure_residual: Optional[float]
-    open_edges: Optional[int]
-    messages: Tuple[str, ...] = ()
-    solids: Tuple["MassProperties", ...] = dataclasses.field(default=(), repr=False)
+    volume_spread: "float | None"
+    area_spread: "float | None"
+    center_of_mass_spread: "float | None"
+    inertia_spread: "float | None"
+    principal_moments_spread: "float | None"
+    mass_spread: "float | None"
+    mass_center_spread: "float | None"
+    mass_inertia_spread: "float | None"
+    closure_correction: "float | None"
+    gap_squared: "float | None"
+    max_gap: "float | None"
+    gap_area: "float | None"
+    closure_residual: "float | None"
+    open_edges: "int | None"
+    messages: tuple[str, ...] = ()
+    solids: tuple["MassProperties", ...] = dataclasses.field(default=(), repr=False)
 
     @property
     def units(self):
@@ -110,6 +107,7 @@ class MassProperties:
 
     def _repr_html_(self):
         """The table that a notebook shows: quantities with bounds and units, a row per solid, and the messages."""
+        import html
         head = ["quantity", "value", "bound", "unit"]
         rows = []
         for name in ("volume", "area", "center_of_mass", "principal_moments", "mass"):
@@ -158,12 +156,15 @@ def _format(value, bound):
 
 def _format_bound(bound):
     """The bound of the number that _format() prints, which includes its rounding, with two digits, rounded up."""
+    import decimal
     if bound is None:
         return "-"
     return f"{decimal.Context(prec=2, rounding=decimal.ROUND_CEILING).create_decimal_from_float(1.05 * bound):.1e}"
 
 
 def _table(head, rows):
+    import html
+
     def line(cells, tag):
         return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>"
     return "<table>" + line(head, "th") + "".join(line(row, "td") for row in rows) + "</table>"

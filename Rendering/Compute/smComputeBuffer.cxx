@@ -1,8 +1,8 @@
 #include "smComputeBuffer.h"
 
-#include "Detail/smOpenGL.h"
 #include "smContextResources.h"
 #include "smContextScope.h"
+#include "smOpenGL.h"
 #include "vtkComputeContext.h"
 
 #include <algorithm>
@@ -113,26 +113,24 @@ bool ComputeBuffer::Create(std::size_t bytes)
 {
   this->Free();
   GLuint name = 0;
-  DrainErrors();
-  glGenBuffers(1, &name);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, name);
+  GL::DrainErrors();
+  GL::GenBuffers(1, &name);
+  GL::BindBuffer(GL_COPY_WRITE_BUFFER, name);
   const auto size = static_cast<GLsizeiptr>(bytes);
-#ifdef GL_DYNAMIC_STORAGE_BIT
-  if (glBufferStorage)
+  if (GL::BufferStorage)
   {
     // In the memory of the device: NVIDIA's driver keeps a store with a hint of changes (GL_DYNAMIC_COPY) in
     // that of the host, from where shaders read and write it at a hundredth of the speed.
-    glBufferStorage(GL_COPY_WRITE_BUFFER, size, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    GL::BufferStorage(GL_COPY_WRITE_BUFFER, size, nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
   else
-#endif
   {
-    glBufferData(GL_COPY_WRITE_BUFFER, size, nullptr, GL_STATIC_COPY);
+    GL::BufferData(GL_COPY_WRITE_BUFFER, size, nullptr, GL_STATIC_COPY);
   }
-  const std::string error = TakeError();
+  const std::string error = GL::TakeError();
   if (!error.empty())
   {
-    glDeleteBuffers(1, &name);
+    GL::DeleteBuffers(1, &name);
     return this->Fail(error + " for a buffer of " + std::to_string(bytes) + " bytes");
   }
   this->Name = name;
@@ -211,9 +209,9 @@ bool ComputeBuffer::Transfer(const char* what, std::size_t bytes, std::size_t of
   {
     return this->Fail("the compute context is not ready");
   }
-  DrainErrors();
+  GL::DrainErrors();
   copy(static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
-  const std::string error = TakeError();
+  const std::string error = GL::TakeError();
   return error.empty() || this->Fail(error + " in " + describe());
 }
 
@@ -233,9 +231,9 @@ void* ComputeBuffer::BeginStaging(std::size_t bytes)
 
 bool ComputeBuffer::EndStaging()
 {
-  DrainErrors();
+  GL::DrainErrors();
   this->Resources->Stage->Upload(this->Name, 0);
-  const std::string error = TakeError();
+  const std::string error = GL::TakeError();
   return error.empty() || this->Fail(error + " in an upload of " + std::to_string(this->Size) + " bytes");
 }
 
@@ -269,10 +267,10 @@ bool ComputeBuffer::Upload(const void* data, std::size_t bytes, std::size_t offs
         if (!this->Resources->IsSoftware)
         {
           // Not every driver waits for shaders that read the buffer (TransferStage).
-          glFinish();
+          GL::Finish();
         }
-        glBindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
-        glBufferSubData(GL_COPY_WRITE_BUFFER, at, size, from);
+        GL::BindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
+        GL::BufferSubData(GL_COPY_WRITE_BUFFER, at, size, from);
       }
     });
 }
@@ -283,8 +281,8 @@ bool ComputeBuffer::Read(void* data, std::size_t bytes, std::size_t offset)
   return this->Transfer("a read", bytes, offset,
     [&](GLintptr at, GLsizeiptr size)
     {
-      glBindBuffer(GL_COPY_READ_BUFFER, this->Name);
-      glGetBufferSubData(GL_COPY_READ_BUFFER, at, size, data);
+      GL::BindBuffer(GL_COPY_READ_BUFFER, this->Name);
+      GL::GetBufferSubData(GL_COPY_READ_BUFFER, at, size, data);
     });
 }
 
@@ -300,10 +298,10 @@ bool ComputeBuffer::Clear()
   {
     return this->Fail("the compute context is not ready");
   }
-  DrainErrors();
-  glBindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
-  glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
-  const std::string error = TakeError();
+  GL::DrainErrors();
+  GL::BindBuffer(GL_COPY_WRITE_BUFFER, this->Name);
+  GL::ClearBufferData(GL_COPY_WRITE_BUFFER, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
+  const std::string error = GL::TakeError();
   return error.empty() || this->Fail(error + " in clearing " + std::to_string(this->Size) + " bytes");
 }
 
@@ -345,10 +343,10 @@ bool ComputeBuffer::Bind(unsigned int binding, std::size_t offset, std::size_t b
     return this->Fail("offset " + std::to_string(offset) + " is not a multiple of " +
       std::to_string(this->Resources->StorageOffsetAlignment));
   }
-  DrainErrors();
-  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, this->Name, static_cast<GLintptr>(offset),
+  GL::DrainErrors();
+  GL::BindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, this->Name, static_cast<GLintptr>(offset),
     static_cast<GLsizeiptr>(bytes));
-  const std::string error = TakeError();
+  const std::string error = GL::TakeError();
   return error.empty() || this->Fail(error + " in binding point " + std::to_string(binding));
 }
 

@@ -1,9 +1,9 @@
 #include "smComputeProgram.h"
 
 #include "Detail/smDispatchLog.h"
-#include "Detail/smOpenGL.h"
 #include "smContextResources.h"
 #include "smContextScope.h"
+#include "smOpenGL.h"
 #include "smShaderSource.h"
 #include "vtkComputeContext.h"
 
@@ -111,15 +111,15 @@ bool ComputeProgram::BeginBuild(
   this->Source = source;
 
   // No status is asked for here: the driver would finish the compilation first.
-  this->BegunShader = glCreateShader(GL_COMPUTE_SHADER);
+  this->BegunShader = GL::CreateShader(GL_COMPUTE_SHADER);
   const char* text = source.c_str();
-  glShaderSource(this->BegunShader, 1, &text, nullptr);
-  glCompileShader(this->BegunShader);
-  this->Name = glCreateProgram();
-  glAttachShader(this->Name, this->BegunShader);
-  glLinkProgram(this->Name);
+  GL::ShaderSource(this->BegunShader, 1, &text, nullptr);
+  GL::CompileShader(this->BegunShader);
+  this->Name = GL::CreateProgram();
+  GL::AttachShader(this->Name, this->BegunShader);
+  GL::LinkProgram(this->Name);
   // The shader exists until it is detached.
-  glDeleteShader(this->BegunShader);
+  GL::DeleteShader(this->BegunShader);
   this->Resources->AddProgram(this->Name);
   return true;
 }
@@ -134,20 +134,20 @@ bool ComputeProgram::FinishBuild()
   {
     return this->Fail("the compute context is not ready");
   }
-  DrainErrors();
+  GL::DrainErrors();
   GLint isCompiled = GL_FALSE;
   GLint isLinked = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
-  glGetProgramiv(this->Name, GL_LINK_STATUS, &isLinked);
+  GL::GetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
+  GL::GetProgramiv(this->Name, GL_LINK_STATUS, &isLinked);
   if (!isCompiled)
   {
-    this->Log = ::GetLog(shader, glGetShaderiv, glGetShaderInfoLog);
+    this->Log = ::GetLog(shader, GL::GetShaderiv, GL::GetShaderInfoLog);
   }
   else if (!isLinked)
   {
-    this->Log = ::GetLog(this->Name, glGetProgramiv, glGetProgramInfoLog);
+    this->Log = ::GetLog(this->Name, GL::GetProgramiv, GL::GetProgramInfoLog);
   }
-  glDetachShader(this->Name, shader);
+  GL::DetachShader(this->Name, shader);
   if (!isLinked)
   {
     this->Free();
@@ -155,24 +155,24 @@ bool ComputeProgram::FinishBuild()
       ShaderSource::NumberLines(source));
   }
   GLint size[3] = { 0, 0, 0 };
-  glGetProgramiv(this->Name, GL_COMPUTE_WORK_GROUP_SIZE, size);
+  GL::GetProgramiv(this->Name, GL_COMPUTE_WORK_GROUP_SIZE, size);
   this->LocalSize = static_cast<unsigned int>(size[0]);
   this->FindUniforms();
-  const std::string error = TakeError();
+  const std::string error = GL::TakeError();
   return error.empty() || this->Fail(error + " while the program was built");
 }
 
 void ComputeProgram::FindUniforms()
 {
   GLint count = 0;
-  glGetProgramiv(this->Name, GL_ACTIVE_UNIFORMS, &count);
+  GL::GetProgramiv(this->Name, GL_ACTIVE_UNIFORMS, &count);
   char name[64];
   for (GLint i = 0; i < count; ++i)
   {
     GLint size = 0;
     GLenum type = 0;
-    glGetActiveUniform(this->Name, static_cast<GLuint>(i), sizeof(name), nullptr, &size, &type, name);
-    this->Locations[name] = glGetUniformLocation(this->Name, name);
+    GL::GetActiveUniform(this->Name, static_cast<GLuint>(i), sizeof(name), nullptr, &size, &type, name);
+    this->Locations[name] = GL::GetUniformLocation(this->Name, name);
   }
 }
 
@@ -184,7 +184,7 @@ int ComputeProgram::FindUniform(const char* name)
     this->Fail(std::string("uniform ") + name + " set outside a scope of a built program's context");
     return -1;
   }
-  DrainErrors();
+  GL::DrainErrors();
   const auto found = this->Locations.find(name);
   const GLint location = found == this->Locations.end() ? -1 : found->second;
   if (location < 0)
@@ -196,7 +196,7 @@ int ComputeProgram::FindUniform(const char* name)
 
 bool ComputeProgram::CheckUniform(const char* name)
 {
-  const std::string error = TakeError();
+  const std::string error = GL::TakeError();
   return error.empty() || this->Fail(error + " for uniform " + name + ": is it of another type?");
 }
 
@@ -207,7 +207,7 @@ bool ComputeProgram::SetUniform(const char* name, int value)
   {
     return false;
   }
-  glProgramUniform1i(this->Name, location, value);
+  GL::ProgramUniform1i(this->Name, location, value);
   return this->CheckUniform(name);
 }
 
@@ -218,7 +218,7 @@ bool ComputeProgram::SetUniform(const char* name, unsigned int value)
   {
     return false;
   }
-  glProgramUniform1ui(this->Name, location, value);
+  GL::ProgramUniform1ui(this->Name, location, value);
   return this->CheckUniform(name);
 }
 
@@ -229,7 +229,7 @@ bool ComputeProgram::SetUniform(const char* name, double value)
   {
     return false;
   }
-  glProgramUniform1d(this->Name, location, value);
+  GL::ProgramUniform1d(this->Name, location, value);
   return this->CheckUniform(name);
 }
 
@@ -259,16 +259,16 @@ bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize, 
   {
     return this->Fail(std::to_string(invocations) + " invocations are too many for one dispatch");
   }
-  DrainErrors();
-  glUseProgram(this->Name);
-  glDispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>(rows), 1);
+  GL::DrainErrors();
+  GL::UseProgram(this->Name);
+  GL::DispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>(rows), 1);
   if (barrier == Barrier::After)
   {
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    GL::MemoryBarrier(GL_ALL_BARRIER_BITS);
   }
   ++this->Resources->Dispatches;
   LogDispatch(this->Resources->Context, this->Label);
-  const std::string error = TakeError();
+  const std::string error = GL::TakeError();
   return error.empty() ||
     this->Fail(
       error + " in a dispatch of " + std::to_string(columns) + " x " + std::to_string(rows) + " groups");
@@ -276,7 +276,7 @@ bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize, 
 
 void ComputeProgram::PlaceBarrier()
 {
-  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  GL::MemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 long ComputeProgram::GetLiveCount()

@@ -1,6 +1,6 @@
 #include "smContextResources.h"
 
-#include "Detail/smOpenGL.h"
+#include "smOpenGL.h"
 #include "smWindowResources.h"
 
 #include <atomic>
@@ -39,7 +39,7 @@ void ContextResources::FreeBuffer(unsigned int name)
     this->Window->AllocatedBytes -= found->second;
     --LiveBuffers;
     this->Buffers.erase(found);
-    glDeleteBuffers(1, &name);
+    GL::DeleteBuffers(1, &name);
   }
 }
 
@@ -48,7 +48,7 @@ void ContextResources::FreeProgram(unsigned int name)
   if (this->Programs.erase(name) != 0)
   {
     --LivePrograms;
-    glDeleteProgram(name);
+    GL::DeleteProgram(name);
   }
 }
 
@@ -64,7 +64,7 @@ void ContextResources::End(bool current)
   {
     if (current)
     {
-      glDeleteBuffers(1, &buffer.first);
+      GL::DeleteBuffers(1, &buffer.first);
     }
     LiveBytes -= static_cast<std::int64_t>(buffer.second);
     this->Window->AllocatedBytes -= buffer.second;
@@ -74,7 +74,7 @@ void ContextResources::End(bool current)
   {
     if (current)
     {
-      glDeleteProgram(program);
+      GL::DeleteProgram(program);
     }
     --LivePrograms;
   }

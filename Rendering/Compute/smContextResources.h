@@ -9,6 +9,7 @@
 #define smContextResources_h
 
 #include "Detail/smTransferStage.h"
+#include "smRenderingComputeModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,7 @@ namespace sm
 {
 struct WindowResources;
 
-struct ContextResources
+struct SMRENDERINGCOMPUTE_EXPORT ContextResources
 {
   /// The context; null after it was deleted.
   vtkComputeContext* Context = nullptr;

@@ -14,6 +14,8 @@ class vtkComputeContext;
 
 namespace sm
 {
+class WindowScope;
+
 /**
  * Makes the context current for the life of the object, whatever is current on the thread: a GLX context, an
  * EGL context or none, for a filter's Update() may run in the middle of another window's Render().
@@ -45,8 +47,7 @@ public:
   static bool IsInside(vtkComputeContext* context);
 
 private:
-  struct State;
-  std::unique_ptr<State> Saved;
+  std::unique_ptr<WindowScope> Entered;
 };
 }
 

@@ -33,7 +33,8 @@ struct ProbeResult
 /// `complaint` continues a sentence that starts with the driver's name, and names the constructs that are
 /// wrong. GLSL lets a driver take subnormal numbers for 0: then it succeeds, and `isFlushed` is true. Not
 /// counted as a dispatch.
-bool ProbeConstructs(vtkComputeContext* context, bool& isFlushed, std::string& complaint);
+SMRENDERINGCOMPUTE_EXPORT bool ProbeConstructs(
+  vtkComputeContext* context, bool& isFlushed, std::string& complaint);
 
 /// Returns a row for each construct, used or not. The context must be READY.
 SMRENDERINGCOMPUTE_EXPORT std::vector<ProbeResult> ProbeAllConstructs(vtkComputeContext* context);

@@ -1,6 +1,6 @@
-#include "Detail/smReadyContexts.h"
+#include "smReadyContexts.h"
 
-#include "Detail/smCurrentContext.h"
+#include "smOpenGLLibrary.h"
 #include "vtkComputeContext.h"
 
 #include <cstdlib>

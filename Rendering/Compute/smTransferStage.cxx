@@ -1,6 +1,6 @@
 #include "Detail/smTransferStage.h"
 
-#include "Detail/smOpenGL.h"
+#include "smOpenGL.h"
 
 namespace sm
 {
@@ -16,20 +16,19 @@ constexpr unsigned long long WaitNanoseconds = 1000000000ull;
 /// Waits until the GPU has executed all commands.
 void WaitForCopies()
 {
-  const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  const GLsync fence = GL::FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   GLenum state = GL_TIMEOUT_EXPIRED;
   while (state == GL_TIMEOUT_EXPIRED)
   {
-    state = glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, WaitNanoseconds);
+    state = GL::ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, WaitNanoseconds);
   }
-  glDeleteSync(fence);
+  GL::DeleteSync(fence);
 }
 }
 
 bool TransferStage::Map(std::size_t bytes)
 {
-#ifdef GL_MAP_PERSISTENT_BIT
-  if (!glBufferStorage)
+  if (!GL::BufferStorage)
   {
     return false;
   }
@@ -42,32 +41,28 @@ bool TransferStage::Map(std::size_t bytes)
   }
   const auto size = static_cast<GLsizeiptr>(this->Capacity);
   constexpr GLbitfield flags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-  DrainErrors();
+  GL::DrainErrors();
   GLuint name = 0;
-  glGenBuffers(1, &name);
-  glBindBuffer(GL_COPY_READ_BUFFER, name);
-  glBufferStorage(GL_COPY_READ_BUFFER, size, nullptr, flags | GL_CLIENT_STORAGE_BIT);
-  void* memory = glMapBufferRange(GL_COPY_READ_BUFFER, 0, size, flags);
-  if (!TakeError().empty() || !memory)
+  GL::GenBuffers(1, &name);
+  GL::BindBuffer(GL_COPY_READ_BUFFER, name);
+  GL::BufferStorage(GL_COPY_READ_BUFFER, size, nullptr, flags | GL_CLIENT_STORAGE_BIT);
+  void* memory = GL::MapBufferRange(GL_COPY_READ_BUFFER, 0, size, flags);
+  if (!GL::TakeError().empty() || !memory)
   {
-    glDeleteBuffers(1, &name);
+    GL::DeleteBuffers(1, &name);
     return false;
   }
   this->Name = name;
   this->Memory = static_cast<unsigned char*>(memory);
   this->Begin = this->Bytes = 0;
   return true;
-#else
-  (void)bytes;
-  return false;
-#endif
 }
 
 void TransferStage::Free()
 {
   if (this->Name != 0)
   {
-    glDeleteBuffers(1, &this->Name);
+    GL::DeleteBuffers(1, &this->Name);
     this->Name = 0;
     this->Memory = nullptr;
   }
@@ -95,9 +90,9 @@ void* TransferStage::BeginUpload(std::size_t bytes)
 
 void TransferStage::Upload(unsigned int buffer, std::size_t offset)
 {
-  glBindBuffer(GL_COPY_READ_BUFFER, this->Name);
-  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
-  glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(this->Begin),
+  GL::BindBuffer(GL_COPY_READ_BUFFER, this->Name);
+  GL::BindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+  GL::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(this->Begin),
     static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(this->Bytes));
 }
 }

@@ -1,22 +1,55 @@
 #include "vtkComputeContext.h"
 
-#include "Detail/smCurrentContext.h"
-#include "Detail/vtkComputeContextInternals.h"
 #include "smContextResources.h"
+#include "smOpenGLLibrary.h"
 #include "smWindowResources.h"
-#include "vtkEGLSurfacelessRenderWindow.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkComputeContext);
 
+class vtkComputeContext::vtkInternals
+{
+public:
+  sm::ContextState State;
+  /// Null before the first Start(), and without the library for OpenGL.
+  std::unique_ptr<sm::WindowSource> Windows;
+  /// Modification time of the context with which no GPU was found.
+  vtkMTimeType FoundNoGPU = 0;
+
+  /// Returns the library for OpenGL, or null with a reason in the state.
+  sm::OpenGLLibrary* GetLibrary()
+  {
+    std::string reason;
+    sm::OpenGLLibrary* const library = sm::GetOpenGLLibrary(reason);
+    if (!library)
+    {
+      this->State.Status = NO_CONTEXT;
+      this->State.Reason = reason;
+    }
+    else if (!this->Windows)
+    {
+      this->Windows = library->NewSource(this->State);
+    }
+    return library;
+  }
+
+  int Search(bool onlyGPU)
+  {
+    return this->GetLibrary() ? this->Windows->Search(onlyGPU) : this->State.Status;
+  }
+};
+
 vtkComputeContext::vtkComputeContext()
   : Resources(std::make_shared<sm::ContextResources>())
-  , Internals(new vtkInternals(this))
+  , Internals(new vtkInternals)
 {
   this->Resources->Context = this;
+  this->Internals->State.Context = this;
+  this->Internals->State.Resources = this->Resources;
 }
 
 vtkComputeContext::~vtkComputeContext()
@@ -27,13 +60,14 @@ vtkComputeContext::~vtkComputeContext()
 
 void vtkComputeContext::PrintSelf(ostream& os, vtkIndent indent)
 {
+  const sm::ContextState& state = this->Internals->State;
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Source: " << this->Source << "\n"
+  os << indent << "Source: " << state.Source << "\n"
      << indent << "Status: " << this->GetStatusAsString() << "\n"
-     << indent << "Reason: " << this->Internals->Reason << "\n"
-     << indent << "SourceName: " << this->Internals->SourceName << "\n"
-     << indent << "Renderer: " << this->Internals->Renderer << "\n"
-     << indent << "VersionString: " << this->Internals->Version << "\n"
+     << indent << "Reason: " << state.Reason << "\n"
+     << indent << "SourceName: " << state.SourceName << "\n"
+     << indent << "Renderer: " << state.Renderer << "\n"
+     << indent << "VersionString: " << state.Version << "\n"
      << indent << "Generation: " << this->Resources->Generation << "\n"
      << indent << "AllocatedBytes: " << this->GetAllocatedBytes() << "\n"
      << indent << "PeakAllocatedBytes: " << this->GetPeakAllocatedBytes() << "\n"
@@ -43,34 +77,40 @@ void vtkComputeContext::PrintSelf(ostream& os, vtkIndent indent)
 void vtkComputeContext::SetSource(int source)
 {
   source = std::min(std::max(source, static_cast<int>(AUTOMATIC)), static_cast<int>(EGL));
-  if (source != this->Source)
+  if (source != this->Internals->State.Source)
   {
     this->Stop();
-    this->Source = source;
+    this->Internals->State.Source = source;
     this->Modified();
   }
 }
 
+int vtkComputeContext::GetSource()
+{
+  return this->Internals->State.Source;
+}
+
 void vtkComputeContext::SetWindow(vtkRenderWindow* window)
 {
-  if (window != this->Internals->Given || (!window && this->Internals->WasGiven))
+  sm::ContextState& state = this->Internals->State;
+  if (window != state.Given || (!window && state.WasGiven))
   {
     this->Stop();
-    this->Internals->Given = window;
-    this->Internals->WasGiven = window != nullptr;
-    this->Internals->WasOpened = false;
+    state.Given = window;
+    state.WasGiven = window != nullptr;
+    state.WasOpened = false;
     this->Modified();
   }
 }
 
 vtkRenderWindow* vtkComputeContext::GetWindow()
 {
-  return this->Internals->Given;
+  return this->Internals->State.Given;
 }
 
 void vtkComputeContext::SetMaximumVersion(int major, int minor)
 {
-  int* maximum = this->Internals->MaximumVersion;
+  int* maximum = this->Internals->State.MaximumVersion;
   if (maximum[0] != major || maximum[1] != minor)
   {
     this->Stop();
@@ -82,19 +122,24 @@ void vtkComputeContext::SetMaximumVersion(int major, int minor)
 
 int vtkComputeContext::Start()
 {
+  const sm::ContextState& state = this->Internals->State;
+  if (state.Status == READY)
+  {
+    return READY;
+  }
   // EGL may have a GPU even if the X display has none.
-  if (this->Status != READY && !this->Internals->Given && this->Source == AUTOMATIC &&
-    vtkEGLSurfacelessRenderWindow::MayHaveGPU())
+  sm::OpenGLLibrary* const library = this->Internals->GetLibrary();
+  if (library && !state.Given && state.Source == AUTOMATIC && library->MayHaveGPU())
   {
     this->StartOnGPU();
   }
-  return this->Status == READY ? READY : this->Internals->Search(false);
+  return state.Status == READY ? READY : this->Internals->Search(false);
 }
 
 bool vtkComputeContext::StartOnGPU()
 {
   vtkInternals& internals = *this->Internals;
-  if (this->Status == READY)
+  if (internals.State.Status == READY)
   {
     return !this->IsSoftware();
   }
@@ -102,59 +147,55 @@ bool vtkComputeContext::StartOnGPU()
   {
     internals.FoundNoGPU = this->GetMTime();
   }
-  return this->Status == READY;
+  return internals.State.Status == READY;
 }
 
 void vtkComputeContext::Stop()
 {
   vtkInternals& internals = *this->Internals;
-  if (internals.Own && internals.Own->IsCurrent())
+  if (internals.Windows)
   {
-    // After rendering with our own window its context may be current; it is released, so that no scope
-    // restores it after its end.
-    internals.Own->ReleaseCurrent();
+    internals.Windows->Stop();
   }
-  const sm::CurrentContext::Guard guard;
-  if (internals.Used)
-  {
-    internals.End(sm::MakeWindowCurrent(internals.Used), NOT_STARTED);
-  }
-  internals.Detach();
-  internals.Own = nullptr;
-  internals.Reason.clear();
-  this->Status = NOT_STARTED;
+  internals.State.Reason.clear();
+  internals.State.Status = NOT_STARTED;
+}
+
+int vtkComputeContext::GetStatus()
+{
+  return this->Internals->State.Status;
 }
 
 const char* vtkComputeContext::GetStatusAsString()
 {
   static const char* const names[] = { "not-started", "ready", "no-context", "no-compute", "no-doubles",
     "lost" };
-  return names[this->Status];
+  return names[this->GetStatus()];
 }
 
 std::string vtkComputeContext::GetReason()
 {
-  return this->Internals->Reason;
+  return this->Internals->State.Reason;
 }
 
 std::string vtkComputeContext::GetRenderer()
 {
-  return this->Internals->Renderer;
+  return this->Internals->State.Renderer;
 }
 
 std::string vtkComputeContext::GetVersionString()
 {
-  return this->Internals->Version;
+  return this->Internals->State.Version;
 }
 
 std::string vtkComputeContext::GetSourceName()
 {
-  return this->Internals->SourceName;
+  return this->Internals->State.SourceName;
 }
 
 vtkOpenGLRenderWindow* vtkComputeContext::GetRenderWindow()
 {
-  return this->Internals->Used;
+  return this->Internals->State.Used;
 }
 
 vtkTypeUInt64 vtkComputeContext::GetGeneration()
@@ -164,7 +205,7 @@ vtkTypeUInt64 vtkComputeContext::GetGeneration()
 
 bool vtkComputeContext::IsSoftware()
 {
-  return vtkEGLSurfacelessRenderWindow::IsSoftware(this->Internals->Renderer);
+  return sm::IsSoftwareRenderer(this->Internals->State.Renderer);
 }
 
 bool vtkComputeContext::FlushesSubnormals()

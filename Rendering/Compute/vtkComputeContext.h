@@ -4,7 +4,9 @@
  *
  * The context is that of a given vtkRenderWindow, so that results can stay where a renderer uses them, or one
  * of its own: on the X display, or without any display by surfaceless EGL. Start() makes it. If there is
- * none, the reason is a status, and nothing is printed or aborted.
+ * none, the reason is a status, and nothing is printed or aborted. OpenGL is not linked: the first Start() of
+ * the process loads the library smRenderingOpenGL, which lies next to this module's; without it there is no
+ * context.
  *
  * Everything of this module that owns a GL name (sm::ComputeBuffer, sm::ComputeProgram) is tied to a context
  * and to its generation. When the window ends, is finalized or releases its resources, the context frees
@@ -78,7 +80,7 @@ public:
   /** The wanted source. Default: AUTOMATIC. Values outside the enumeration are clamped. A change ends the
    * present context. */
   void SetSource(int source);
-  vtkGetMacro(Source, int);
+  virtual int GetSource();
   ///@}
 
   ///@{
@@ -110,7 +112,7 @@ public:
   void Stop();
 
   /** The present status; never tries to make a context. */
-  vtkGetMacro(Status, int);
+  virtual int GetStatus();
   /** "not-started", "ready", "no-context", "no-compute", "no-doubles" or "lost". */
   const char* GetStatusAsString();
 
@@ -182,8 +184,6 @@ private:
 
   class vtkInternals;
 
-  int Source = AUTOMATIC;
-  int Status = NOT_STARTED;
   std::shared_ptr<sm::ContextResources> Resources;
   std::unique_ptr<vtkInternals> Internals;
 };

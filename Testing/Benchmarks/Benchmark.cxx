@@ -1,4 +1,5 @@
-// Benchmark speed|accuracy|scale|edit|instances ...: measures stages, errors, growth, edits and instances.
+// Benchmark speed|start|accuracy|scale|edit|instances ...: measures stages, the start, errors, growth, edits
+// and instances.
 // Exit status 1: wrong usage, or a subcommand's result is wrong, as its help says.
 #include "smBenchmark.h"
 

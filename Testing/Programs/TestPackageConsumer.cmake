@@ -89,6 +89,18 @@ endif ()
 # The other installed programs and modules run on their own.
 if (EXISTS "${PREFIX}/bin/solidmoments")
   run_step("installed solidmoments" "${PREFIX}/bin/solidmoments" "${PART}")
+  # What it loads on demand is found in the install, and in one that was moved.
+  foreach (place IN ITEMS "${PREFIX}" "${BUILD}/test-moved")
+    file(REMOVE_RECURSE "${BUILD}/test-moved")
+    if (NOT place STREQUAL PREFIX)
+      file(RENAME "${PREFIX}" "${place}")
+    endif ()
+    run_step("solidmoments in ${place}, OpenGL and triangles" "${place}/bin/solidmoments" --backend opengl
+      --mesh "${BUILD}/test-consumer/part.stl" "${PART}")
+    if (NOT place STREQUAL PREFIX)
+      file(RENAME "${place}" "${PREFIX}")
+    endif ()
+  endforeach ()
 endif ()
 if (EXISTS "${PREFIX}/bin/edit_part")
   # Without a file it opens the installed part: its name is in the JSON.

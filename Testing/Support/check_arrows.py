@@ -32,6 +32,7 @@ ROOMS = {
     "FiltersVariants": ("Filters/Variants", ["FiltersMassProperties", "RenderingCompute"]),
     "FiltersTessellation": ("Filters/Tessellation", ["FiltersNURBS"]),
     "RenderingCompute": ("Rendering/Compute", ["FiltersCommon"]),
+    "RenderingOpenGL": ("Rendering/OpenGL", ["RenderingCompute"]),
     "RenderingNURBS": ("Rendering/NURBS", ["RenderingCompute", "FiltersNURBS"]),
     "ReadersFaces": ("Readers/Faces", ["FiltersNURBS"]),
     "ReadersPart21": ("Readers/Part21", ["FiltersCommon"]),

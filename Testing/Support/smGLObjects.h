@@ -8,7 +8,7 @@
 #ifndef smGLObjects_h
 #define smGLObjects_h
 
-#include "Detail/smOpenGL.h"
+#include "Detail/smLoader.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "Items/smGPUItemRunner.h"
 #include "Items/smItemKernels.h"
 #include "smIntegralEngine.h"
+#include "smOpenGLLibrary.h"
 #include "smParallelFor.h"
 
 #include "vtkTimerLog.h"
@@ -111,7 +112,11 @@ bool IntegralEngine::ChooseRunner(const IntegralRequest& request, BackendChoice 
   const bool isWanted = isByEstimate ? this->PrefersOpenGL : backend != BackendChoice::CPU;
   bool hasOpenGL = isWanted &&
     (isByEstimate ? this->Context->StartOnGPU() : this->Context->Start() == vtkComputeContext::READY);
-  const std::string problem = hasOpenGL ? this->FindContextProblem(backend) : std::string();
+  std::string problem = hasOpenGL ? this->FindContextProblem(backend) : std::string();
+  if (isWanted && !hasOpenGL)
+  {
+    GetOpenGLLibrary(problem); // the reason why there is none; empty if there is one
+  }
   hasOpenGL = hasOpenGL && problem.empty();
   this->Report.StartSeconds = vtkTimerLog::GetUniversalTime() - start;
   if (!hasOpenGL && backend == BackendChoice::OpenGL)

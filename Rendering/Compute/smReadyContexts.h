@@ -1,6 +1,6 @@
 /**
  * @file smReadyContexts.h
- * @brief Stops contexts when the process exits
+ * @brief Stops contexts when the process exits; not installed
  *
  * When the process exits, the contexts that are READY are stopped before the OpenGL driver is unloaded. Their
  * owners may be destroyed later, as ParaView's session is after Python's sys.exit(), and freeing a context
@@ -10,14 +10,16 @@
 #ifndef smReadyContexts_h
 #define smReadyContexts_h
 
+#include "smRenderingComputeModule.h"
+
 class vtkComputeContext;
 
 namespace sm
 {
 /// Registers a context; call it from the thread that uses the context. Thread safe.
-void AddReadyContext(vtkComputeContext* context);
+SMRENDERINGCOMPUTE_EXPORT void AddReadyContext(vtkComputeContext* context);
 /// Removes a context that is not READY any more. Thread safe.
-void RemoveReadyContext(vtkComputeContext* context);
+SMRENDERINGCOMPUTE_EXPORT void RemoveReadyContext(vtkComputeContext* context);
 }
 
 #endif

@@ -1,12 +1,10 @@
 #include "smMeshFile.h"
 
-#include "smFormat.h"
 #include "smGLBFile.h"
+#include "smMeshOrigin.h"
 #include "smSafeFile.h"
-#include "smText.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkBoundingBox.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDelaunay3D.h"
@@ -22,8 +20,6 @@
 #include "vtkStringArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -36,35 +32,6 @@ namespace sm
 namespace
 {
 namespace fs = std::filesystem;
-
-std::string GetExtension(const std::string& fileName)
-{
-  return LowerCase(fs::path(fileName).extension().string());
-}
-
-/// Returns the bodies with triangles.
-std::vector<vtkPolyData*> ListBodies(vtkPartitionedDataSetCollection* collection)
-{
-  std::vector<vtkPolyData*> bodies;
-  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
-  {
-    for (unsigned int k = 0; k < collection->GetNumberOfPartitions(i); ++k)
-    {
-      auto* body = vtkPolyData::SafeDownCast(collection->GetPartitionAsDataObject(i, k));
-      if (body && body->GetNumberOfPolys() > 0)
-      {
-        bodies.push_back(body);
-      }
-    }
-  }
-  return bodies;
-}
-
-/// Returns "100000 0 -5", which reads back to the same doubles.
-std::string FormatOrigin(const std::array<double, 3>& origin, const char* separator)
-{
-  return FormatExact(origin[0]) + separator + FormatExact(origin[1]) + separator + FormatExact(origin[2]);
-}
 
 vtkSmartPointer<vtkPolyData> Join(
   const std::vector<vtkPolyData*>& bodies, const std::string& unit, const std::array<double, 3>& origin)
@@ -120,7 +87,7 @@ bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string&
     writer->SetFileTypeToBinary();
     // The header must not begin with "solid", which readers take for the text format.
     writer->SetHeader(((isMoved ? "SolidMoments, lengths in " : "Triangles by SolidMoments, lengths in ") +
-      unit + (isMoved ? ", add " + FormatOrigin(origin, " ") : ""))
+      unit + (isMoved ? ", add " + FormatMeshOrigin(origin, " ") : ""))
                         .c_str());
     return WriteWith(writer.Get(), mesh, fileName);
   }
@@ -134,7 +101,7 @@ bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string&
     writer->AddComment("lengths in " + unit);
     if (isMoved)
     {
-      writer->AddComment("add to all points: " + FormatOrigin(origin, " "));
+      writer->AddComment("add to all points: " + FormatMeshOrigin(origin, " "));
     }
     return WriteWith(writer.Get(), mesh, fileName);
   }
@@ -148,7 +115,7 @@ std::string Save(const std::string& fileName, const std::string& bytes)
   {
     return "no solid has triangles";
   }
-  if (GetExtension(fileName) == ".glb" && bytes.size() > UINT32_MAX)
+  if (GetMeshExtension(fileName) == ".glb" && bytes.size() > UINT32_MAX)
   {
     return "a glb file has at most 4 GB, and this one would have more";
   }
@@ -167,8 +134,8 @@ std::string SaveAs(vtkPolyData* mesh, const std::string& unit, const std::array<
   {
     return "there is no folder for temporary files that can be written";
   }
-  const fs::path temporary = fs::path(folder) / ("mesh" + GetExtension(fileName));
-  bool isWritten = WriteAs(GetExtension(fileName), mesh, unit, origin, temporary.string());
+  const fs::path temporary = fs::path(folder) / ("mesh" + GetMeshExtension(fileName));
+  bool isWritten = WriteAs(GetMeshExtension(fileName), mesh, unit, origin, temporary.string());
   std::string bytes;
   if (isWritten)
   {
@@ -185,92 +152,14 @@ std::string SaveAs(vtkPolyData* mesh, const std::string& unit, const std::array<
 }
 }
 
-bool IsMeshName(const std::string& fileName)
-{
-  const std::string extension = GetExtension(fileName);
-  return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".vtp" ||
-    extension == ".glb";
-}
-
-bool HasSinglePoints(const std::string& fileName)
-{
-  const std::string extension = GetExtension(fileName);
-  return extension == ".stl" || extension == ".ply";
-}
-
-MeshOrigin FindMeshOrigin(vtkPartitionedDataSetCollection* bodies, const std::string& unit, double deflection,
-  const std::string& fileName)
-{
-  MeshOrigin result;
-  if (!HasSinglePoints(fileName))
-  {
-    return result;
-  }
-  vtkBoundingBox box;
-  double smallest = HUGE_VAL;
-  for (vtkPolyData* body : ListBodies(bodies))
-  {
-    box.AddBounds(body->GetBounds());
-    smallest = std::min(smallest, body->GetLength());
-  }
-  if (!box.IsValid())
-  {
-    return result;
-  }
-  const double allowed = SinglePrecisionShare * (deflection > 0.0 ? deflection : 1e-3 * smallest);
-  // Rounding moves each coordinate by at most 2^-24 of it.
-  const auto getRounding = [&box](const std::array<double, 3>& origin)
-  {
-    double square = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      const double largest =
-        std::max(std::abs(box.GetBound(2 * c) - origin[c]), std::abs(box.GetBound(2 * c + 1) - origin[c]));
-      square += largest * largest;
-    }
-    return std::sqrt(square) * 0x1p-24;
-  };
-  const double rounding = getRounding({});
-  if (rounding <= allowed)
-  {
-    return result;
-  }
-  std::array<double, 3> center;
-  box.GetCenter(center.data());
-  // Short decimals, which headers of files have room for and people can type.
-  const double digits = std::floor(std::log10(std::max(0.5 * box.GetMaxLength(), 1e-300)));
-  const double step = std::pow(10.0, std::abs(digits));
-  for (double& x : center)
-  {
-    x = digits < 0.0 ? std::round(x * step) / step : std::round(x / step) * step;
-  }
-  const double moved = getRounding(center);
-  const std::string name = fs::path(fileName).filename().string();
-  if (moved <= 0.5 * rounding)
-  {
-    result.Origin = center;
-    result.Message = name + ": its points are relative to (" + FormatOrigin(center, ", ") + ") " + unit +
-      ", because single precision would move them by up to " + FormatDistance(rounding) + " " + unit +
-      " where they are; add this point, which the file states, too, or write .obj, .vtp or .glb";
-  }
-  const double left = std::min(moved, rounding);
-  if (left > allowed)
-  {
-    result.Message += (result.Message.empty() ? name + ": single" : "; single") +
-      std::string(" precision moves its points by up to ") + FormatDistance(left) + " " + unit +
-      (result.Origin == std::array<double, 3>{} ? "; write .obj or .vtp, which have doubles" : "");
-  }
-  return result;
-}
-
 std::string WriteMesh(vtkPartitionedDataSetCollection* bodies, const std::string& unit,
   const std::array<double, 3>& origin, const std::string& fileName)
 {
-  if (GetExtension(fileName) == ".glb")
+  if (GetMeshExtension(fileName) == ".glb")
   {
     return Save(fileName, MakeGLB(bodies, unit));
   }
-  const vtkSmartPointer<vtkPolyData> mesh = Join(ListBodies(bodies), unit, origin);
+  const vtkSmartPointer<vtkPolyData> mesh = Join(ListMeshes(bodies), unit, origin);
   if (mesh->GetNumberOfPolys() == 0)
   {
     return Save(fileName, {});

@@ -2,9 +2,7 @@
 
 #include "smBodyScene.h"
 #include "smComparison.h"
-#include "smFileReader.h"
 #include "smFilterSetUp.h"
-#include "smMassPropertyNames.h"
 #include "smProductBodies.h"
 #include "smResults.h"
 #include "smText.h"
@@ -113,8 +111,8 @@ void SetUpComparison(vtkCADReader* before, vtkCADReader* after, const JobOptions
   AddText(front, GetFileName(options.ComparedName) + " -> " + GetFileName(options.FileName), 18, true, Margin,
     Height - Margin, true);
 }
+}
 
-/// Returns an error message, empty when the picture is written.
 std::string WriteComparison(vtkCADReader* before, vtkCADReader* after, const JobOptions& options)
 {
   vtkNew<vtkMassPropertiesGPU> filter;
@@ -135,25 +133,5 @@ std::string WriteComparison(vtkCADReader* before, vtkCADReader* after, const Job
   window->RemoveRenderer(front);
   window->RemoveRenderer(body);
   return error;
-}
-}
-
-void DrawComparison(const JobOptions& options, const JobListener& send)
-{
-  const std::string& name = options.SourceName.empty() ? options.FileName : options.SourceName;
-  const vtkSmartPointer<vtkCADReader> before = MakeReader(options.ComparedName);
-  const vtkSmartPointer<vtkCADReader> after = MakeReader(name);
-  send(JobMessage::OfProgress(stages::Read));
-  SetUpReader(before, options.ComparedName, options);
-  before->Update();
-  SetUpReader(after, name, options);
-  after->Update();
-  FileResult file(options);
-  const bool areRead = before->GetStatus() == vtkCADReader::OK && after->GetStatus() == vtkCADReader::OK;
-  file.Status = areRead ? names::StatusOk : names::StatusNotComputed;
-  send(JobMessage::OfResult(file, true));
-  send(JobMessage::OfProgress(stages::Draw));
-  send(JobMessage::OfOutput(JobMessage::Picture,
-    areRead ? WriteComparison(before, after, options) : std::string("the files could not be read again")));
 }
 }

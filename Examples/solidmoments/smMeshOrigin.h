@@ -1,9 +1,9 @@
 /**
- * @file smMeshFile.h
- * @brief Writes the display mesh of a part as a file of triangles
+ * @file smMeshOrigin.h
+ * @brief Names of files of triangles, and the point that their points are relative to
  */
-#ifndef smMeshFile_h
-#define smMeshFile_h
+#ifndef smMeshOrigin_h
+#define smMeshOrigin_h
 
 #include <array>
 #include <string>
@@ -14,6 +14,9 @@ class vtkPolyData;
 
 namespace sm
 {
+/// Returns the extension of the file's name in lower case, with the dot.
+std::string GetMeshExtension(const std::string& fileName);
+
 /// Returns true for a name with the extension of one of the formats: .stl (binary), .obj, .ply, .vtp, .glb.
 bool IsMeshName(const std::string& fileName);
 
@@ -39,22 +42,11 @@ bool HasSinglePoints(const std::string& fileName);
 MeshOrigin FindMeshOrigin(vtkPartitionedDataSetCollection* bodies, const std::string& unit, double deflection,
   const std::string& fileName);
 
-/**
- * Writes the triangles of all solids as one mesh in which points with equal coordinates are merged, so that
- * it is closed where the solids are; in a .glb file the bodies are separate, see MakeGLB(). The unit is in a
- * header or a field array, if the format has one, and so is an origin that is not 0. Returns an error
- * message; empty if the file was written.
- */
-std::string WriteMesh(vtkPartitionedDataSetCollection* bodies, const std::string& unit,
-  const std::array<double, 3>& origin, const std::string& fileName);
+/// Returns the bodies with triangles.
+std::vector<vtkPolyData*> ListMeshes(vtkPartitionedDataSetCollection* collection);
 
-/**
- * Writes triangles as .obj in metres and in the frame `pose`, rows of a matrix with metres: (R | t) with
- * points R^T (metres * p - t); or the convex hull of these points. Returns an error message; empty if the
- * file was written.
- */
-std::string WriteLinkMesh(const std::vector<vtkPolyData*>& bodies, double metres,
-  const std::array<double, 12>& pose, bool isHull, const std::string& fileName);
+/// Returns "100000 0 -5", which reads back to the same doubles.
+std::string FormatMeshOrigin(const std::array<double, 3>& origin, const char* separator);
 }
 
 #endif

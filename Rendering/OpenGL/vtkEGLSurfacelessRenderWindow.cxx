@@ -1,7 +1,8 @@
 #include "vtkEGLSurfacelessRenderWindow.h"
 
 #include "Detail/smCurrentContext.h"
-#include "Detail/smOpenGL.h"
+#include "Detail/smLoader.h"
+#include "smOpenGLLibrary.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
@@ -227,17 +228,7 @@ std::string vtkEGLSurfacelessRenderWindow::GetReason()
 
 bool vtkEGLSurfacelessRenderWindow::IsSoftware(const std::string& renderer)
 {
-  std::string text = renderer;
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  for (const char* name :
-    { "llvmpipe", "softpipe", "swrast", "swiftshader", "software rasterizer", "basic render" })
-  {
-    if (text.find(name) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
+  return sm::IsSoftwareRenderer(renderer);
 }
 
 bool vtkEGLSurfacelessRenderWindow::MayHaveGPU()
@@ -333,7 +324,9 @@ void vtkEGLSurfacelessRenderWindow::OpenGLInitContext()
 #ifdef SM_HAS_GLEW
   this->GlewInitValid = problem.empty();
 #endif
-  sm::DrainErrors();
+  for (int i = 0; problem.empty() && i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
   if (!problem.empty())
   {
     vtkErrorMacro("The OpenGL loader failed ("

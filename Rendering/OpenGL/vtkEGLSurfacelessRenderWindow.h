@@ -21,13 +21,13 @@
 #ifndef vtkEGLSurfacelessRenderWindow_h
 #define vtkEGLSurfacelessRenderWindow_h
 
-#include "smRenderingComputeModule.h"
+#include "smRenderingOpenGLModule.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
-class SMRENDERINGCOMPUTE_EXPORT vtkEGLSurfacelessRenderWindow : public vtkGenericOpenGLRenderWindow
+class SMRENDERINGOPENGL_EXPORT vtkEGLSurfacelessRenderWindow : public vtkGenericOpenGLRenderWindow
 {
 public:
   static vtkEGLSurfacelessRenderWindow* New();

@@ -1,7 +1,5 @@
 #include "Detail/smCurrentContext.h"
 
-#include "Detail/smOpenGL.h"
-
 #include "vtkObjectFactory.h"
 
 #include <mutex>
@@ -126,10 +124,11 @@ void CurrentContext::ReleaseEGL()
   }
 }
 
-int& GetOpenScopes()
+void* GetOpenGLFunction(const char* name)
 {
-  static thread_local int count = 0;
-  return count;
+  auto function = glXGetProcAddress(reinterpret_cast<const GLubyte*>(name));
+  function = function ? function : eglGetProcAddress(name);
+  return reinterpret_cast<void*>(function);
 }
 
 bool MakeWindowCurrent(vtkOpenGLRenderWindow* window)

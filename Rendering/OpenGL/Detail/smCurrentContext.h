@@ -5,7 +5,7 @@
 #ifndef smCurrentContext_h
 #define smCurrentContext_h
 
-#include "smRenderingComputeModule.h"
+#include "smRenderingOpenGLModule.h"
 
 class vtkOpenGLRenderWindow;
 
@@ -52,11 +52,11 @@ private:
   CurrentContext Saved;
 };
 
-/// Number of ContextScopes open on this thread.
-int& GetOpenScopes();
-
 /// Makes the window's context current. Releases a current context of the other kind (GLX or EGL) first.
 bool MakeWindowCurrent(vtkOpenGLRenderWindow* window);
+
+/// Returns the function of OpenGL, for example glBindBuffer(), for contexts of either kind.
+void* GetOpenGLFunction(const char* name);
 
 /// Makes an X window on the display of GetXDisplay(), which is closed and never shown.
 vtkOpenGLRenderWindow* NewXWindow(void* display);
@@ -64,7 +64,7 @@ vtkOpenGLRenderWindow* NewXWindow(void* display);
 /// The process's own connection to the X display, opened at the first call and never closed: an X server that
 /// resets when its last client leaves would disconnect the next one. Returns null, with a reason, if there is
 /// no display or it has no GLX with a usable configuration; the next call tries again. Thread safe.
-SMRENDERINGCOMPUTE_EXPORT void* GetXDisplay(const char*& reason);
+SMRENDERINGOPENGL_EXPORT void* GetXDisplay(const char*& reason);
 }
 
 #endif
