@@ -1,6 +1,7 @@
 #include "smFileJob.h"
 
 #include "smComparisonPicture.h"
+#include "smCountedBodies.h"
 #include "smFileReader.h"
 #include "smFilterSetUp.h"
 #include "smLengthUnits.h"
@@ -540,8 +541,7 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
 
 bool JobOptions::LeavesOut() const
 {
-  return std::any_of(
-    this->Materials.begin(), this->Materials.end(), [](const MaterialRule& rule) { return rule.IsLeftOut; });
+  return LeavesOutBodies(this->Materials);
 }
 
 double JobOptions::GetSecondsLeft() const
