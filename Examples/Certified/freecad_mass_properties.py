@@ -3,18 +3,21 @@
 FreeCAD's way, for comparison: the solids of a STEP or BREP file by its shapes' Volume, Area, CenterOfMass and MatrixOfInertia, as JSON on the
 standard output.
 
-  python3 freecad_mass_properties.py part.step        (Debian: freecad-python3)
+  python3 freecad_mass_properties.py part.step [LIB]        (Debian: freecad-python3)
+
+LIB is the folder of FreeCAD.so, /usr/lib/freecad-python3/lib unless it is given.
 
 Lengths are mm. The inertia is about the centre of mass of all solids, with negative products of inertia. FreeCAD states no error.
 Exit status: 0; 1 wrong usage; 2 a file that cannot be read or has no solid.
 """
 import json
+import os
 import sys
 
 
-def compute(path):
+def compute(path, library="/usr/lib/freecad-python3/lib"):
     """The result, or None where the file has no solid."""
-    sys.path[:0] = ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
+    sys.path[:0] = [library] + [os.path.join(library, "..", "..", "freecad", name) for name in ("lib", "Mod")]
     import FreeCAD  # noqa: F401  (Part needs it)
     import Part
 
@@ -40,10 +43,10 @@ def compute(path):
 
 
 def main():
-    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    if not 2 <= len(sys.argv) <= 3 or sys.argv[1].startswith("-"):
         print(__doc__, file=sys.stderr)
         return 1
-    result = compute(sys.argv[1])
+    result = compute(*sys.argv[1:])
     if result is None:
         print(f"{sys.argv[1]}: no solid can be read", file=sys.stderr)
         return 2

@@ -3,9 +3,10 @@
 Kinds are those of the faces' surfaces, as gmsh calls them; volume, centre and tensor are FreeCAD's, of all solids, for density 1 in mm.
 """
 import json
+import os
 import sys
 
-sys.path[:0] = [sys.argv[1], "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
+sys.path[:0] = [sys.argv[1]] + [os.path.join(sys.argv[1], "..", "..", "freecad", name) for name in ("lib", "Mod")]
 import FreeCAD  # noqa: E402
 import Part  # noqa: E402
 

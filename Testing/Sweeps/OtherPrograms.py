@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import re
+import shlex
 import struct
 import subprocess
 import sys
@@ -18,8 +19,8 @@ CERTIFIED = os.path.join(HERE, "..", "..", "Examples", "Certified", "solids")
 SOLIDS = ("sphere", "hollow_sphere", "bent_bar", "cylinder_inch", "dome_far_1e5", "box_far_1e7")
 
 FREECAD = """
-import json, sys
-sys.path[:0] = [sys.argv[1], "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
+import os, sys
+sys.path[:0] = [sys.argv[1]] + [os.path.join(sys.argv[1], "..", "..", "freecad", name) for name in ("lib", "Mod")]
 import FreeCAD, Part
 print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "OpenCASCADE", Part.OCC_VERSION)
 box = Part.makeTorus(4.0, 2.0).BoundBox
@@ -114,6 +115,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--program", required=True)
     parser.add_argument("--output", default="/tmp")
+    parser.add_argument("--python", default=sys.executable, help="command that runs the Python of FreeCAD")
     for name in ("--freecad", "--meshlab", "--models"):
         parser.add_argument(name)
     options = parser.parse_args()
@@ -121,7 +123,7 @@ def main():
     sys.stdout.reconfigure(line_buffering=True)
     if options.freecad:
         models = [os.path.join(options.models, "nist_ctc_02.step")] if options.models else []
-        subprocess.run([sys.executable, "-c", FREECAD, options.freecad] + models, check=True)
+        subprocess.run(shlex.split(options.python) + ["-c", FREECAD, options.freecad] + models, check=True)
     if options.meshlab:
         compare_meshlab(options)
 
