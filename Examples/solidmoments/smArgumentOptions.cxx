@@ -159,7 +159,9 @@ void DeclareMass(CLI::App& app, sm::Arguments& arguments)
     "any letters; the line of the very name counts, else the first that fits. Without\n"
     "a density: that of --list-materials. MASS, 0.25 or 250 g, overrides volume times\n"
     "density; 250 g per product is that of all solids of each product of that NAME;\n"
-    "the MATERIAL \"left out\" leaves these solids out. A header may give other columns:\n"
+    "the MATERIAL \"left out\" leaves these solids out, \"counted once\" all but one of equal\n"
+    "products, \"counted once in place\" all but one of coincident solids. A header may give\n"
+    "other columns:\n"
     "name,material,mass");
   app.add_flag(
     "--list-materials", arguments.ListMaterials, "Print the common materials with their densities, and end");

@@ -1,6 +1,7 @@
 #include "smFileJob.h"
 
 #include "smComparisonJob.h"
+#include "smCountedBodies.h"
 #include "smExtras.h"
 #include "smFileReader.h"
 #include "smFilterSetUp.h"
@@ -543,8 +544,7 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
 
 bool JobOptions::LeavesOut() const
 {
-  return std::any_of(
-    this->Materials.begin(), this->Materials.end(), [](const MaterialRule& rule) { return rule.IsLeftOut; });
+  return LeavesOutBodies(this->Materials);
 }
 
 double JobOptions::GetSecondsLeft() const

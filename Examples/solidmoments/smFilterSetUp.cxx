@@ -1,5 +1,6 @@
 #include "smFilterSetUp.h"
 
+#include "smCountedBodies.h"
 #include "smFileJob.h"
 #include "smMassPropertyNames.h"
 #include "smMessageList.h"
@@ -18,14 +19,10 @@ void SetUpFilter(vtkSurfaceIntegralBase* filter, const JobOptions& options)
   {
     filter->AddSelector(selector);
   }
-  const auto leavesOut = [rules = options.Materials](const std::string& name)
+  if (LeavesOutBodies(options.Materials))
   {
-    const MaterialRule* rule = FindRule(rules, name);
-    return rule && rule->IsLeftOut;
-  };
-  if (options.LeavesOut())
-  {
-    filter->SetLeftOut(leavesOut);
+    filter->SetLeftOut([rules = options.Materials](vtkDataObject* input, std::vector<BodyIntegrals>& bodies)
+      { return LeaveOutBodies(rules, input, false, bodies); });
   }
   filter->SetGapLimit(options.GapLimit);
   filter->SetBackend(options.Backend == "auto" ? vtkSurfaceIntegralBase::AUTOMATIC
@@ -46,6 +43,10 @@ void SetUpMass(vtkMassPropertiesBase* filter, const JobOptions& options)
     if (rule.IsLeftOut)
     {
       filter->AddLeftOut(rule.Pattern.c_str());
+    }
+    else if (rule.Counting != Counting::Every)
+    {
+      filter->AddCountedOnce(rule.Pattern.c_str(), rule.Counting == Counting::OnceInPlace);
     }
     else if (rule.IsOfProduct)
     {

@@ -56,14 +56,16 @@ void NoteCoincidences(const std::vector<BodyIntegrals>& bodies, MassAnalysis& an
   }
   if (pairs == 1)
   {
-    analysis.Messages.push_back(
-      "solids " + named + " have the same volume and centre of mass: they overlap, and both are counted");
+    analysis.Messages.push_back("solids " + named +
+      " have the same volume and centre of mass: they overlap, and both are counted; if one of them is too "
+      "many, add the line \"*,counted once in place\" to the materials");
   }
   else if (pairs > 1)
   {
     analysis.Messages.push_back((pairs == MaxPairs ? "at least " : "") + std::to_string(pairs) +
       " pairs of solids (" + named + (pairs > NamedPairs ? "; ..." : "") +
-      ") have the same volume and centre of mass: they overlap, and all are counted");
+      ") have the same volume and centre of mass: they overlap, and all are counted; if some are too many, "
+      "add the line \"*,counted once in place\" to the materials");
   }
 }
 }

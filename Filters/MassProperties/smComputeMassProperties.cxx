@@ -1,6 +1,7 @@
 #include "smComputeMassProperties.h"
 
 #include "Detail/smSelfCrossing.h"
+#include "smCountedBodies.h"
 #include "smFailureReason.h"
 #include "smFileState.h"
 #include "smFormat.h"
@@ -135,17 +136,7 @@ MassPropertiesResult Compute(vtkDataObject* model, const MassPropertiesOptions& 
     result.Total.Messages = report.Messages;
     return result;
   }
-  const std::string leftOut = LeaveOut(
-    [&options](const std::string& name)
-    {
-      const MaterialRule* rule = FindRule(options.Materials, name);
-      return rule && rule->IsLeftOut;
-    },
-    bodies);
-  if (!leftOut.empty())
-  {
-    report.Messages.push_back(leftOut);
-  }
+  report.Messages = LeaveOutBodies(options.Materials, model, true, bodies);
   report.AddBodies(bodies, rejected);
   report.AddFile(GetFileState(model), !bodies.empty(), !bodies.empty());
 

@@ -111,6 +111,17 @@ namespace
 {
 constexpr const char* LeftOutProblem =
   "a solid that is left out has neither density nor mass; remove them, or name a material";
+constexpr const char* CountedProblem = "a line that counts once states no material; remove density, mass and "
+                                       "tolerance, and state them in a line of "
+                                       "their own";
+
+/// Returns what the material of a rule counts.
+Counting ParseCounting(const std::string& material)
+{
+  return MatchesPattern(CountedOnceMaterial, material) ? Counting::Once
+    : MatchesPattern(CountedInPlaceMaterial, material) ? Counting::OnceInPlace
+                                                       : Counting::Every;
+}
 
 /// Returns the relative tolerance of a mass; negative if the text is none.
 double ParseMassTolerance(const std::string& text, double mass)
@@ -179,11 +190,12 @@ std::string MakeRule(const MaterialTexts& given, MaterialRule& rule)
   }
   made.IsOfProduct = TakeProductSuffix(texts.Mass.empty() ? texts.Density : texts.Mass);
   made.IsLeftOut = MatchesPattern(LeftOutMaterial, texts.Material);
-  if (made.IsLeftOut)
+  made.Counting = ParseCounting(texts.Material);
+  if (made.IsLeftOut || made.Counting != Counting::Every)
   {
-    if (!(texts.Density + texts.Tolerance + texts.Mass).empty())
+    if (made.IsOfProduct || !(texts.Density + texts.Tolerance + texts.Mass).empty())
     {
-      return LeftOutProblem;
+      return made.IsLeftOut ? LeftOutProblem : CountedProblem;
     }
     rule = made;
     return {};
@@ -270,6 +282,10 @@ std::string FindRuleProblem(const MaterialRule& rule)
   {
     return {};
   }
+  if (rule.Counting != Counting::Every || ParseCounting(material.Name) != Counting::Every)
+  {
+    return rule.Counting == Counting::Every || rule.IsOfProduct || material.HasMass() ? CountedProblem : "";
+  }
   if (MatchesPattern(LeftOutMaterial, material.Name))
   {
     return LeftOutProblem;
@@ -301,12 +317,13 @@ std::string FindRuleProblem(const MaterialRule& rule)
 
 namespace
 {
-const MaterialRule* FindRuleOf(bool product, const std::vector<MaterialRule>& rules, const std::string& name)
+const MaterialRule* FindRuleOf(const std::function<bool(const MaterialRule&)>& isOne,
+  const std::vector<MaterialRule>& rules, const std::string& name)
 {
   std::vector<const MaterialRule*> candidates;
   for (const MaterialRule& rule : rules)
   {
-    if (rule.IsOfProduct == product)
+    if (isOne(rule))
     {
       candidates.push_back(&rule);
     }
@@ -319,11 +336,19 @@ const MaterialRule* FindRuleOf(bool product, const std::vector<MaterialRule>& ru
 
 const MaterialRule* FindRule(const std::vector<MaterialRule>& rules, const std::string& name)
 {
-  return FindRuleOf(false, rules, name);
+  return FindRuleOf([](const MaterialRule& rule)
+    { return !rule.IsOfProduct && rule.Counting == Counting::Every; },
+    rules, name);
 }
 
 const MaterialRule* FindProductRule(const std::vector<MaterialRule>& rules, const std::string& name)
 {
-  return FindRuleOf(true, rules, name);
+  return FindRuleOf([](const MaterialRule& rule) { return rule.IsOfProduct; }, rules, name);
+}
+
+const MaterialRule* FindCountingRule(
+  const std::vector<MaterialRule>& rules, Counting counting, const std::string& name)
+{
+  return FindRuleOf([counting](const MaterialRule& rule) { return rule.Counting == counting; }, rules, name);
 }
 }

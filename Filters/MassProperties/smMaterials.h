@@ -30,6 +30,16 @@ struct Material
   bool HasMass() const { return this->Density > 0.0 || this->Mass > 0.0; }
 };
 
+/// Which bodies count.
+enum class Counting
+{
+  Every,
+  /// One of equal products, wherever they are.
+  Once,
+  /// One of equal solids that are in one place.
+  OnceInPlace
+};
+
 /// Gives a material to the solids whose name matches the pattern.
 struct MaterialRule
 {
@@ -41,6 +51,9 @@ struct MaterialRule
   /// True if the pattern is that of products, parts or assemblies, and the mass that of all solids of each
   /// occurrence together. Such a rule gives no solid a density.
   bool IsOfProduct = false;
+  /// Not Every: the rule gives no material. Once: the pattern is that of products, parts or assemblies;
+  /// OnceInPlace: of solids.
+  sm::Counting Counting = sm::Counting::Every;
 };
 
 /// What follows a mass that is that of a product.
@@ -48,6 +61,9 @@ constexpr const char* ProductMassSuffix = "per product";
 
 /// The material of rules that leave solids out.
 constexpr const char* LeftOutMaterial = "left out";
+/// The materials of rules that count products, or coincident solids, once.
+constexpr const char* CountedOnceMaterial = "counted once";
+constexpr const char* CountedInPlaceMaterial = "counted once in place";
 
 /// Common engineering materials with usual densities at room temperature, in the order of their names.
 SMFILTERSMASSPROPERTIES_EXPORT const std::vector<Material>& GetCommonMaterials();
@@ -72,8 +88,8 @@ struct MaterialTexts
 };
 
 /// Makes a rule: of a density, of a common material, of a mass, perhaps followed by ProductMassSuffix, or of
-/// the material LeftOutMaterial alone. Returns an error message with a remedy, and leaves `rule` as it is;
-/// empty if the texts make a rule.
+/// the material LeftOutMaterial, CountedOnceMaterial or CountedInPlaceMaterial alone. Returns an error
+/// message with a remedy, and leaves `rule` as it is; empty if the texts make a rule.
 SMFILTERSMASSPROPERTIES_EXPORT std::string MakeRule(const MaterialTexts& texts, MaterialRule& rule);
 
 /// Returns true if the name is the pattern, in which * stands for any characters and ? for one byte. Letters
@@ -86,7 +102,8 @@ SMFILTERSMASSPROPERTIES_EXPORT std::size_t FindPattern(std::size_t count,
   const std::function<const std::string&(std::size_t)>& getPattern, const std::string& name);
 
 /// Returns why a rule is none, with a remedy; empty if it is one: either a density or a mass, finite and
-/// above 0, the latter for a product, and a tolerance of at most 1; or a pattern of solids that are left out.
+/// above 0, the latter for a product, and a tolerance of at most 1; or a pattern of what is left out or
+/// counted once.
 SMFILTERSMASSPROPERTIES_EXPORT std::string FindRuleProblem(const MaterialRule& rule);
 
 /// Returns the rule whose pattern FindPattern() finds among those of solids, or null.
@@ -96,6 +113,10 @@ SMFILTERSMASSPROPERTIES_EXPORT const MaterialRule* FindRule(
 /// Returns the rule whose pattern FindPattern() finds among those of products, or null.
 SMFILTERSMASSPROPERTIES_EXPORT const MaterialRule* FindProductRule(
   const std::vector<MaterialRule>& rules, const std::string& name);
+
+/// Returns the rule whose pattern FindPattern() finds among those of a counting, or null.
+SMFILTERSMASSPROPERTIES_EXPORT const MaterialRule* FindCountingRule(
+  const std::vector<MaterialRule>& rules, Counting counting, const std::string& name);
 }
 
 #endif

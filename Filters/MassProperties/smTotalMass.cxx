@@ -463,7 +463,7 @@ void NoteUnusedRules(
 {
   for (const MaterialRule& rule : options.Materials)
   {
-    if (!rule.IsLeftOut && !rule.IsOfProduct &&
+    if (!rule.IsLeftOut && !rule.IsOfProduct && rule.Counting == Counting::Every &&
       std::none_of(bodies.begin(), bodies.end(),
         [&](const BodyIntegrals& body) { return FindRule(options.Materials, body.Name) == &rule; }))
     {

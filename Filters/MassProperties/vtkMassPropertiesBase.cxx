@@ -6,6 +6,7 @@
 #include "Detail/smSelfCrossing.h"
 #include "smBodyMeshes.h"
 #include "smColumns.h"
+#include "smCountedBodies.h"
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMassAnalysis.h"
@@ -73,22 +74,12 @@ void vtkMassPropertiesBase::AppendMaterial(const sm::MaterialRule& rule)
     return;
   }
   this->Materials.push_back(rule);
-  if (rule.IsLeftOut)
+  if (sm::LeavesOutBodies({ rule }))
   {
-    this->SetLeftOut([this](const std::string& name) { return this->LeavesOutName(name); });
+    this->SetLeftOut([this](vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies)
+      { return sm::LeaveOutBodies(this->Materials, input, true, bodies); });
   }
   this->Modified();
-}
-
-bool vtkMassPropertiesBase::LeavesOutName(const std::string& name)
-{
-  const sm::MaterialRule* rule = sm::FindRule(this->Materials, name);
-  if (!rule || !rule->IsLeftOut)
-  {
-    return false;
-  }
-  this->UsedLeftOut.insert(static_cast<std::size_t>(rule - this->Materials.data()));
-  return true;
 }
 
 void vtkMassPropertiesBase::AddMaterial(
@@ -112,6 +103,13 @@ void vtkMassPropertiesBase::AddProductMass(
 void vtkMassPropertiesBase::AddLeftOut(const char* pattern)
 {
   this->AppendMaterial({ pattern ? pattern : "", { sm::LeftOutMaterial }, true });
+}
+
+void vtkMassPropertiesBase::AddCountedOnce(const char* pattern, bool inPlace)
+{
+  this->AppendMaterial(
+    { pattern ? pattern : "", { inPlace ? sm::CountedInPlaceMaterial : sm::CountedOnceMaterial }, false,
+      false, inPlace ? sm::Counting::OnceInPlace : sm::Counting::Once });
 }
 
 void vtkMassPropertiesBase::AddMaterial(const char* pattern, const char* material, const char* density)
@@ -250,7 +248,6 @@ void vtkMassPropertiesBase::ResetResults()
 {
   this->Superclass::ResetResults();
   *this->Analysis = sm::MassAnalysis();
-  this->UsedLeftOut.clear();
 }
 
 void vtkMassPropertiesBase::ReleaseKept()
@@ -269,14 +266,6 @@ void vtkMassPropertiesBase::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   options.TakeProducts(this->GetInputDataObject(0, 0));
   *this->Analysis = sm::AnalyzeRun(bodies, options, this->CheckEditedSolids, this->MakeLimits(),
     *this->CrossingCheck, this->GetEngine().GetReport());
-  for (std::size_t i = 0; i < this->Materials.size(); ++i)
-  {
-    if (this->Materials[i].IsLeftOut && this->UsedLeftOut.count(i) == 0)
-    {
-      this->GetEngine().GetReport().Messages.push_back(
-        "no solid is left out by the pattern " + this->Materials[i].Pattern);
-    }
-  }
   // Volumes in different units have no sum.
   if (this->Analysis->HasOneUnit)
   {

@@ -68,7 +68,6 @@
 #include "vtkSurfaceIntegralBase.h"
 
 #include <memory> // for the results
-#include <set>    // for materials that were used
 #include <vector> // for the materials
 
 namespace sm
@@ -128,6 +127,12 @@ public:
   void AddProductMass(const char* pattern, const char* material, double mass, double tolerance = -1.0);
   /** Leaves these solids out of all results; a message names them. */
   void AddLeftOut(const char* pattern);
+  /** Counts one of equal products of that name, parts or assemblies, which have the same bodies and equal
+   * products below, and leaves their other occurrences out; with `inPlace` one of solids of that name that
+   * have the same faces in the same place. A message has the number and the names of what is left out. These
+   * solids have the material that other calls or the file give. AddMaterial() takes the materials "counted
+   * once" and "counted once in place", too. */
+  void AddCountedOnce(const char* pattern, bool inPlace);
   void ClearMaterials();
   int GetNumberOfMaterials() const;
   ///@}
@@ -216,8 +221,6 @@ protected:
 
   /** Adds a material and calls Modified(). */
   void AppendMaterial(const sm::MaterialRule& rule);
-  /** Returns whether the materials leave out a solid of that name. */
-  bool LeavesOutName(const std::string& name);
 
   /** Returns the mass properties of the last run. */
   const sm::MassAnalysis& GetAnalysis() const;
@@ -239,8 +242,6 @@ private:
   std::unique_ptr<sm::SelfCrossingCheck> CrossingCheck;
   std::unique_ptr<sm::MassGlyphs> Glyphs;
   std::vector<sm::MaterialRule> Materials;
-  /** Indices of the materials that left something out in the last run. */
-  std::set<std::size_t> UsedLeftOut;
   std::unique_ptr<sm::ReferenceFrame> Frame;
 #endif
 };

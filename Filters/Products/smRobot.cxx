@@ -94,6 +94,9 @@ std::string LowerCase(std::string text)
   return text;
 }
 
+/// Length of a name of a link without the number that makes it unique: names of files have at most 255 bytes.
+constexpr std::size_t MaxLinkName = 100;
+
 /// Letters and digits of names of links and files.
 std::string Simplify(const std::string& name)
 {
@@ -202,7 +205,7 @@ private:
   /// names of files on some systems.
   std::string MakeUnique(const std::string& name)
   {
-    const std::string plain = Simplify(name);
+    const std::string plain = Simplify(name).substr(0, MaxLinkName);
     for (int& i = this->Last[LowerCase(plain)];;)
     {
       ++i;

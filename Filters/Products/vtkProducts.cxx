@@ -55,6 +55,10 @@ std::string vtkProducts::AddMaterial(vtkMassPropertiesBase* filter, const std::s
   {
     filter->AddLeftOut(pattern.c_str());
   }
+  else if (problem.empty() && rule.Counting != sm::Counting::Every)
+  {
+    filter->AddCountedOnce(pattern.c_str(), rule.Counting == sm::Counting::OnceInPlace);
+  }
   else if (problem.empty() && rule.IsOfProduct)
   {
     filter->AddProductMass(pattern.c_str(), material.c_str(), rule.Material.Mass, rule.Material.Tolerance);

@@ -160,9 +160,9 @@ int vtkSurfaceIntegralBase::GetNumberOfSelectors() const
   return static_cast<int>(this->Selectors.size());
 }
 
-void vtkSurfaceIntegralBase::SetLeftOut(std::function<bool(const std::string& name)> leavesOut)
+void vtkSurfaceIntegralBase::SetLeftOut(BodyFilter leaveOut)
 {
-  this->LeavesOut = std::move(leavesOut);
+  this->LeavesOut = std::move(leaveOut);
   this->Modified();
 }
 

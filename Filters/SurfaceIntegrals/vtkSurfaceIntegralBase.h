@@ -98,9 +98,11 @@ public:
   void ClearSelectors();
   int GetNumberOfSelectors() const;
 #ifndef __VTK_WRAP__
-  /** Leaves out the bodies for whose names `leavesOut` is true, of those that the selectors choose; a message
-   * names them. Null, the default: none. */
-  void SetLeftOut(std::function<bool(const std::string& name)> leavesOut);
+  /** Function that removes bodies of the input, of those that the selectors choose, and returns messages that
+   * name them. */
+  using BodyFilter = std::function<std::vector<std::string>(vtkDataObject*, std::vector<sm::BodyIntegrals>&)>;
+  /** Leaves out the bodies that `leaveOut` removes. Null, the default: none. */
+  void SetLeftOut(BodyFilter leaveOut);
 #endif
   void SetAssemblyName(const std::string& name);
   std::string GetAssemblyName() const;
@@ -375,7 +377,7 @@ private:
   void ChooseBodies(
     vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies, sm::RejectedInput& rejected);
   /** Removes the bodies of SetLeftOut(), with a message. */
-  void LeaveOutBodies(std::vector<sm::BodyIntegrals>& bodies);
+  void LeaveOutBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies);
   /** Adds the row of TotalRow to the table of port 1; `all` is the number of bodies of the input. */
   void WriteTotalRow(std::size_t bodies, std::size_t all, vtkInformationVector* outputVector) const;
   /** Adds the messages of the bodies to the report, and issues at most one warning. */
@@ -386,7 +388,7 @@ private:
   std::unique_ptr<sm::IntegralEngine> Engine;
   std::unique_ptr<sm::columns::KeptArrays> Arrays;
   std::vector<std::string> Selectors;
-  std::function<bool(const std::string&)> LeavesOut;
+  BodyFilter LeavesOut;
   std::string AssemblyName = "Assembly";
   bool IsCompiling = false;
 #endif

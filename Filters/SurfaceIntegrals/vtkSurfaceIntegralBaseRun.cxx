@@ -174,15 +174,13 @@ void vtkSurfaceIntegralBase::ChooseBodies(
   bodies = std::move(kept);
 }
 
-void vtkSurfaceIntegralBase::LeaveOutBodies(std::vector<sm::BodyIntegrals>& bodies)
+void vtkSurfaceIntegralBase::LeaveOutBodies(vtkDataObject* input, std::vector<sm::BodyIntegrals>& bodies)
 {
   if (this->LeavesOut)
   {
-    const std::string message = sm::LeaveOut(this->LeavesOut, bodies);
-    if (!message.empty())
-    {
-      this->Engine->GetReport().Messages.push_back(message);
-    }
+    std::vector<std::string>& messages = this->Engine->GetReport().Messages;
+    const std::vector<std::string> more = this->LeavesOut(input, bodies);
+    messages.insert(messages.end(), more.begin(), more.end());
   }
 }
 
@@ -264,7 +262,7 @@ void vtkSurfaceIntegralBase::FindBodies(vtkDataObject* input, Input& found)
   if (found.AllBodies > 0)
   {
     this->ChooseBodies(input, found.Bodies, found.Rejected);
-    this->LeaveOutBodies(found.Bodies);
+    this->LeaveOutBodies(input, found.Bodies);
   }
   found.Request = this->MakeRequest();
   this->Engine->EstimateBackends(found.Request, found.Bodies);

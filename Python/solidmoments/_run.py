@@ -91,7 +91,7 @@ def mass_properties(file, density=None, *, content=None, unit="mm", input_unit="
     or file for that of the file. input_unit: that of a BREP file, which states none. tolerance: relative, from 1e-15 to 1. density_tolerance: largest relative deviation of the densities, 0 to 1,
     for `mass_uncertainty`. materials: rows (pattern of names, material, density or None), before
     `density`; a row (pattern, material, None, mass in kg[, relative tolerance of the mass, from 0 to 1]) overrides the mass of each of these
-    solids, and the material "left out", without density and mass, leaves them out. Texts are read as by the program, "250 g", "250 g per product" (of all solids of each product of that name) and "1%". backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
+    solids, and the material "left out", without density and mass, leaves them out, "counted once" counts one of equal products of that name, and "counted once in place" one of solids that coincide. Texts are read as by the program, "250 g", "250 g per product" (of all solids of each product of that name) and "1%". backend: auto, opengl or cpu. max_seconds: approximate limit of reading and of integrating.
     repair: needed, OpenCASCADE repairs the solids and shells that are not sound as the file has them; always, all; or never.
     hidden: count, bodies that a STEP file hides (INVISIBILITY) count, with a message; skip, they are left out; or only, all others are.
 

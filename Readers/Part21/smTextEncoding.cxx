@@ -129,6 +129,11 @@ bool DecodeEscape(std::string_view text, std::size_t& at, std::string& result)
     at += 2;
     return true;
   }
+  if (begins("\\N\\") || begins("\\F\\"))
+  {
+    at += 3;
+    return true;
+  }
   if (begins("\\X\\") && ReadHex(rest, 3, 2, code))
   {
     AppendUTF8(code, result);
@@ -165,8 +170,12 @@ bool DecodeEscape(std::string_view text, std::size_t& at, std::string& result)
 }
 }
 
-std::string DecodePart21Text(std::string_view text)
+std::string DecodePart21Text(std::string_view given)
 {
+  // Writers break long strings anywhere, also in an escape.
+  std::string text(given);
+  text.erase(
+    std::remove_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }), text.end());
   std::string result;
   for (std::size_t at = 0; at < text.size();)
   {

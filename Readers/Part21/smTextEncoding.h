@@ -21,8 +21,9 @@ namespace sm
 SMREADERSPART21_EXPORT std::string ToUTF8(std::string text);
 
 /// Returns the text of a string of Part 21 (ISO 10303-21, 6.4.3) without its escapes: '', \\, \X\, \X2\,
-/// \X4\, and \S\ for ISO 8859-1. Incomplete escapes are kept as they are.
-SMREADERSPART21_EXPORT std::string DecodePart21Text(std::string_view text);
+/// \X4\, and \S\ for ISO 8859-1; without \N\, \F\ and line breaks, which count only where the file is
+/// printed. Incomplete escapes are kept as they are.
+SMREADERSPART21_EXPORT std::string DecodePart21Text(std::string_view given);
 }
 
 #endif

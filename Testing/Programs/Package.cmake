@@ -47,12 +47,36 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
   solidmoments_add_test(NAME DisplayMesh LABELS value error package NODISPLAY ENVIRONMENT "${python_path}"
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestDisplayMesh.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
       "${SOLIDMOMENTS_SAMPLE_PART}")
-  # With gmsh (Debian: python3-gmsh), where it is installed.
+  # Saved solids in other programs, where these are installed: gmsh (Debian: python3-gmsh), FreeCAD
+  # (freecad-python3), and npm's occt-import-js, with
+  # -DSOLIDMOMENTS_OCCT_IMPORT_JS=.../node_modules/occt-import-js/dist/occt-import-js.js.
+  set(SOLIDMOMENTS_OCCT_IMPORT_JS "" CACHE FILEPATH "occt-import-js.js of npm's occt-import-js, for tests; empty: without")
+  find_path(SOLIDMOMENTS_FREECAD FreeCAD.so PATHS /usr/lib/freecad-python3/lib NO_DEFAULT_PATH)
+  mark_as_advanced(SOLIDMOMENTS_FREECAD)
   execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import gmsh" RESULT_VARIABLE gmsh_is_missing OUTPUT_QUIET ERROR_QUIET)
+  set(solid_readers)
   if (NOT gmsh_is_missing)
-    solidmoments_add_test(NAME SavedSolids LABELS value package NODISPLAY ENVIRONMENT "${python_path}"
+    list(APPEND solid_readers gmsh)
+    set(gmsh_program module)
+  endif ()
+  if (SOLIDMOMENTS_FREECAD)
+    list(APPEND solid_readers freecad)
+    set(freecad_program "${SOLIDMOMENTS_FREECAD}")
+  endif ()
+  if (SOLIDMOMENTS_OCCT_IMPORT_JS)
+    list(APPEND solid_readers occt-import-js)
+    set(occt-import-js_program "${SOLIDMOMENTS_OCCT_IMPORT_JS}")
+  endif ()
+  foreach (reader IN LISTS solid_readers)
+    solidmoments_add_test(NAME SavedSolids_${reader} LABELS value package NODISPLAY TIMEOUT 900 ENVIRONMENT "${python_path}"
       COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestSavedSolids.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
-        "${SOLIDMOMENTS_TEST_OUTPUT}/saved-solids")
+        "${SOLIDMOMENTS_TEST_OUTPUT}/saved-solids" ${reader} "${${reader}_program}")
+  endforeach ()
+  if (SOLIDMOMENTS_FREECAD AND EXISTS "${SOLIDMOMENTS_MODELS_DIR}/reference.jsonl")
+    solidmoments_add_test(NAME CompareSaved LABELS value package NODISPLAY FIXTURE models ENVIRONMENT "${python_path}"
+      COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Testing/Sweeps/CompareSaved.py" --freecad "${SOLIDMOMENTS_FREECAD}"
+        --folder "${SOLIDMOMENTS_UNPACKED_MODELS}" --output "${SOLIDMOMENTS_TEST_OUTPUT}/compare-saved"
+        --only gmsh_part odri_motor nodeocc_vention nist_ctc_03 gmsh_crankshaft caxif_as1_tu_203)
   endif ()
   # STEP against BREP, of our writer and of gmsh, which reads STEP by OpenCASCADE.
   if (EXISTS "${SOLIDMOMENTS_MODELS_DIR}/reference.jsonl")

@@ -188,7 +188,11 @@ def check_texts():
     check("its tolerance", 0.005, stated.mass_uncertainty[4], 1e-17)
     check_equal("a mass in place of the density", 0.25, quietly(sample, materials=[("*", "", "250 g")])[0].mass)
     check_equal("a density as a text", 700.0, quietly(sample, materials=[("*", "oak", "700")])[0].solids[0].density)
+    once, _ = quietly(sample, materials=[("*", "counted once", None), ("*", "oak", 700.0)])
+    check_equal("one of each, with the material of another row", (True, "oak"),
+                (any("no product occurs several times that the pattern * counts once" in text for text in once.messages), once.solids[0].material))
     for row, said in ((("*", "left out", 7850), "neither density nor mass"), (("*", "left out", None, 2.0), "neither density nor mass"),
+                      (("*", "counted once", 7850), "states no material"), (("*", "counted once in place", None, 2.0), "states no material"),
                       (("*", "", None, "250 Mg"), "write t for 1000 kg"), (("*", "", None, 2.0, -0.5), "not a relative tolerance"),
                       (("*", "", None, 2.0, -1.0), "not a relative tolerance"), (("*", "", 7850, 2.0), "contradict each other"),
                       (("*", "", None, -2.0), "not a mass"), (("*", "unobtainium", None), "needs a density")):

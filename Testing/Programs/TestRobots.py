@@ -1,7 +1,8 @@
-"""TestRobots.py --program P --output DIR [--reader R] [--mujoco MODULE]: robots of a machine of boxes have the masses, centres and tensors of
+"""TestRobots.py --program P --output DIR [--reader R] [--mujoco MODULE] [--urdf-loader MODULES]: robots of a machine of boxes have the masses, centres and tensors of
 formulas, and so they have in the readers that are there.
 
-R prints what urdfdom, KDL and libsdformat take of a file (robot_readers.cxx), MODULE is the path of MuJoCo's mujoco.js of npm (@mujoco/mujoco).
+R prints what urdfdom, KDL and libsdformat take of a file (robot_readers.cxx), MODULE is the path of MuJoCo's mujoco.js of npm (@mujoco/mujoco), MODULES a
+node_modules folder with urdf-loader, three and jsdom.
 """
 import argparse
 import functools
@@ -19,7 +20,7 @@ from smproduct import Assembly, Part, expand, get_properties, write_product  # n
 parser = argparse.ArgumentParser()
 for name in ("--program", "--output"):
     parser.add_argument(name, required=True)
-for name in ("--reader", "--mujoco"):
+for name in ("--reader", "--mujoco", "--urdf-loader"):
     parser.add_argument(name)
 options = parser.parse_args()
 folder = os.path.join(options.output, "robots")
@@ -155,6 +156,8 @@ def check_readers(what, path, kind, links):
     """All readers take every link with its mass, centre and tensor."""
     takers = {"urdf": ("urdfdom", "kdl", "sdformat"), "sdf": ("sdformat",), "mjcf": ()}[kind] if options.reader else ()
     commands = {taker: [options.reader, taker, path] for taker in takers}
+    if options.urdf_loader and kind == "urdf":
+        commands["urdf-loader"] = ["node", os.path.join(os.path.dirname(os.path.abspath(__file__)), "read_urdf_loader.mjs"), options.urdf_loader, path]
     if options.mujoco and kind in ("urdf", "mjcf"):
         script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "read_mujoco.mjs")
         meshes = [os.path.join(folder, link[4]) for link in links.values()]
@@ -327,6 +330,10 @@ for kind in READ:
         with open(in_folder(mesh), encoding="ascii") as file:
             heights = [float(line.split()[3]) for line in file if line.startswith("v ")]
         check(f"{kind}: the mesh of {name}", 2.0 * center[2], max(heights) - min(heights), 1e-15)
+# A long name is cut, and so are those that would be equal then.
+long = write_product(in_folder("long.step"), Assembly("long", [(Part("x" * 300 + end, [((0, 0, 0), (1, 2, 3))], "1000."), (9 * i, 0, 0), None) for i, end in enumerate("ab")]))
+_, _, links = read_robot("sdf", long, name="long")
+check_equal("long names", ["x" * 100, "x" * 100 + "-2"], sorted(links))
 # A mesh replaces no other file of the run.
 result = run("--mesh", in_folder("robot-wheel.obj"), "--robot", "urdf", in_folder("robot.urdf"), car_path)
 check_true("a mesh that is an output", result.returncode == 1 and "robot-wheel.obj is another file of this run" in result.stderr, result.stderr)

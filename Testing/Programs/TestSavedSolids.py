@@ -1,44 +1,153 @@
-"""TestSavedSolids.py SOLIDS FOLDER: solids that are read and saved have the right volume in gmsh, by OpenCASCADE's integrals at their default.
+"""TestSavedSolids.py SOLIDS FOLDER READER PROGRAM: solids that are read and saved have the right volume in another program.
 
-Planes, cylinders, cones, spheres and tori must arrive as such: as rational B-splines their volumes are wrong there by up to 1 %.
+READER: gmsh (Python's module; PROGRAM: any), freecad (PROGRAM: the folder of FreeCAD.so), both by OpenCASCADE's integrals at their default, or
+occt-import-js (PROGRAM: its occt-import-js.js), whose triangles have the volume of those of the file that was read. Planes, cylinders, cones,
+spheres and tori must arrive as such: as rational B-splines their volumes are wrong there by up to 1 %.
 """
+import json
 import os
+import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
-from smcheck import Manifest, check, check_equal, finish  # noqa: E402
+from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
 
-import gmsh  # noqa: E402
-
+from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
+from solidmoments.smFiltersNURBSEdit import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
 from solidmoments.smReadersKernel import vtkBREPWriter, vtkSTEPWriter  # noqa: E402
 from solidmoments.smReadersSTEP import vtkSTEPReader  # noqa: E402
 
-manifest, folder = Manifest(sys.argv[1]), sys.argv[2]
+manifest, folder, reader_name, program = Manifest(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4]
 os.makedirs(folder, exist_ok=True)
-gmsh.initialize()
-gmsh.option.setNumber("General.Terminal", 0)
-gmsh.option.setString("Geometry.OCCTargetUnit", "MM")
+certified = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Certified", "solids")
 EXPECTED = {"sphere": {"Sphere"}, "cylinder": {"Cylinder", "Plane"}, "cone": {"Cone", "Plane"}, "torus": {"Torus"},
             "hollow_sphere": {"Sphere"}, "bicylinder": {"Cylinder"}, "slanted_hole": {"Cylinder", "Plane"}, "box": {"Plane"}}
-for solid, kinds in EXPECTED.items():
-    for variant in ("plain", "turned", "mirrored"):
-        source = manifest.solid(solid, variant)
-        reader = vtkSTEPReader()
-        reader.SetFileName(source["path"])
-        reader.SetOutputUnit("mm")
-        for writer, extension in ((vtkSTEPWriter(), "step"), (vtkBREPWriter(), "brep")):
-            name = f"{solid}-{variant}.{extension}"
-            path = os.path.join(folder, name)
-            writer.SetInputConnection(reader.GetOutputPort())
-            writer.SetFileName(path)
-            check_equal(f"{name}: written", 1, writer.Write())
-            gmsh.clear()
-            gmsh.model.occ.importShapes(path)
-            gmsh.model.occ.synchronize()
-            volume = sum(gmsh.model.occ.getMass(3, tag) for _, tag in gmsh.model.getEntities(3))
-            found = {gmsh.model.getType(2, tag) for _, tag in gmsh.model.getEntities(2)}
-            check_equal(f"{name}: kinds of faces", kinds, found)
-            check(f"{name}: volume in gmsh", source["volume"], volume, 1e-9 * source["volume"],
-                  "OpenCASCADE's Gauss rules on elementary faces with edges of degree 12")
-gmsh.finalize()
+# Assemblies and parts with several kinds, whose volumes certified.json has.
+CERTIFIED = {"assembly": {"Plane"}, "mirror_pair": {"Plane"}, "groove": {"Cylinder", "Plane", "Torus"}, "bored_sphere": {"Cylinder", "Sphere"},
+             "capsule": {"Cylinder", "Sphere"}, "lens": {"Sphere"}}
+
+
+def read_gmsh(paths):
+    """Solids, volumes in mm^3 and kinds of faces."""
+    import gmsh
+
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.option.setString("Geometry.OCCTargetUnit", "MM")
+    found = {}
+    for path in paths:
+        gmsh.clear()
+        gmsh.model.occ.importShapes(path)
+        gmsh.model.occ.synchronize()
+        solids = gmsh.model.getEntities(3)
+        found[path] = {"volume": sum(gmsh.model.occ.getMass(3, tag) for _, tag in solids), "solids": len(solids),
+                       "kinds": sorted({gmsh.model.getType(2, tag) for _, tag in gmsh.model.getEntities(2)})}
+    gmsh.finalize()
+    return found
+
+
+def read_others(paths):
+    """What read_freecad.py or read_occt_import.mjs print."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    command = {"freecad": [sys.executable, "-B", os.path.join(here, "read_freecad.py")], "occt-import-js": ["node", os.path.join(here, "read_occt_import.mjs")]}
+    # Python's modules of this build are none of FreeCAD's.
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    result = subprocess.run(command[reader_name] + [program] + paths, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment,
+                            universal_newlines=True, timeout=600, check=False)
+    check_equal(f"exit status of {reader_name}", 0, result.returncode)
+    check_true(f"what {reader_name} prints", result.returncode == 0, result.stderr[-600:])
+    lines = [line for line in result.stdout.splitlines() if line.startswith("{")]
+    answer = json.loads(lines[-1]) if lines else {"files": {}}
+    print(reader_name, answer.get("version", ""), answer.get("OpenCASCADE", ""))
+    return answer["files"]
+
+
+def save(source, name):
+    """Writes what a filter has, in three units and as BREP. Returns the paths."""
+    paths = []
+    for unit in ("mm", "inch", "m", "brep"):
+        writer = vtkBREPWriter() if unit == "brep" else vtkSTEPWriter()
+        if unit != "brep":
+            writer.SetOutputUnit(unit)
+        paths.append(os.path.join(folder, f"{name}-{unit}.{'brep' if unit == 'brep' else 'step'}"))
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetFileName(paths[-1])
+        check_equal(f"{paths[-1]}: written", 1, writer.Write())
+    return paths
+
+
+def read(path):
+    reader = vtkSTEPReader()
+    reader.SetFileName(path)
+    reader.SetOutputUnit("mm")
+    return reader
+
+
+def move(reader, mirror):
+    moved = vtkNURBSTransform()
+    moved.SetInputConnection(reader.GetOutputPort())
+    moved.SetMirror(mirror)
+    moved.SetRotation(31.0, -17.0, 53.0)
+    moved.SetTranslation(3.3, -1.7, 2.9)
+    return moved
+
+
+# By path: the volume, the kinds of faces, the number of solids, and the file that was read.
+saved = {}
+sources = [(manifest.solid(solid, variant)["path"], f"{solid}-{variant}", manifest.solid(solid, variant)["volume"], kinds, 1)
+           for solid, kinds in EXPECTED.items() for variant in ("plain", "turned", "mirrored")]
+with open(os.path.join(certified, "certified.json"), encoding="utf-8") as text:
+    content = json.load(text)
+for solid, kinds in CERTIFIED.items():
+    entry = next(item for item in content["solids"] if item["file"] == f"{solid}.step")
+    middle = sum(float(x) for x in entry["volume"]) / 2
+    sources.append((os.path.join(certified, f"{solid}.step"), solid, middle, kinds, {"assembly": 3, "mirror_pair": 2}.get(solid, 1)))
+readers = {}
+for path, name, volume, kinds, count in sources:
+    readers[name] = read(path)
+    variants = {"": readers[name]}
+    if "-" not in name or name.endswith("-plain"):
+        variants.update({"-moved": move(readers[name], 0), "-reflected": move(readers[name], 1)})
+    for variant, source in variants.items():
+        saved.update({item: (volume, kinds, count, path) for item in save(source, name + variant)})
+# An edit of one corner of a box: the faces that it did not move stay planes, and the others are B-splines
+# without weights.
+edited = vtkNURBSDeform()
+edited.SetInputConnection(readers["box-plain"].GetOutputPort())
+bounds = [0.0] * 6
+readers["box-plain"].GetOutputDataObject(0).GetBounds(bounds)
+edited.SetCenter(*bounds[1::2])
+edited.SetRadius(15.0)
+edited.SetDisplacement(1.2, 0.9, 0.6)
+mass = vtkMassPropertiesGPU()
+mass.SetBackend(vtkMassPropertiesGPU.CPU)
+mass.SetInputConnection(edited.GetOutputPort())
+mass.Update()
+volume = mass.GetOutputDataObject(0).GetFieldData().GetArray("Volume").GetValue(0)
+check_true("the edit changes the volume", abs(volume - manifest.solid("box")["volume"]) > 1.0, str(volume))
+saved.update({item: (volume, {"BSpline surface", "Plane"}, 1, None) for item in save(edited, "box-edited")})
+
+paths = sorted(saved)
+if reader_name == "occt-import-js":
+    # Its triangles of an edited face have no file to be compared with.
+    paths = [path for path in paths if saved[path][3]]
+    found = read_others(sorted({saved[path][3] for path in paths}) + paths)
+else:
+    found = read_gmsh(paths) if reader_name == "gmsh" else read_others(paths)
+for path in paths:
+    volume, kinds, count, source = saved[path]
+    name = os.path.basename(path)
+    if path not in found:
+        check_true(f"{name}: read by {reader_name}", False)
+        continue
+    check_equal(f"{name}: solids in {reader_name}", count, found[path]["solids"])
+    if reader_name == "occt-import-js":
+        check(f"{name}: the triangles of the file that was read", found[source]["volume"], found[path]["volume"], 1e-5 * volume, "some diagonals depend on roundings")
+        check(f"{name}: volume of triangles", volume, found[path]["volume"], 1e-2 * volume, "angles of 0.2: a disc of triangles lacks 0.2^2 / 6")
+        check_true(f"{name}: triangles", found[path]["triangles"] > 10)
+        continue
+    check_equal(f"{name}: kinds of faces", sorted(kinds), found[path]["kinds"])
+    check_true(f"{name}: valid", found[path].get("valid", True))
+    check(f"{name}: volume in {reader_name}", volume, found[path]["volume"], 1e-9 * volume,
+          "OpenCASCADE's Gauss rules on elementary faces with edges of degree 12")
 finish()

@@ -15,7 +15,7 @@ from smmachine import KG, check_bounded, check_mass, make_machine  # noqa: E402
 from smproduct import Assembly, Part, expand, get_properties, write_product  # noqa: E402
 
 parser = argparse.ArgumentParser()
-parser.add_argument("mode", choices=["stated", "products", "hidden"])
+parser.add_argument("mode", choices=["stated", "products", "counted", "hidden"])
 for name in ("--program", "--output"):
     parser.add_argument(name, required=True)
 options = parser.parse_args()
@@ -241,6 +241,83 @@ def products():
         check_true(f"{text!r} is wrong usage", result.returncode == 1 and said in result.stderr and not result.stdout, result.stderr)
 
 
+def counted():
+    """Products, and solids that coincide, of which one counts."""
+    machine = make_machine()
+    path = write_product(os.path.join(folder, "counted.step"), machine)
+    boxes = expand(machine)
+    density = {"plate": 2700, "bolt": 7850, "rail": 1400}
+    first = {name: next(b for b in boxes if b[0] == name) for name in density}
+    in_first_station = boxes[:next(i for i, b in enumerate(boxes) if i > 0 and b[0] == "plate")]
+    for name, text, kept, said in (
+            ("counted.csv", "bolt,counted once\n", [b for b in boxes if b[0] != "bolt" or b is first["bolt"]], "5 bodies of their other occurrences: bolt (5 times)"),
+            ("counted.json", json.dumps([{"name": "STATION", "material": "counted once"}]), in_first_station + [first["rail"]],
+             "4 bodies of their other occurrences: station"),
+            ("counted_all.csv", "*,counted once\n", [first["plate"], first["bolt"], first["rail"]], "6 bodies of their other occurrences: "),
+            # A line that counts gives no material, and one that gives a material still does.
+            ("counted_steel.csv", "*,counted once\n*,steel\n", [first["plate"], first["bolt"], first["rail"]], "leave out 6 bodies"),
+            ("counted_left.csv", "plate,left out\nstation,Counted Once\n", [b for b in in_first_station + [first["rail"]] if b[0] != "plate"],
+             "3 bodies of their other occurrences: station")):
+        table = write_table(name, text)
+        file = run_json("--materials", table, "--bom", path)
+        weights = [7850 if "steel" in name else density[b[0]] for b in kept]
+        check_mass(file["total"], kept, weights)
+        check_bounded(f"{name}: volume", get_properties(kept)[0], file["total"]["volume"], file["total"]["bounds"]["volume"])
+        check_equal(f"{name}: solids", sorted(b[0] for b in kept), sorted(s["name"] for s in file["solids"]))
+        check_true(f"{name}: said", any("the materials count products once" in m and said in m for m in file["messages"]), str(file["messages"]))
+        check_equal(f"{name}: parts list", len(kept), sum(part["count_in_all"] for part in list_parts(file["parts"]) if part["kind"] == "part"))
+    # Other analyses, the mesh and the robot have the same solids.
+    table = write_table("counted.csv", "*,counted once\n")
+    mesh, robot = os.path.join(folder, "counted.stl"), os.path.join(folder, "counted.sdf")
+    file = run_json("--materials", table, "--section", "0,0,5,0,0,1", "--box", "--mesh", mesh, "--robot", "sdf", robot, path)
+    check_equal("three solids", 3, len(file["solids"]))
+    check("section of the rail", 2000.0, file["sections"][0]["area"], 1e-9)
+    with open(mesh, "rb") as stl:
+        check_equal("triangles of three boxes", 36, int.from_bytes(stl.read()[80:84], "little"))
+    with open(robot, encoding="utf-8") as sdf:
+        check_equal("links", 3, sdf.read().count("<link "))
+    file = run_json("--materials", table, "--only", "bolt", path)
+    check_equal("of those that are selected", ["bolt"], [s["name"] for s in file["solids"]])
+
+    # Coincident solids: two occurrences in one place, and two parts of one shape, which are other entities.
+    cube, twins = Part("cube", [((0, 0, 0), (10, 10, 10))], "1000."), [Part("twin", [((1, 2, 3), (10, 20, 30))], "1000.") for _ in range(2)]
+    twice = write_product(os.path.join(folder, "coincident.step"), Assembly("pair", [
+        (cube, (0, 0, 0), None), (cube, (0, 0, 0), None), (cube, (0, 0, 50), None),
+        (twins[0], (100, 0, 0), None), (twins[1], (100, 0, 0), None), (twins[0], (100, 0, 1), None)]))
+    file = run_json(twice)
+    check("all count", 3000.0 + 3 * 6000.0, file["total"]["volume"], 1e-8)
+    check_true("said", any("add the line" in m and "counted once in place" in m for m in file["messages"]), str(file["messages"]))
+    for text, volume, said in (("*,counted once in place\n", 2000.0 + 2 * 6000.0, "leave out 2 bodies: cube, twin"),
+                               ("cube,counted once in place\n", 2000.0 + 3 * 6000.0, "leave out 1 body: cube"),
+                               ("twin*,counted once in place\n", 3000.0 + 2 * 6000.0, "leave out 1 body: twin")):
+        file = run_json("--materials", write_table("place.csv", text), twice)
+        check(f"{text!r}: volume", volume, file["total"]["volume"], 1e-8)
+        check(f"{text!r}: mass", volume * 1e-6, file["total"]["mass"], 1e-14)
+        check_true(f"{text!r}: said", any("count solids once that coincide" in m and said in m for m in file["messages"]), str(file["messages"]))
+        check_true(f"{text!r}: overlaps are said where some are left", ("*" in text[:1]) != any("both are counted" in m or "all are counted" in m for m in file["messages"]),
+                   str(file["messages"]))
+    # What is close does not coincide, nor what has the same box.
+    near = write_product(os.path.join(folder, "near.step"), Assembly("pair", [(cube, (0, 0, 0), None), (cube, (0, 0, "0.0001"), None)]))
+    file = run_json("--materials", write_table("place.csv", "*,counted once in place\n"), near)
+    check("both count", 2000.0, file["total"]["volume"], 1e-9)
+    check_true("unused", any("no solids coincide that the pattern * counts once in place" in m for m in file["messages"]), str(file["messages"]))
+    file = run_json("--materials", write_table("place.csv", "rail,counted once\n"), path)
+    check_true("unused", any("no product occurs several times that the pattern rail counts once" in m for m in file["messages"]), str(file["messages"]))
+    check_equal("nothing is left out", 9, len(file["solids"]))
+
+    for text in ("bolt,counted once,7850\n", "bolt,counted once,,1%\n", "bolt,counted once in place,,,2\n", "bolt,counted once,2 kg per product\n",
+                 '[{"name":"a","material":"counted once","mass":2}]'):
+        result = run("--materials", write_table("wrong.csv", text), path)
+        check_true(f"{text!r} is wrong usage", result.returncode == 1 and "a line that counts once states no material" in result.stderr and not result.stdout, result.stderr)
+    result = run("--materials", write_table("wrong.csv", "bolt,counted twice\n"), path)
+    check_true("no such counting", result.returncode == 1 and "counted twice is none of the materials" in result.stderr, result.stderr)
+
+
+def list_parts(parts):
+    """The entries of a parts list at all levels."""
+    return [entry for part in parts for entry in [part] + list_parts(part.get("children", []))]
+
+
 def hidden():
     """Bodies, occurrences and layers that the file hides (INVISIBILITY)."""
     def write(name, hide):
@@ -322,5 +399,5 @@ def hidden():
     check_true("refused", result.returncode == 1 and "count, skip or only" in result.stderr, result.stderr)
 
 
-{"stated": stated, "products": products, "hidden": hidden}[options.mode]()
+{"stated": stated, "products": products, "counted": counted, "hidden": hidden}[options.mode]()
 finish()

@@ -162,13 +162,17 @@ private:
   {
     NativeParameter& arcs = this->Result.Parameters[0];
     arcs = FindArcs(this->From, 0);
-    if (!arcs.IsCircular || arcs.Count * arcs.Width > FullTurn + 1e-9)
+    if (!arcs.IsCircular)
     {
       return false;
     }
     if (std::abs(arcs.Count * arcs.Width - FullTurn) < 1e-9)
     {
       arcs.Width = FullTurn / arcs.Count;
+    }
+    if (this->From.Degree[1] == 1 && this->FindFrame() && this->FindCylinder())
+    {
+      return true;
     }
     return this->FindFrame() && this->FindProfile() && this->HasAllPoles();
   }
@@ -197,6 +201,57 @@ private:
     frame.Axes[1] = Cross(frame.Axes[2], frame.Axes[0]);
     frame.Axes[0] = Cross(frame.Axes[1], frame.Axes[2]);
     return largest > this->Allowed;
+  }
+
+  /// Finds a cylinder: the axis of a long one by its lines, since that of a small or short arc has few
+  /// digits.
+  bool FindCylinder()
+  {
+    if (this->From.NumberOfControlPoints[1] != 2)
+    {
+      return false;
+    }
+    ElementarySurface& surface = this->Result.Surface;
+    GeometricFrame& frame = surface.Frame;
+    const double half = 0.5 * this->Result.Parameters[0].Width;
+    const Vector3 start = this->GetPoint(0, 0);
+    const Vector3 line = Subtract(this->GetPoint(0, 1), start);
+    const Vector3 chord = Subtract(this->GetPoint(2, 0), start);
+    const double length = Norm(line);
+    const double radius = 0.5 * Norm(chord) / std::sin(half);
+    if (!(length > this->Allowed) || !(radius > this->Allowed))
+    {
+      return false;
+    }
+    // An arc determines the tilt of its plane by its extents along the axes x and y.
+    const double extents[2] = { radius * (1.0 - std::cos(2.0 * half)), radius * std::sin(2.0 * half) };
+    const double way = std::copysign(1.0, Dot(line, frame.Axes[2]));
+    const Vector3 change = Subtract(Multiply(way / length, line), frame.Axes[2]);
+    Vector3 z = frame.Axes[2];
+    for (int d = 0; d < 2; ++d)
+    {
+      z = length > extents[d] ? Sum(z, Multiply(Dot(change, frame.Axes[d]), frame.Axes[d])) : z;
+    }
+    frame.Axes[2] = Normalized(z);
+    // The centre is on the perpendicular bisector of the chord.
+    const Vector3 outwards = Normalized(Cross(chord, frame.Axes[2]));
+    const Vector3 toStart = Subtract(Multiply(radius * std::cos(half), outwards), Multiply(0.5, chord));
+    frame.Axes[1] = Normalized(Cross(frame.Axes[2], toStart));
+    frame.Axes[0] = Cross(frame.Axes[1], frame.Axes[2]);
+    frame.Origin = Subtract(start, Multiply(radius, frame.Axes[0]));
+    surface.Kind = ElementarySurface::Type::Cylinder;
+    surface.Radii[0] = radius;
+    this->Profile = { { radius, 0.0, 1.0 }, { radius, way * length, 1.0 } };
+    const double slope = way * length / (this->From.GetDomainEnd(1) - this->From.GetDomainStart(1));
+    this->Result.Linear[1][1] = slope;
+    this->Result.Start[1] = -slope * this->From.GetDomainStart(1);
+    if (this->HasAllPoles())
+    {
+      return true;
+    }
+    this->Profile.clear();
+    this->Result.Start[1] = 0.0;
+    return false;
   }
 
   /// Finds the kind of the surface by its profile, the poles of the first column.
@@ -237,8 +292,8 @@ private:
       surface.Kind = ElementarySurface::Type::Cone;
       surface.Angle = std::atan2(std::abs(growth), std::abs(rise));
     }
-    // A flat ring is not a cone, and the angle of one that is almost flat has few digits.
-    if (!(std::abs(rise) > 1e-6 * std::abs(growth)) || !(std::abs(rise) > this->Allowed) ||
+    // A flat ring is not a cone.
+    if (!(std::abs(rise) > 1e-9 * std::abs(growth)) || !(std::abs(rise) > this->Allowed) ||
       !(this->Profile[1 - wide].Radius >= -this->Allowed))
     {
       return false;

@@ -43,11 +43,13 @@ struct SMREADERSFACES_EXPORT NativeSurface
 
 /**
  * Returns the elementary surface, or nothing if the control points are not those of one: of a plane two by
- * two points of equal weight that are a parallelogram, of the others those that ConvertGeometry() makes, at
- * most one turn, moved and scaled or not. Every control point must be that of the surface within 64
- * roundings of the largest coordinate and the rounding that the surface states, so that the result has no
- * other error, and nothing is returned for what an edit deformed. The frame is right-handed, the angle of a
- * cone above 0, and a torus does not cross its axis.
+ * two points of equal weight that are a parallelogram, of the others those that ConvertGeometry() makes, of
+ * any number of turns about the axis, moved and scaled or not. Every control point must be that of the
+ * surface within 64 roundings of the largest coordinate and the rounding that the surface states, so that the
+ * result has no other error, and nothing is returned for what an edit deformed, nor for small arcs of cones,
+ * spheres and tori, whose points determine an axis with few digits. The frame is right-handed, the angle of a
+ * cone above 0, and a torus does not cross its axis: OpenCASCADE writes such a torus as a surface of
+ * revolution.
  */
 SMREADERSFACES_EXPORT std::optional<NativeSurface> FindNativeSurface(const NURBSSurface& surface);
 

@@ -466,6 +466,8 @@ void CheckEncodings()
   // Escapes of strings.
   CheckEqual("apostrophe and backslash", "it's \\", sm::DecodePart21Text("it''s \\\\"));
   CheckEqual("8 bits", umlaut, sm::DecodePart21Text("Geh\\X\\E4use"));
+  CheckEqual("line breaks", umlaut, sm::DecodePart21Text("Ge\r\nh\\X2\\00\nE4\\X0\\u\\N\\s\\F\\e\n"));
+  CheckEqual("a line of its own", "a\nb", sm::DecodePart21Text("a\\X2\\000A\\X0\\b"));
   CheckEqual("page", umlaut, sm::DecodePart21Text("Geh\\S\\duse"));
   CheckEqual("16 bits", "\xc5\xa1\xe2\x82\xac!", sm::DecodePart21Text("\\X2\\016120AC\\X0\\!"));
   CheckEqual("a pair", "\xf0\x9f\x94\xa9", sm::DecodePart21Text("\\X2\\D83DDD29\\X0\\"));
