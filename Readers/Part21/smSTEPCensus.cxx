@@ -19,6 +19,7 @@ STEPCensus STEPCensusTaker::Take()
   this->SetInstances();
   this->CheckTwicePlaced();
   this->CheckPlacedProducts();
+  this->CheckJoinedProducts();
   this->CheckAlternatives();
   this->CheckVersions();
   this->FindAlternatives();
@@ -158,6 +159,7 @@ const char* GetName(CensusDefect defect)
     "places the shape of an assembly without an occurrence: the parts of the assembly are missing there",
     "places the shape of a product without an occurrence, which is counted in addition to the product",
     "relates the shapes of an occurrence that has another placement, and is not counted",
+    "its shape is related to that of another product, so that both have the solids of both",
     "placement of other products", "in no product", "missing unit", "wrong unit", "absurd unit" };
   static_assert(
     sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(CensusDefect::Count), "a name each");

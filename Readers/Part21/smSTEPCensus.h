@@ -52,6 +52,8 @@ enum class CensusDefect : unsigned char
                   ///< occurrence: it is counted there, and where the product occurs
   PlacedAgain,    ///< a relationship of the shapes of an occurrence, which has another placement: it is not
                   ///< counted
+  JoinedProducts, ///< representations of two products that a relationship without a transformation makes one
+                  ///< shape: both products have the solids of both
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses
   MissingUnit,       ///< no length unit, or no angle unit

@@ -503,4 +503,19 @@ void STEPCensusTaker::CheckPlacedProducts()
     }
   }
 }
+
+/// Reports products whose shapes are different representations that relationships make one.
+void STEPCensusTaker::CheckJoinedProducts()
+{
+  std::unordered_map<Index, Index> first;
+  for (const auto& [representation, product] : this->ProductsOfRepresentations)
+  {
+    const Index group = this->Groups[representation];
+    const Index other = first.emplace(group, product).first->second;
+    if (other != product && this->Counts[group] > 0 && this->SolidsBelow[group])
+    {
+      this->Add(CensusDefect::JoinedProducts, product, this->File.GetId(other), "product");
+    }
+  }
+}
 }

@@ -139,6 +139,7 @@ void STEPCensusTaker::AddShapes(Index i)
   if (representation != None)
   {
     this->ShapesOfProducts.emplace_back(product, this->FindGroup(representation));
+    this->ProductsOfRepresentations.emplace(representation, product);
   }
 }
 
