@@ -18,6 +18,8 @@ STEPCensus STEPCensusTaker::Take()
   this->SolidsBelow = this->FindAbove({ CensusBodyKind::Solid }, true);
   this->SetInstances();
   this->CheckTwicePlaced();
+  this->CheckPlacedProducts();
+  this->CheckJoinedProducts();
   this->CheckAlternatives();
   this->CheckVersions();
   this->FindAlternatives();
@@ -153,8 +155,12 @@ const char* GetName(CensusDefect defect)
     "several definitions of one product, which are all counted",
     "a product of closed surfaces without a solid, whose volume is not added to that of solids",
     "used by nothing", "shell without faces", "assembly contains itself", "missing placement",
-    "placed as an occurrence and by a mapped item, which are both counted", "placement of other products",
-    "in no product", "missing unit", "wrong unit", "absurd unit" };
+    "placed as an occurrence and by a mapped item, which are both counted",
+    "places the shape of an assembly without an occurrence: the parts of the assembly are missing there",
+    "places the shape of a product without an occurrence, which is counted in addition to the product",
+    "relates the shapes of an occurrence that has another placement, and is not counted",
+    "its shape is related to that of another product, so that both have the solids of both",
+    "placement of other products", "in no product", "missing unit", "wrong unit", "absurd unit" };
   static_assert(
     sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(CensusDefect::Count), "a name each");
   return names[static_cast<std::size_t>(defect)];

@@ -44,8 +44,16 @@ enum class CensusDefect : unsigned char
   UnusedEntity,   ///< a face, bound, loop, shell or solid that nothing uses
   EmptyShell,     ///< a shell without a face
   AssemblyCycle,  ///< a product, or a representation, that contains itself
-  MissingPlacement,  ///< an occurrence in an assembly without a transformation
-  PlacedTwice,       ///< an occurrence that its assembly has as a mapped item, too: both are counted
+  MissingPlacement, ///< an occurrence in an assembly without a transformation
+  PlacedTwice,      ///< an occurrence that its assembly has as a mapped item, too: both are counted
+  PlacedAssembly, ///< a mapped item or relationship that places the shape of an assembly, whose parts are in
+                  ///< occurrences: they are not counted there
+  PlacedProduct,  ///< a relationship that places the shape of a product in another one, without an
+                  ///< occurrence: it is counted there, and where the product occurs
+  PlacedAgain,    ///< a relationship of the shapes of an occurrence, which has another placement: it is not
+                  ///< counted
+  JoinedProducts, ///< representations of two products that a relationship without a transformation makes one
+                  ///< shape: both products have the solids of both
   PlacementMismatch, ///< the placement of an occurrence relates representations of other products
   UnreachedBody,     ///< a solid in a representation that no product uses
   MissingUnit,       ///< no length unit, or no angle unit

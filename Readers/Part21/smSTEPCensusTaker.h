@@ -9,6 +9,7 @@
 #include "smSTEPCensus.h"
 
 #include <array>
+#include <map>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -88,6 +89,8 @@ private:
   std::vector<bool> FindRead() const;
   void SetInstances();
   void CheckTwicePlaced();
+  void CheckPlacedProducts();
+  void CheckJoinedProducts();
 
   // smSTEPComponents.cxx: what products declare besides their bodies
   bool IsOfAssembly(const Arc& arc) const;
@@ -171,6 +174,10 @@ private:
   std::set<Index> ExactGroups;
   std::vector<std::pair<Index, std::uint32_t>> MappedFrom;
   std::vector<bool> SolidsBelow;
+  /// The first product that each representation is the shape of.
+  std::map<Index, Index> ProductsOfRepresentations;
+  /// Relationships between the shapes of an occurrence that are not its placement.
+  std::vector<Arc> FurtherPlacements;
   /// Occurrences by their places in the census, and the arcs of the mapped items that place them.
   std::vector<std::pair<std::size_t, Arc>> JoinedItems;
   /// Products that are parts by mapped items alone, and the product of each of their shapes; empty if there

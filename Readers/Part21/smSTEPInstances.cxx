@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <unordered_set>
 
 namespace sm
@@ -438,6 +439,82 @@ void STEPCensusTaker::CheckTwicePlaced()
         this->Add(CensusDefect::PlacedTwice, this->OccurrenceEntities[k], mapped.Id, "mapped item");
         break;
       }
+    }
+  }
+}
+
+/// Reports shapes of products that a mapped item or a relationship places without an occurrence: a shape has
+/// no parts, those of the product are placed by occurrences, and the product itself may be counted elsewhere.
+void STEPCensusTaker::CheckPlacedProducts()
+{
+  std::unordered_map<Index, Index> products;
+  std::unordered_map<Index, Index> assemblies;
+  // Shapes of the assemblies and parts of occurrences that have a placement.
+  std::set<std::pair<Index, Index>> placed;
+  for (const auto& [product, shape] : this->ShapesOfProducts)
+  {
+    products.emplace(shape, product);
+  }
+  for (const CensusOccurrence& occurrence : this->Census.Occurrences)
+  {
+    if (!occurrence.HasSolids || occurrence.Parent == 0)
+    {
+      continue;
+    }
+    const Index assembly = this->File.Find(occurrence.Parent);
+    for (const Index shape : this->GetShapes(assembly))
+    {
+      assemblies.emplace(shape, assembly);
+      for (const Index part : this->GetShapes(this->File.Find(occurrence.Child)))
+      {
+        if (occurrence.Placement != 0 || !occurrence.MappedItems.empty())
+        {
+          placed.emplace(shape, part);
+        }
+      }
+    }
+  }
+  for (const Arc& arc : this->Arcs)
+  {
+    const bool isRelationship = this->Entities.Has(arc.By, STEPRole::Relationship);
+    if (this->Counts[arc.From] == 0 || (!isRelationship && !this->Entities.Has(arc.By, STEPRole::MappedItem)))
+    {
+      continue;
+    }
+    const auto assembly = assemblies.find(arc.To);
+    const auto product = products.find(arc.To);
+    if (assembly != assemblies.end())
+    {
+      this->Add(CensusDefect::PlacedAssembly, arc.By, this->File.GetId(assembly->second), "product");
+    }
+    else if (isRelationship && product != products.end() && this->SolidsBelow[arc.To])
+    {
+      this->Add(CensusDefect::PlacedProduct, arc.By, this->File.GetId(product->second), "product");
+    }
+  }
+  for (const Arc& arc : this->FurtherPlacements)
+  {
+    const bool isCounted =
+      this->Counts[arc.To] > 0 && (this->SolidsBelow[arc.To] || assemblies.count(arc.To) > 0);
+    // One without a placement is reported as such.
+    if (isCounted && placed.count({ arc.From, arc.To }) > 0)
+    {
+      this->Add(CensusDefect::PlacedAgain, arc.By, 0, "relationship");
+    }
+  }
+}
+
+/// Reports products whose shapes are different representations that relationships make one.
+void STEPCensusTaker::CheckJoinedProducts()
+{
+  std::unordered_map<Index, Index> first;
+  for (const auto& [representation, product] : this->ProductsOfRepresentations)
+  {
+    const Index group = this->Groups[representation];
+    const Index other = first.emplace(group, product).first->second;
+    if (other != product && this->Counts[group] > 0 && this->SolidsBelow[group])
+    {
+      this->Add(CensusDefect::JoinedProducts, product, this->File.GetId(other), "product");
     }
   }
 }

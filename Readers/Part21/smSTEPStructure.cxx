@@ -4,6 +4,7 @@
 #include "smSTEPStructureAttributes.h"
 
 #include <algorithm>
+#include <set>
 #include <unordered_set>
 
 namespace sm
@@ -138,6 +139,7 @@ void STEPCensusTaker::AddShapes(Index i)
   if (representation != None)
   {
     this->ShapesOfProducts.emplace_back(product, this->FindGroup(representation));
+    this->ProductsOfRepresentations.emplace(representation, product);
   }
 }
 
@@ -306,15 +308,14 @@ void STEPCensusTaker::AddPlacedShapes()
       this->ShapesOfProducts.begin(), this->ShapesOfProducts.end(), std::make_pair(product, Index{ 0 }));
     return found != this->ShapesOfProducts.end() && found->first == product ? found->second : None;
   };
-  std::vector<std::pair<Index, Index>> known;
+  std::set<std::pair<Index, Index>> known;
   for (const Arc& arc : this->Arcs)
   {
     if (arc.By != None && this->Entities.Has(arc.By, STEPRole::Occurrence))
     {
-      known.emplace_back(findShape(arc.From), findShape(arc.To));
+      known.emplace(findShape(arc.From), findShape(arc.To));
     }
   }
-  std::sort(known.begin(), known.end());
   for (const Index i : this->Relationships)
   {
     if (this->Placing[i] || !HasTransformation(this->Entities, i) ||
@@ -324,12 +325,12 @@ void STEPCensusTaker::AddPlacedShapes()
     }
     const Index part = this->Follow(i, FirstRepresentation, STEPRole::Representation);
     const Index whole = this->Follow(i, SecondRepresentation, STEPRole::Representation);
-    if (part != None && whole != None &&
-      !std::binary_search(
-        known.begin(), known.end(), std::make_pair(this->FindGroup(whole), this->FindGroup(part))))
+    if (part == None || whole == None)
     {
-      this->Arcs.push_back({ this->FindGroup(whole), this->FindGroup(part), i });
+      continue;
     }
+    const Arc arc = { this->FindGroup(whole), this->FindGroup(part), i };
+    (known.count({ arc.From, arc.To }) > 0 ? this->FurtherPlacements : this->Arcs).push_back(arc);
   }
 }
 

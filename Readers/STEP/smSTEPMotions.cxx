@@ -1,6 +1,7 @@
 #include "smSTEPMotions.h"
 
 #include "Geometry/smGeometryTransform.h"
+#include "smSTEPPropertyAttributes.h"
 #include "smSTEPStructureAttributes.h"
 #include "smSTEPUnits.h"
 

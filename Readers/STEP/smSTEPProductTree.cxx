@@ -1,5 +1,7 @@
 #include "smSTEPProductTree.h"
 
+#include "smFirstOfSeveral.h"
+#include "smRepeatedBodies.h"
 #include "smSTEPAppearance.h"
 #include "smSTEPMotions.h"
 #include "smSTEPProducts.h"
@@ -117,6 +119,7 @@ public:
         roots.push_back(std::move(node));
       }
     }
+    this->RepeatedSolids.Report(this->Result.Defects);
   }
 
 private:
@@ -218,7 +221,9 @@ private:
         passed.IsHidden = inherited.IsHidden || this->Hidden.count(part->Id) > 0 ||
           std::any_of(part->MappedItems.begin(), part->MappedItems.end(),
             [this](const CensusPlacedShape& item) { return this->Hidden.count(item.Id) > 0; });
+        this->Repeated.Enter();
         node.Children.push_back(this->Visit(*child->second, part, own, passed));
+        this->Repeated.Leave();
       }
     }
     this->Open.erase(product.Id);
@@ -245,6 +250,7 @@ private:
       [&](std::uint32_t body, const Placement& motion)
       {
         const std::size_t first = this->Result.Instances.size();
+        this->CheckRepeated(body, Compose(placement, motion));
         this->Adder.Add(this->Bodies.at(body).Shapes, this->Describe(body, part), Compose(placement, motion),
           inherited.Color, node);
         const bool isHidden =
@@ -258,6 +264,22 @@ private:
     {
       this->CountFreeFaces(representation);
       this->SetLayer(representation, node);
+    }
+  }
+
+  /// Reports a solid that is counted a second time in one place.
+  void CheckRepeated(std::uint32_t index, const Placement& placement)
+  {
+    if (this->Repeated.Add(index, placement))
+    {
+      this->RepeatedSolids.Add(
+        [&]
+        {
+          return "Solid #" + std::to_string(this->Census.Bodies[index].Id) +
+            " of the file is counted twice in one place: its product has it in two shapes, or another "
+            "product "
+            "or an assembly of this one has it, too. Export the file again.";
+        });
     }
   }
 
@@ -411,6 +433,8 @@ private:
   const std::unordered_set<std::uint64_t>& Hidden;
   /// Above 0 while what is visited is in a hidden representation or mapped item.
   int HiddenDepth = 0;
+  RepeatedBodies Repeated;
+  FirstOfSeveral RepeatedSolids;
   Document& Result;
   ShapeAdder Adder;
   /// Indices of bodies in the census by the number of their entity.

@@ -1,14 +1,13 @@
 #include "smSTEPShapes.h"
 
 #include "smCatchFailure.h"
-#include "smSTEPEdgeTwins.h"
+#include "smSTEPEdgeShapes.h"
 #include "smSTEPGeometryReading.h"
 #include "smSTEPPolygons.h"
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPShapeChecks.h"
 #include "smSTEPTopologyAttributes.h"
 #include "smSTEPTrims.h"
-#include "smTextEncoding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,16 +23,7 @@ constexpr STEPAttribute VertexOfLoop = { "VERTEX_LOOP", 0, 1, "vertex" };
 /// Accuracy in millimetres of a file that states none.
 constexpr double DefaultPrecision = 1e-4;
 
-/// The tolerance of a vertex is so many times the distance of the ends of its edges.
-constexpr double VertexMargin = 1.000001;
-
 using Index = Part21File::Index;
-
-std::string GetShapeName(std::string_view text)
-{
-  std::string name = DecodePart21Text(text);
-  return name == "NONE" ? std::string() : name;
-}
 }
 
 /// Makes the shapes of one body.
@@ -47,6 +37,7 @@ public:
     , Shared(shapes.GetGeometry(body.Context))
     , Precision(shapes.GetPrecision(body))
     , Trims(this->Entities, this->Shared, this->Precision, shapes.ParameterCurves)
+    , EdgeShapes(this->Entities, this->Shared.Edges)
   {
   }
 
@@ -69,13 +60,13 @@ public:
       shells.push_back({ shell, use.Void && this->Entities.Get(entity, SenseOfShell).Text == "F", {} });
       if (!isSolid)
       {
-        Describe(this->Body.Id, this->Body.Name, shell->Data);
+        DescribeShape(this->Body.Id, this->Body.Name, shell->Data);
       }
     }
     this->Shapes.Checks.FinishBody(this->Shapes.GetUncertainty(this->Body));
     if (!solid->Shells.empty())
     {
-      Describe(this->Body.Id, this->Body.Name, solid->Data);
+      DescribeShape(this->Body.Id, this->Body.Name, solid->Data);
       result.Solids.push_back({ solid, false, {} });
     }
     return result;
@@ -83,12 +74,6 @@ public:
 
 private:
   using LoopUse = STEPFaceLoop::Use;
-
-  static void Describe(std::uint64_t id, std::string_view name, ShapeData& data)
-  {
-    data.FileId = static_cast<std::int64_t>(id);
-    data.Name = GetShapeName(name);
-  }
 
   /// Returns the shell of the faces that are made; null if there is none.
   ShellPointer MakeShell(const CensusShell& shell)
@@ -155,38 +140,11 @@ private:
     return !peril;
   }
 
-  Index GetVertexEntity(Index edge, bool isStart) const
-  {
-    return this->Entities.Follow(this->Entities.Get(edge, isStart ? StartOfEdge : EndOfEdge));
-  }
-
-  /// Returns the vertex that stands for all that are the same.
-  Index FindVertex(Index vertex)
-  {
-    auto found = this->Joined.find(vertex);
-    while (found != this->Joined.end() && found->second != vertex)
-    {
-      vertex = found->second;
-      found = this->Joined.find(vertex);
-    }
-    return vertex;
-  }
-
   /// Returns the positions of the ends of an edge of the file.
   std::array<Vector3, 2> GetEnds(const STEPEdge& edge) const
   {
     return edge.IsForward ? std::array<Vector3, 2>{ edge.Start, edge.End }
                           : std::array<Vector3, 2>{ edge.End, edge.Start };
-  }
-
-  void Join(Index a, Index b)
-  {
-    a = this->FindVertex(a);
-    b = this->FindVertex(b);
-    if (a != b)
-    {
-      this->Joined[std::max(a, b)] = std::min(a, b);
-    }
   }
 
   /// Joins the vertices of the edges of a face that are the same. Returns false if an edge has a row.
@@ -206,7 +164,8 @@ private:
         ends.push_back(this->GetEnds(*edge));
         if (Norm(Subtract(ends.back()[1], ends.back()[0])) <= STEPEdges::SameVertex)
         {
-          this->Join(this->GetVertexEntity(use.Edge, true), this->GetVertexEntity(use.Edge, false));
+          this->EdgeShapes.JoinVertices(this->EdgeShapes.GetVertexEntity(use.Edge, true),
+            this->EdgeShapes.GetVertexEntity(use.Edge, false));
         }
       }
       for (std::size_t i = 0; i < uses.size(); ++i)
@@ -216,8 +175,8 @@ private:
         const Vector3& to = ends[k][uses[k].IsForward ? 0 : 1];
         if (Norm(Subtract(to, from)) <= this->Precision)
         {
-          this->Join(this->GetVertexEntity(uses[i].Edge, !uses[i].IsForward),
-            this->GetVertexEntity(uses[k].Edge, uses[k].IsForward));
+          this->EdgeShapes.JoinVertices(this->EdgeShapes.GetVertexEntity(uses[i].Edge, !uses[i].IsForward),
+            this->EdgeShapes.GetVertexEntity(uses[k].Edge, uses[k].IsForward));
         }
       }
       if (loop.Kind == STEPFaceLoop::Type::Edges)
@@ -243,61 +202,22 @@ private:
         }
       }
     }
-    this->Twins = FindEdgeTwins(edges, this->Shared.Edges, this->Precision);
-    for (const auto& [entity, twin] : this->Twins)
+    const STEPJoinedEdges& joints = this->EdgeShapes.JoinEdges(edges, this->Precision);
+    if (!joints.Edges.empty())
     {
-      const bool isForward = this->Shared.Edges.GetEdge(entity)->IsForward;
-      const bool isTwinForward = this->Shared.Edges.GetEdge(twin.Edge)->IsForward != twin.IsOpposite;
-      for (const bool isStart : { true, false })
-      {
-        this->Join(this->GetVertexEntity(entity, isStart == isForward),
-          this->GetVertexEntity(twin.Edge, isStart == isTwinForward));
-      }
+      this->Shapes.JoinedEdges.Add([&] { return DescribeJoinedEdges(this->Body.Id, joints); });
     }
-    if (!this->Twins.empty())
-    {
-      this->Shapes.JoinedEdges.Add(
-        [&]
-        {
-          return "Solid #" + std::to_string(this->Body.Id) +
-            " of the file: " + std::to_string(this->Twins.size()) +
-            " pairs of edges lie on each other and were joined, since the file has edges of their own for "
-            "adjacent faces.";
-        });
-    }
-  }
-
-  const VertexPointer& GetVertex(Index entity, const Vector3& position)
-  {
-    VertexPointer& vertex = this->Vertices[this->FindVertex(entity)];
-    if (!vertex)
-    {
-      vertex = std::make_shared<VertexShape>();
-      vertex->Point = position;
-    }
-    return vertex;
   }
 
   /// Returns the edge of an entity; null if it has a row.
   const EdgePointer& GetEdge(Index entity)
   {
-    EdgePointer& result = this->Edges[entity];
+    const bool isKnown = this->EdgeShapes.HasEdge(entity);
+    const EdgePointer& result = this->EdgeShapes.GetEdge(entity);
     const STEPEdge* edge = this->Shared.Edges.GetEdge(entity);
-    if (result || !edge)
+    if (isKnown || !edge)
     {
       return result;
-    }
-    result = std::make_shared<EdgeShape>();
-    result->Curve = edge->Curve;
-    result->First = edge->First;
-    result->Last = edge->Last;
-    result->Start = this->GetVertex(this->GetVertexEntity(entity, edge->IsForward), edge->Start);
-    result->End = this->GetVertex(this->GetVertexEntity(entity, !edge->IsForward), edge->End);
-    for (const bool isStart : { true, false })
-    {
-      VertexShape& vertex = *(isStart ? result->Start : result->End);
-      const Vector3 end = edge->Curve->Evaluate(isStart ? edge->First : edge->Last);
-      vertex.Tolerance = std::max(vertex.Tolerance, VertexMargin * Norm(Subtract(end, vertex.Point)));
     }
     this->AddDefect(DescribeShortArc(*edge));
     if (IsNearlyClosed(*edge))
@@ -307,7 +227,6 @@ private:
     this->Shapes.Extend(edge->Start);
     this->Shapes.Extend(edge->End);
     this->Shapes.Extend(edge->Curve->Evaluate(0.5 * (edge->First + edge->Last)));
-    Describe(edge->Id, edge->Name, result->Data);
     return result;
   }
 
@@ -377,7 +296,7 @@ private:
     }
     this->AddDefect(
       DescribeWholeTorus(census.Id, this->Entities.File.GetId(surfaceEntity), *surface.Value, face->Bounded));
-    Describe(census.Id, this->Entities.Get(entity, NameOfItem).Text, face->Data);
+    DescribeShape(census.Id, this->Entities.Get(entity, NameOfItem).Text, face->Data);
     return { face, !isForward };
   }
 
@@ -416,7 +335,7 @@ private:
     CoedgeShape pole;
     pole.Edge = std::make_shared<EdgeShape>();
     pole.Edge->Degenerate = true;
-    pole.Edge->Start = pole.Edge->End = this->GetVertex(entity, this->ReadVertex(entity));
+    pole.Edge->Start = pole.Edge->End = this->EdgeShapes.GetVertex(entity, this->ReadVertex(entity));
     face.Wires.push_back({ { pole }, false });
   }
 
@@ -438,26 +357,41 @@ private:
     wire.Reversed = !isSame;
     for (const LoopUse& use : uses)
     {
-      CoedgeShape coedge;
-      const auto twin = this->Twins.find(use.Edge);
-      coedge.Edge = this->GetEdge(twin == this->Twins.end() ? use.Edge : twin->second.Edge);
-      if (!coedge.Edge)
+      if (!this->AddUse(use, counts[use.Edge], isSame, surfaceEntity, wire))
       {
         return false;
       }
-      const bool isForward = use.IsForward == this->Shared.Edges.GetEdge(use.Edge)->IsForward;
-      if (twin == this->Twins.end())
-      {
-        coedge.Reversed = isForward != isSame;
-        this->Trims.Add(use.Edge, counts[use.Edge], surfaceEntity, coedge);
-      }
-      else
-      {
-        coedge.Reversed = (isForward != twin->second.IsOpposite) != isSame;
-      }
-      wire.Coedges.push_back(std::move(coedge));
     }
     face.Wires.push_back(std::move(wire));
+    return true;
+  }
+
+  /// Adds the coedge of a use, or those of the edges that stand for its edge. False if the edge has a row.
+  bool AddUse(const LoopUse& use, int count, bool isSame, Index surfaceEntity, WireShape& wire)
+  {
+    const STEPEdge* edge = this->Shared.Edges.GetEdge(use.Edge);
+    if (!edge)
+    {
+      return false;
+    }
+    CoedgeShape coedge;
+    const bool isForward = use.IsForward == edge->IsForward;
+    const std::vector<STEPJoinedEdges::Use>* common = this->EdgeShapes.FindCommon(use.Edge);
+    if (!common)
+    {
+      coedge.Edge = this->GetEdge(use.Edge);
+      coedge.Reversed = isForward != isSame;
+      this->Trims.Add(use.Edge, count, surfaceEntity, coedge);
+      wire.Coedges.push_back(std::move(coedge));
+      return true;
+    }
+    for (std::size_t i = 0; i < common->size(); ++i)
+    {
+      const STEPJoinedEdges::Use& part = (*common)[isForward ? i : common->size() - 1 - i];
+      coedge.Edge = this->EdgeShapes.GetCommonEdge(part.Common);
+      coedge.Reversed = (isForward != part.IsOpposite) != isSame;
+      wire.Coedges.push_back(coedge);
+    }
     return true;
   }
 
@@ -518,12 +452,8 @@ private:
   STEPBodyGeometry& Shared;
   const double Precision;
   STEPTrims Trims;
+  STEPEdgeShapes EdgeShapes;
   int NumberOfLostFaces = 0;
-  std::unordered_map<Index, Index> Joined;
-  std::unordered_map<Index, VertexPointer> Vertices;
-  std::unordered_map<Index, EdgePointer> Edges;
-  /// Edges of the shell that is made for which others stand.
-  std::unordered_map<Index, STEPEdgeTwin> Twins;
   STEPPolygons Polygons;
 };
 

@@ -31,7 +31,7 @@ namespace sm
  * that the file has on this surface if both ends agree with the edge's within the file's accuracy, and that
  * is not a plane. Vertices closer than STEPEdges::SameVertex at the ends of one edge, or closer than the
  * file's accuracy at neighbouring edges of a loop, are one. Edges of a closed shell that one face uses each
- * and that lie on each other are joined (smSTEPEdgeTwins.h).
+ * and that lie on each other, or on a chain of others, are joined (smSTEPEdgeTwins.h).
  */
 class STEPShapes
 {

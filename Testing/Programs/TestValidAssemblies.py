@@ -120,4 +120,89 @@ def check_placed(runner):
     runner.check_flagged("an occurrence in one of two products of a shape", body.get_text())
 
 
+def check_unclear(runner):
+    """What places the shape of a product without an occurrence leaves open what is counted: such files are flagged."""
+    def add_box(body, x=0.0):
+        return body.shape([body.identity, body.solid(body.box((x, 0, 0), (1, 2, 3)))])
+
+    for kind in ("mapped item", "relationship"):
+        # A part; a sub-assembly whose part is in an occurrence, alone and with that part elsewhere.
+        for count in (0, 1, 2):
+            body = Body()
+            part = add_box(body)
+            middle = body.shape([body.identity]) if count else part
+            at = body.axes((20, 0, 0))
+            whole = body.shape([body.identity, add_mapped(body, middle, at) if kind == "mapped item" else at])
+            products = [body.product(name, shape) for name, shape in (("part", part), *((("middle", middle),) if count else ()), ("asm", whole))]
+            if kind == "relationship":
+                add_relationship(body, middle, whole, at)
+            for parent, shape in ((products[1], middle), (products[-1], whole))[:count]:
+                add_occurrence(body, parent, products[0], body.axes((5, 0, 0)), (part, shape))
+            if count == 0 and kind == "mapped item":
+                runner.check_value("a mapped part", body.get_text(), 6.0, center=(20.5, 1.0, 1.5))
+            else:
+                runner.check_flagged(f"{kind}, {count} occurrences of the part", body.get_text())
+
+    # A second relationship of the shapes of an occurrence, at another place.
+    for count in (1, 2):
+        body = Body()
+        part, whole = add_box(body), body.shape([body.identity])
+        products = [body.product(name, shape) for name, shape in (("part", part), ("asm", whole))]
+        add_occurrence(body, products[1], products[0], body.axes((5, 0, 0)), (part, whole))
+        if count == 1:
+            runner.check_value("one placement", body.get_text(), 6.0, center=(5.5, 1.0, 1.5))
+        else:
+            add_relationship(body, part, whole, body.axes((0, 9, 0)))
+            runner.check_flagged("two placements", body.get_text())
+
+
+def check_repeated(runner):
+    """A solid that is in one place twice, without an occurrence for each, is flagged; two occurrences in one place are what the file states."""
+    def add_box(body):
+        return body.solid(body.box((0, 0, 0), (1, 2, 3)))
+
+    def add_part(body):
+        part = body.shape([body.identity, add_box(body)])
+        return part, body.product("part", part)
+
+    def map_once(body):
+        part, definition = add_part(body)
+        body.define(definition, body.shape([body.identity, add_mapped(body, part, body.identity)]))
+
+    def share_solid(body):
+        solid = add_box(body)
+        for name in ("one", "two"):
+            body.product(name, body.shape([body.identity, solid]))
+
+    def repeat_part(body):
+        solid = add_box(body)
+        part, whole = body.shape([body.identity, solid]), body.shape([body.identity, solid])
+        definition = body.product("part", part)
+        add_occurrence(body, body.product("asm", whole), definition, body.identity, (part, whole))
+
+    def join_products(body):
+        shapes = [body.shape([body.identity, body.solid(body.box((9 * k, 0, 0), (1, 2, 3)))]) for k in range(2)]
+        products = [body.product(f"part{k}", shape) for k, shape in enumerate(shapes)]
+        body.add(f"SHAPE_REPRESENTATION_RELATIONSHIP('','',{shapes[0]},{shapes[1]})")
+        whole = body.shape([body.identity])
+        assembly = body.product("asm", whole)
+        for k, product in enumerate(products):
+            add_occurrence(body, assembly, product, body.axes((0, 9 * k, 0)), (shapes[k], whole))
+
+    def occur_twice(body):
+        part, definition = add_part(body)
+        whole = body.shape([body.identity])
+        assembly = body.product("asm", whole)
+        for _ in range(2):
+            add_occurrence(body, assembly, definition, body.axes((5, 0, 0)), (part, whole))
+
+    for work in (map_once, share_solid, repeat_part, join_products):
+        body = Body()
+        work(body)
+        runner.check_flagged(work.__name__, body.get_text())
+    body = Body()
+    occur_twice(body)
+    runner.check_value("two occurrences in one place", body.get_text(), 12.0, allowed="they overlap, and both are counted")
+
+
 run_modes()

@@ -95,6 +95,7 @@ def trim_removed(random, document):
         surface = document.entities[trims[k]]["PCURVE"][1]
         left = [trims[1 - k]] if random.random() < 0.5 else [surface if i == k else t for i, t in enumerate(trims)]
         document.set(holder, keyword, "''", curve, left, ".CURVE_3D.")
+        document.residual += 1
     return bool(holders)
 
 
