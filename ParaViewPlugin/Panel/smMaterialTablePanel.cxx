@@ -14,6 +14,7 @@
 
 #include <cstring>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace
@@ -28,6 +29,14 @@ void FitColumns(QHeaderView* header)
   }
 }
 
+/// Newer versions of ParaView take other texts.
+template <typename List>
+void SetTitles(pqScalarValueListPropertyWidget* table, void (pqScalarValueListPropertyWidget::*set)(List&))
+{
+  std::remove_const_t<List> titles(sm::MaterialTableTitles.begin(), sm::MaterialTableTitles.end());
+  (table->*set)(titles);
+}
+
 class TitledTable : public pqPropertyWidget
 {
 public:
@@ -37,8 +46,7 @@ public:
     auto* table = new pqScalarValueListPropertyWidget(property, proxy, this);
     // As ParaView's own widget names it, so that recorded tests and macros find it.
     table->setObjectName("ScalarValueList");
-    std::vector<const char*> titles(sm::MaterialTableTitles.begin(), sm::MaterialTableTitles.end());
-    table->setLabels(titles);
+    SetTitles(table, &pqScalarValueListPropertyWidget::setLabels);
     table->setShowLabels(true);
     if (auto* view = table->findChild<QTableView*>())
     {
