@@ -76,7 +76,7 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
     solidmoments_add_test(NAME CompareSaved LABELS value package NODISPLAY FIXTURE models ENVIRONMENT "${python_path}"
       COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Testing/Sweeps/CompareSaved.py" --freecad "${SOLIDMOMENTS_FREECAD}"
         --folder "${SOLIDMOMENTS_UNPACKED_MODELS}" --output "${SOLIDMOMENTS_TEST_OUTPUT}/compare-saved"
-        --only gmsh_part odri_motor nodeocc_vention nist_ctc_03 gmsh_crankshaft caxif_as1_tu_203)
+        --only gmsh_part odri_motor nodeocc_vention nist_ctc_03 gmsh_crankshaft caxif_as1_tu_203 prusa_mini_xcarriage)
   endif ()
   # STEP against BREP, of our writer and of gmsh, which reads STEP by OpenCASCADE.
   if (EXISTS "${SOLIDMOMENTS_MODELS_DIR}/reference.jsonl")
