@@ -5,6 +5,7 @@ same direction or lies elsewhere does not. MODE is the name of a function withou
 """
 import math
 import os
+import random
 import re
 import sys
 
@@ -163,6 +164,67 @@ def check_arcs(runner):
         runner.check_flagged(f"a wider end, spline {is_spline}", make_cylinder(sides, divide_turn(-0.2, 1.7, 3.3), is_spline, 2.0, 2.001))
         runner.check_flagged(f"a hole, spline {is_spline}", make_cylinder(sides[:2], divide_turn(-0.2, 1.7, 3.3), is_spline))
         runner.check_flagged(f"a face twice, spline {is_spline}", make_cylinder([*sides, sides[1]], divide_turn(-0.2, 1.7, 3.3), is_spline))
+
+
+def part_boundary(chance, cells):
+    """The boundary of a set of cells of a grid in random rectangles: (direction, is high side, level, u, v, width, height)."""
+    result = []
+    for d in range(3):
+        for side in (0, 1):
+            levels = {}
+            for cell in cells:
+                if tuple(x + (2 * side - 1) * (k == d) for k, x in enumerate(cell)) not in cells:
+                    levels.setdefault(cell[d] + side, set()).add((cell[(d + 1) % 3], cell[(d + 2) % 3]))
+            for level, squares in sorted(levels.items()):
+                while squares:
+                    (u, v), width, height = chance.choice(sorted(squares)), 1, 1
+                    while chance.random() < 0.7:
+                        if chance.random() < 0.5 and all((u + width, v + j) in squares for j in range(height)):
+                            width += 1
+                        elif all((u + i, v + height) in squares for i in range(width)):
+                            height += 1
+                        else:
+                            break
+                    squares -= {(u + i, v + j) for i in range(width) for j in range(height)}
+                    result.append((d, side, level, u, v, width, height))
+    return result
+
+
+def make_cells(seed, damage):
+    """A connected set of cells whose boundary is parted at random, with more vertices on its edges: the text, and the volume."""
+    chance, size = random.Random(seed), (1.0, 0.7, 1.9)
+    cells = {(1, 1, 1)}
+    for _ in range(chance.randint(1, 12)):
+        d, step = chance.randrange(3), chance.choice((-1, 1))
+        cells.add(tuple(min(max(x + step * (k == d), 0), 2) for k, x in enumerate(chance.choice(sorted(cells)))))
+    faces = part_boundary(chance, cells)
+    chosen = chance.randrange(len(faces))
+    if damage == "narrow":
+        faces[chosen] = (*faces[chosen][:5], faces[chosen][5] - 0.01, faces[chosen][6])
+    faces += [faces[chosen]] if damage == "twice" else []
+    body = OwnEdges()
+    for k, (d, side, level, u, v, width, height) in enumerate(faces):
+        corners, ring = [(u, v), (u + width, v), (u + width, v + height), (u, v + height)], []
+        for p, q in zip(corners, corners[1:] + corners[:1]):
+            t = chance.uniform(0.1, 0.9)
+            ring += [p] + ([(p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t)] if chance.random() < 0.3 else [])
+        places = [tuple(s * {d: level, (d + 1) % 3: x, (d + 2) % 3: y}[k] for k, s in enumerate(size)) for x, y in ring[::1 if side else -1]]
+        if damage != "missing" or k != chosen:
+            body.add_polygon(tuple((2.0 * side - 1.0) * (k == d) for k in range(3)), places)
+    return body.get_solid(), len(cells) * math.prod(size)
+
+
+def check_cells(runner):
+    """Random sets of cells. Where they touch along an edge, four edges lie on each other, and the solid may stay open."""
+    closed, count = 0, 25
+    for seed in range(count):
+        text, volume = make_cells(seed, None)
+        _, entry = runner.run(f"cells {seed}", text)
+        closed += entry["status"] == "ok"
+        check_true(f"cells {seed}", entry["status"] == "open" or abs(entry["total"]["volume"] - volume) <= 1e-12 * volume, f"{entry['status']}, volume {volume}")
+        for damage in ("missing", "twice", "narrow"):
+            runner.check_flagged(f"cells {seed}, a face {damage}", make_cells(seed, damage)[0])
+    check_true("closed", closed >= 0.8 * count, f"{closed} of {count}")
 
 
 run_modes()
