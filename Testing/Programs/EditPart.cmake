@@ -18,9 +18,11 @@ if (SOLIDMOMENTS_COMMA_LOCALES)
     FIXTURES_REQUIRED comma_locale ENVIRONMENT "LOCPATH=${SOLIDMOMENTS_COMMA_LOCALES}")
 endif ()
 
+# The second of them reads what the first one wrote.
+file(MAKE_DIRECTORY "${SOLIDMOMENTS_TEST_OUTPUT}/edit_program")
 set(edit_program "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/TestEditProgram.py"
   --program "$<TARGET_FILE:edit_part>" --events "${edit_part}/drag.events" --solids "${SOLIDMOMENTS_TEST_SOLIDS}"
-  --output "${SOLIDMOMENTS_TEST_OUTPUT}")
+  --output "${SOLIDMOMENTS_TEST_OUTPUT}/edit_program")
 solidmoments_add_test(NAME EditProgram LABELS value image error gpu NODISPLAY COMMAND ${edit_program})
 set_tests_properties(EditProgram PROPERTIES FIXTURES_SETUP edit_program)
 solidmoments_add_test(NAME EditProgramDisplay LABELS value image gpu XVFB FIXTURE edit_program
