@@ -21,6 +21,9 @@ elseif (SOLIDMOMENTS_PARAVIEW AND TARGET SolidMoments::FiltersSection AND TARGET
   solidmoments_add_test(NAME PluginWalk LABELS plugin image XVFB TIMEOUT 600
     COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginWalk.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
       "${SOLIDMOMENTS_TEST_OUTPUT}")
+  solidmoments_add_test(NAME PluginTicks LABELS plugin value XVFB TIMEOUT 600
+    COMMAND "${SOLIDMOMENTS_PVPYTHON}" "${window_tests}/TestPluginTicks.py" "${SOLIDMOMENTS_PARAVIEW}" "$<TARGET_FILE:SolidMoments>"
+      "${SOLIDMOMENTS_TEST_OUTPUT}")
   # With the data on a server of one and of two ranks.
   foreach (ranks IN ITEMS 1 2)
     if (SOLIDMOMENTS_PVSERVER AND (ranks EQUAL 1 OR SOLIDMOMENTS_MPIRUN))
