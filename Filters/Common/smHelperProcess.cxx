@@ -125,6 +125,15 @@ long CountMemoryKills()
   return -1;
 }
 
+/// Returns true if a child may have crashed because its address space is limited (ulimit -v), and with it its
+/// stack: it used at least a quarter of the limit.
+bool MayHaveMetLimit(int signal, const rusage& used)
+{
+  rlimit limit{};
+  return (signal == SIGSEGV || signal == SIGBUS) && getrlimit(RLIMIT_AS, &limit) == 0 &&
+    limit.rlim_cur != RLIM_INFINITY && static_cast<rlim_t>(used.ru_maxrss) * 4096 > limit.rlim_cur;
+}
+
 /// Returns true if a process with these resources may have reached its hard limit of processor time, at which
 /// the system sends SIGKILL: the shell's ulimit -t sets the hard limit, too.
 bool HasUsedProcessorLimit(const rusage& used)
@@ -313,7 +322,8 @@ void HelperProcess::TakeEnd()
   const bool wasKilled = this->End.GetSignal() == SIGKILL;
   this->End.PeakMegabytes = static_cast<double>(used.ru_maxrss) / 1024.0;
   this->End.IsOutOfMemory = (this->OutOfMemory && *this->OutOfMemory) ||
-    (wasKilled && !this->IsKilled && CountMemoryKills() > this->MemoryKills);
+    (wasKilled && !this->IsKilled && CountMemoryKills() > this->MemoryKills) ||
+    MayHaveMetLimit(this->End.GetSignal(), used);
   if (wasKilled && HasUsedProcessorLimit(used))
   {
     this->End.Status = SIGXCPU;

@@ -351,8 +351,8 @@ def check_memory(path, limits_in_megabytes):
 def limits():
     check_job_without_end()
     check_no_time()
-    check_memory(manifest.special("assembly")["path"], range(80, 401, 12))
-    check_memory(write_many_points(), range(80, 241, 8))
+    check_memory(manifest.special("assembly")["path"], range(52, 401, 12))
+    check_memory(write_many_points(), range(56, 241, 8))
 
 
 globals()[options.mode]()

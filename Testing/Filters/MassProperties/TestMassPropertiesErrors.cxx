@@ -5,7 +5,9 @@
 
 #include <vtkErrorCode.h>
 #include <vtkPartitionedDataSetCollection.h>
+#include <vtkPolyData.h>
 #include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <cstdio>
 
@@ -76,17 +78,23 @@ void CheckJunkHeader(const Expected& file)
   CheckEqual("errors", "", messages.Errors);
 }
 
-/// A polydata without exact geometry is wrong input: an error and no numbers.
-void CheckWrongInput()
+/// Data without exact geometry is wrong input: an error, which says so once, and no numbers.
+void CheckWrongInput(vtkDataObject* plain)
 {
-  std::printf("--- plain polydata\n");
-  vtkNew<vtkPolyData> plain;
+  std::printf("--- %s\n", plain->GetClassName());
   vtkNew<vtkMassPropertiesGPU> mass;
   mass->SetInputData(plain);
   MessageTrap messages(mass);
   MessageTrap executive(mass->GetExecutive());
   mass->Update();
   CheckTrue("an error is raised", messages.NumberOfErrors == 1, messages.Errors);
+  CheckTrue("it has the remedy",
+    messages.Errors.find("Take the output of STEP Reader or BREP Reader") != std::string::npos,
+    messages.Errors);
+  // The executive says that the filter failed, once.
+  CheckTrue("nothing else",
+    executive.NumberOfErrors <= 1 && executive.Errors.find("is required") == std::string::npos,
+    executive.Errors);
   CheckNoNumbers(mass);
 }
 
@@ -135,7 +143,10 @@ int TestMassPropertiesErrors(int argc, char* argv[])
   CheckOpen(manifest.GetSpecial("open_shell"));
   CheckOpen(manifest.GetSpecial("open_solid"));
   CheckJunkHeader(manifest.GetSpecial("junk_header"));
-  CheckWrongInput();
+  // MergeBlocks and IntegrateVariables of ParaView give unstructured grids.
+  CheckWrongInput(vtkNew<vtkPolyData>());
+  CheckWrongInput(vtkNew<vtkUnstructuredGrid>());
+  CheckWrongInput(vtkNew<vtkTable>());
   CheckRecovers(manifest.GetSolid("box", "plain")[0].Path, manifest.GetSpecial("empty").Path);
   return Finish();
 }
