@@ -367,7 +367,7 @@ vtkTypeBool vtkSurfaceIntegralBase::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const vtkTypeBool result = this->Superclass::ProcessRequest(request, inputVector, outputVector);
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  if (result && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
     // Also of what subclasses have added to the outputs.
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)

@@ -25,7 +25,6 @@ namespace sm
   F(BINDBUFFERBASE, BindBufferBase) \
   F(BINDBUFFERRANGE, BindBufferRange) \
   F(BUFFERDATA, BufferData) \
-  F(BUFFERSTORAGE, BufferStorage) \
   F(BUFFERSUBDATA, BufferSubData) \
   F(CLEARBUFFERDATA, ClearBufferData) \
   F(CLIENTWAITSYNC, ClientWaitSync) \
@@ -65,7 +64,8 @@ namespace sm
   F(PROGRAMUNIFORM1I, ProgramUniform1i) \
   F(PROGRAMUNIFORM1UI, ProgramUniform1ui) \
   F(SHADERSOURCE, ShaderSource) \
-  F(USEPROGRAM, UseProgram)
+  F(USEPROGRAM, UseProgram) \
+  F(BUFFERSTORAGE, BufferStorage)
 // clang-format on
 
 struct SMRENDERINGCOMPUTE_EXPORT GL
@@ -74,8 +74,9 @@ struct SMRENDERINGCOMPUTE_EXPORT GL
   SM_OPENGL_FUNCTIONS(SM_DECLARE)
 #undef SM_DECLARE
 
-  /// Finds the functions by getAddress("glBindBuffer"), unless an earlier call has found all. A context must
-  /// be current. Functions that the driver does not have are null, or fail with a GL error. Thread safe.
+  /// Finds the functions that no earlier call has found, by getAddress("glBindBuffer"). A context must be
+  /// current. BufferStorage is null without version 4.4 and without its extension; other functions that the
+  /// driver does not have may have an address, too: ask for the version. Thread safe.
   static void Load(void* (*getAddress)(const char* name));
 
   /// Removes pending GL errors of other code. The number of calls is limited, because a lost context may

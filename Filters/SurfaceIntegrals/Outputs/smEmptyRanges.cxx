@@ -1,13 +1,9 @@
 #include "Outputs/smEmptyRanges.h"
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
-#include "vtkSmartPointer.h"
-
-#include "vtkCompositeDataIterator.h"
 
 #include <cmath>
 
@@ -51,17 +47,6 @@ void MarkEmptyRanges(vtkDataObject* data)
   for (int type = 0; type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
   {
     MarkArrays(data->GetAttributesAsFieldData(type));
-  }
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
-  if (!blocks)
-  {
-    return;
-  }
-  const vtkSmartPointer<vtkCompositeDataIterator> block =
-    vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
-  {
-    MarkEmptyRanges(block->GetCurrentDataObject());
   }
 }
 }
