@@ -77,6 +77,10 @@ void STEPCensusTaker::AddBodies()
       ++body.Representations;
       body.Constructions += isConstruction ? 1 : 0;
       body.Context = body.Context < 0 ? context : body.Context;
+      if (context < 0)
+      {
+        this->WithoutContext.emplace(index, i);
+      }
       const bool hasFacets = body.Type.find("FACETED_BREP") != std::string::npos;
       isFaceted = isFaceted || (body.Kind == CensusBodyKind::Solid && hasFacets);
       isExact = isExact || (body.Kind == CensusBodyKind::Solid && !hasFacets);

@@ -176,6 +176,8 @@ private:
   std::vector<bool> SolidsBelow;
   /// The first product that each representation is the shape of.
   std::map<Index, Index> ProductsOfRepresentations;
+  /// Representations of bodies, by the bodies' indices, whose context was not found.
+  std::map<std::uint32_t, Index> WithoutContext;
   /// Relationships between the shapes of an occurrence that are not its placement.
   std::vector<Arc> FurtherPlacements;
   /// Occurrences by their places in the census, and the arcs of the mapped items that place them.

@@ -397,7 +397,13 @@ void STEPCensusTaker::ReportUnits()
     }
     if (body.Context < 0)
     {
-      this->Add(CensusDefect::MissingUnit, this->BodyEntities[k], 0, "context");
+      // A context that is not in the file may have stated any unit: the file is not whole.
+      const auto lost = this->WithoutContext.find(static_cast<std::uint32_t>(k));
+      const Part21Value value =
+        lost == this->WithoutContext.end() ? Part21Value() : this->Entities.Get(lost->second, ContextOfItems);
+      const bool isLost = value.IsReference() && this->Entities.Follow(value) == None;
+      this->Add(isLost ? CensusDefect::UndefinedReference : CensusDefect::MissingUnit,
+        isLost ? lost->second : this->BodyEntities[k], isLost ? value.Id : 0, "context");
     }
     else
     {

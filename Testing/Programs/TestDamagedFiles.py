@@ -164,6 +164,9 @@ def check_solids():
     # Not a unit any more, or another entity: millimetres were assumed for inches.
     damage("box-inch.step", "inch_with_a_digit_before_it", [(r"\( CONVERSION_BASED_UNIT", "(8CONVERSION_BASED_UNIT")], FLAGGED, ["wrong unit", "#346"])
     damage("box-inch.step", "a_face_for_the_inch", [(r"(GLOBAL_UNIT_ASSIGNED_CONTEXT\s*\(\()#\d+", r"\1#17")], FLAGGED, ["wrong unit", "#17"])
+    # A file that was cut before its context: millimetres were assumed for inches.
+    damage("box-inch.step", "context_lost", [(r"#\d+\s*=\s*\(\s*GEOMETRIC_REPRESENTATION_CONTEXT\(3\)[^;]*;", "")], FLAGGED,
+           ["undefined reference (context"])
     # A length in steradians next to one in millimetres: OpenCASCADE takes metres.
     damage(box, "two_units_of_length", [(r"SOLID_ANGLE_UNIT\(\)", "LENGTH_UNIT()")], FLAGGED, ["wrong unit"])
     # No finite box is left.
