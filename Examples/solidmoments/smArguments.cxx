@@ -15,7 +15,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
+#include <optional>
 
 namespace
 {
@@ -267,13 +267,12 @@ std::string TakeRobot(sm::Arguments& arguments)
   {
     return {};
   }
-  std::ifstream file(arguments.Joints, std::ios::binary);
-  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  if (!file.is_open() || file.bad())
+  const std::optional<std::string> text = sm::ReadTextFile(arguments.Joints);
+  if (!text)
   {
     return "the joints " + arguments.Joints + " cannot be read";
   }
-  const std::string problem = sm::ParseRobotJoints(text, arguments.Job.Joints);
+  const std::string problem = sm::ParseRobotJoints(*text, arguments.Job.Joints);
   return problem.empty() ? problem : arguments.Joints + ", " + problem;
 }
 

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -303,6 +304,23 @@ void InputFile::Extract(const std::string& name)
   }
   copy.close();
   this->Error = this->Error.empty() && !copy ? DescribeNoSpace() : this->Error;
+}
+
+std::optional<std::string> ReadTextFile(const std::string& name)
+{
+  std::error_code error;
+  std::ifstream file(name, std::ios::binary);
+  if (!file.is_open() || fs::is_directory(name, error))
+  {
+    return {};
+  }
+  std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  if (file.bad())
+  {
+    return {};
+  }
+  const std::string mark = "\xEF\xBB\xBF";
+  return text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text;
 }
 
 std::vector<std::string> ExpandFolders(const std::vector<std::string>& names)

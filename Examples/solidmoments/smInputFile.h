@@ -5,6 +5,7 @@
 #ifndef smInputFile_h
 #define smInputFile_h
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ private:
   std::string Error;
   std::string Folder;
 };
+
+/// Returns the content of a table that a user wrote, without the mark of UTF-8 that spreadsheets put before
+/// it; none for a folder or a file that cannot be read.
+std::optional<std::string> ReadTextFile(const std::string& name);
 
 /// Returns the names, where every folder is replaced by the STEP and BREP files in it (by extension, sorted
 /// by name), if it has some.

@@ -1,11 +1,12 @@
 #include "smMaterialFile.h"
 
+#include "smInputFile.h"
 #include "smJson.h"
 #include "smText.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
+#include <optional>
 
 namespace sm
 {
@@ -71,7 +72,10 @@ bool NamesColumns(const std::vector<std::string>& values)
 /// Returns true for a line that says which the columns are. A line such as "ballast,Mass" is that of a solid.
 bool IsHeader(const std::vector<std::string>& values)
 {
-  return LowerCase(values[0]) == "name" && NamesColumns(values);
+  return LowerCase(values[0]) == "name" &&
+    (NamesColumns(values) ||
+      std::find_if(values.begin() + 1, values.end(),
+        [](const std::string& value) { return LowerCase(value) == "material"; }) != values.end());
 }
 
 /// Reads the columns of a header, the first of which is that of the names. Returns an error message; empty if
@@ -188,15 +192,14 @@ std::string ReadJson(const std::string& text, std::vector<MaterialRule>& rules)
 
 std::string ReadMaterialFile(const std::string& name, std::vector<MaterialRule>& rules)
 {
-  std::ifstream file(name, std::ios::binary);
-  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  if (!file.is_open() || file.bad())
+  const std::optional<std::string> text = ReadTextFile(name);
+  if (!text)
   {
     return "the materials " + name + " cannot be read";
   }
-  const size_t first = text.find_first_not_of(" \t\r\n");
-  const bool isJson = first != std::string::npos && (text[first] == '[' || text[first] == '{');
-  const std::string problem = isJson ? ReadJson(text, rules) : ReadCsv(text, rules);
+  const size_t first = text->find_first_not_of(" \t\r\n");
+  const bool isJson = first != std::string::npos && ((*text)[first] == '[' || (*text)[first] == '{');
+  const std::string problem = isJson ? ReadJson(*text, rules) : ReadCsv(*text, rules);
   return problem.empty() ? problem : name + ", " + problem;
 }
 

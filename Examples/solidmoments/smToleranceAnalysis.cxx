@@ -4,6 +4,7 @@
 #include "smFileJob.h"
 #include "smFilterSetUp.h"
 #include "smFormat.h"
+#include "smInputFile.h"
 #include "smMassPropertyNames.h"
 #include "smMessageList.h"
 #include "smOptions.h"
@@ -22,8 +23,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
+#include <sstream>
 
 namespace sm
 {
@@ -230,7 +231,12 @@ std::string ReadTolerances(
     return number >= 0.0 && std::isfinite(number) ? ""
                                                   : argument + " is not a tolerance; give 0.1, for example";
   }
-  std::ifstream file(argument, std::ios::binary);
+  const std::optional<std::string> text = ReadTextFile(argument);
+  if (!text)
+  {
+    return "the tolerances " + argument + " are neither a number nor a file that can be read";
+  }
+  std::istringstream file(*text);
   std::string line;
   for (int place = 1; std::getline(file, line); ++place)
   {
@@ -244,7 +250,7 @@ std::string ReadTolerances(
       }
     }
   }
-  return file.eof() ? "" : "the tolerances " + argument + " are neither a number nor a file that can be read";
+  return {};
 }
 
 void ToleranceResult::Visit(Fields& fields, const char* key)

@@ -136,6 +136,16 @@ def check_file_limit():
     check_true("ulimit -f: why", "no picture" in done.stderr and "too large" in done.stderr, done.stderr)
     with open(picture, encoding="latin-1") as file:
         check_equal("ulimit -f: the picture that was there", "as before", file.read())
+    # Writers of VTK that do not report that their file is cut.
+    for extension in ("obj", "ply", "stl", "vtp"):
+        mesh = os.path.join(folder, "out." + extension)
+        with open(mesh, "w", encoding="ascii") as file:
+            file.write("as before")
+        done = run("-q", "--mesh", mesh, options.sample, prepare=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000)))
+        check_equal(f"ulimit -f: exit status of a mesh, {extension}", 1, done.returncode)
+        check_true(f"ulimit -f: why, {extension}", "no mesh" in done.stderr, done.stderr)
+        with open(mesh, encoding="latin-1") as file:
+            check_equal(f"ulimit -f: the mesh that was there, {extension}", "as before", file.read())
     check_equal("ulimit -f: temporary files", [], leftovers(folder))
 
 

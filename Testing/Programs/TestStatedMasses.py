@@ -38,6 +38,13 @@ def stated():
     path = write_product(os.path.join(folder, "stated.step"), machine)
     boxes = expand(machine)
     volumes = {"plate": 2 * Fraction("0.25") * Fraction("25.4") ** 3, "bolt": Fraction(40), "rail": Fraction(20000)}
+    # Tables as spreadsheets write them, with the mark of UTF-8 and a header; and what is none.
+    for text in ("\ufeffname,material\n*,steel\n", "\ufeff*,steel\n", "name,material\n*,steel\n"):
+        total = run_json("--materials", write_table("spreadsheet.csv", text), path)["total"]
+        check_bounded("steel", 7850 * 1e-9 * total["volume"], total["mass"], total["bounds"]["mass"])
+    for option in ("--materials", "--face-tolerance"):
+        done = run("-q", path, option, folder)
+        check_true("a folder is no table", done.returncode == 1 and folder in done.stderr, done.stderr)
     density = {"plate": Fraction(2700), "bolt": Fraction(7850), "rail": Fraction(1400)}
     masses = {"bolt": Fraction("0.25"), "rail": Fraction("1.5")}
     weights = [masses[b[0]] / volumes[b[0]] / KG if b[0] in masses else density[b[0]] for b in boxes]

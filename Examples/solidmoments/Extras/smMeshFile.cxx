@@ -108,6 +108,30 @@ bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string&
   return WriteWith(vtkNew<vtkXMLPolyDataWriter>().Get(), mesh, fileName);
 }
 
+/// Returns true if a file has all triangles. VTK's writers of OBJ and PLY do not report a full disk.
+bool IsWhole(const std::string& extension, const std::string& bytes, vtkPolyData* mesh)
+{
+  if (extension == ".ply")
+  {
+    const std::string end = "end_header\n";
+    const std::size_t header = bytes.find(end);
+    // Three coordinates in single precision a point; a byte and three numbers a triangle.
+    return header != std::string::npos &&
+      bytes.size() - header - end.size() >= 12 * static_cast<std::size_t>(mesh->GetNumberOfPoints()) +
+        13 * static_cast<std::size_t>(mesh->GetNumberOfPolys());
+  }
+  if (extension == ".obj")
+  {
+    vtkIdType triangles = 0;
+    for (std::size_t at = bytes.find("\nf "); at != std::string::npos; at = bytes.find("\nf ", at + 1))
+    {
+      ++triangles;
+    }
+    return triangles == mesh->GetNumberOfPolys() && bytes.back() == '\n';
+  }
+  return true;
+}
+
 /// Returns an error message, also for no bytes at all.
 std::string Save(const std::string& fileName, const std::string& bytes)
 {
@@ -141,7 +165,8 @@ std::string SaveAs(vtkPolyData* mesh, const std::string& unit, const std::array<
   {
     std::ifstream file(temporary, std::ios::binary);
     bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-    isWritten = !file.bad() && bytes.size() == fs::file_size(temporary, error);
+    isWritten = !file.bad() && bytes.size() == fs::file_size(temporary, error) &&
+      IsWhole(GetMeshExtension(fileName), bytes, mesh);
   }
   fs::remove_all(folder, error);
   if (!isWritten)
