@@ -4,6 +4,7 @@
 #include "smCountedTexts.h"
 #include "smFormat.h"
 #include "smProducts.h"
+#include "smUnitRoundoff.h"
 #include "smVector.h"
 
 #include <algorithm>
@@ -68,9 +69,27 @@ public:
         this->Place({ bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)] });
       this->Corners.insert(this->Corners.end(), p.begin(), p.end());
     }
-    this->Allowed = CoincidentPoints *
-      GetDistance(Vector3{ bounds[0], bounds[2], bounds[4] }, Vector3{ bounds[1], bounds[3], bounds[5] });
+    double largest = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < this->Corners.size(); ++i)
+    {
+      // Roots of different numbers: regular patterns of bodies have different marks, too. No sum overflows.
+      const double weight = std::sqrt(static_cast<double>(i + 2)) / 128.0;
+      sum += weight;
+      this->Mark += weight * this->Corners[i];
+      largest = std::max(largest, std::abs(this->Corners[i]));
+    }
+    this->Allowed = 32.0 * UnitRoundoff * largest +
+      CoincidentPoints *
+        GetDistance(Vector3{ bounds[0], bounds[2], bounds[4] }, Vector3{ bounds[1], bounds[3], bounds[5] });
+    // Three times: also the roundings of two marks.
+    this->MarkWidth = 3.0 * sum * this->Allowed;
   }
+
+  /// A sum of the coordinates: bodies whose marks differ by more than the width do not coincide with this
+  /// one.
+  double GetMark() const { return this->Mark; }
+  double GetMarkWidth() const { return this->MarkWidth; }
 
   bool Coincides(const PlacedBody& other) const
   {
@@ -133,6 +152,8 @@ private:
   const BodyIntegrals* Body;
   std::vector<double> Corners;
   double Allowed = 0.0;
+  double Mark = 0.0;
+  double MarkWidth = 0.0;
 };
 
 /// Finds what a run leaves out.
@@ -305,14 +326,20 @@ private:
         candidates.emplace_back(i, rule);
       }
     }
-    std::vector<PlacedBody> first;
+    std::multimap<double, PlacedBody> first;
     std::vector<bool> isRemoved(this->Bodies.size(), false);
     CountedTexts names;
     for (const auto& [index, rule] : candidates)
     {
       PlacedBody body(this->Bodies[index]);
-      if (std::any_of(
-            first.begin(), first.end(), [&body](const PlacedBody& other) { return body.Coincides(other); }))
+      const double mark = body.GetMark();
+      if (!std::isfinite(mark))
+      {
+        continue;
+      }
+      if (std::any_of(first.lower_bound(mark - body.GetMarkWidth()),
+            first.upper_bound(mark + body.GetMarkWidth()),
+            [&body](const auto& other) { return body.Coincides(other.second); }))
       {
         isRemoved[index] = true;
         this->Used.insert(rule);
@@ -320,7 +347,7 @@ private:
       }
       else
       {
-        first.push_back(std::move(body));
+        first.emplace(mark, std::move(body));
       }
     }
     if (names.GetTotal() > 0)

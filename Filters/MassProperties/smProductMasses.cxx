@@ -65,6 +65,9 @@ public:
       this->UnknownUnit);
     add("the materials state a mass for products without a volume, which have no inertia and do not count: ",
       this->WithoutVolume);
+    add(
+      "the materials state a mass for products of which all solids are left out, so that it does not count: ",
+      this->LeftOut);
     add("solids of these products are left out, and the others have all of the stated mass: ",
       this->Incomplete);
     for (const MaterialRule& rule : this->Options.Materials)
@@ -169,7 +172,7 @@ private:
     const double mass = rule.Material.Mass;
     if (content.Solids.empty())
     {
-      this->WithoutVolume.Add(name);
+      (content.IsComplete ? this->WithoutVolume : this->LeftOut).Add(name);
       return;
     }
     const double rest = mass - content.Mass;
@@ -265,7 +268,7 @@ private:
   MassAnalysisOptions& Options;
   std::map<std::string, std::size_t> Indices;
   std::set<const MaterialRule*> Open, UsedRules;
-  CountedTexts Used, Exact, ByVolume, Contradictory, WithoutVolume, Incomplete, UnknownUnit;
+  CountedTexts Used, Exact, ByVolume, Contradictory, WithoutVolume, LeftOut, Incomplete, UnknownUnit;
 };
 }
 

@@ -212,8 +212,7 @@ void Read(std::string content, RepairMode repair, HiddenMode hidden, const Progr
   }
   RepairLog log;
   document.ParseSeconds = vtkTimerLog::GetUniversalTime() - start;
-  if (!ReadSTEPDirectly(
-        declared.Text, declared.Census, repair, hidden == HiddenMode::Count, progress, document, log))
+  if (!ReadSTEPDirectly(declared.Text, declared.Census, repair, hidden, progress, document, log))
   {
     document.Status = ReadStatus::Aborted;
     return;

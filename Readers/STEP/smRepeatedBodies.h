@@ -8,6 +8,7 @@
 #include "Geometry/smPlacement.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <tuple>
@@ -31,12 +32,16 @@ public:
   bool Add(std::uint64_t body, const Placement& placement);
 
 private:
-  /// Body, occurrence, and place to a nanometre, since motions of one place may differ by roundings.
-  using Key = std::tuple<std::uint64_t, std::uint64_t, std::array<std::int64_t, 12>>;
+  /// The rows of a placement. Motions of one place may differ by roundings, so they are compared with a
+  /// tolerance.
+  using Numbers = std::array<double, 12>;
+  /// Body, occurrence, a sum of the numbers that is close for close places, and the index of the place.
+  using Key = std::tuple<std::uint64_t, std::uint64_t, double, std::size_t>;
 
   std::uint64_t NumberOfOccurrences = 1;
   /// The occurrences that are visited, from the outermost one; 0 stands for the file.
   std::vector<std::uint64_t> Path{ 0 };
+  std::vector<Numbers> Places;
   /// Bodies of each occurrence, and those with the bodies of its parts.
   std::set<Key> Own;
   std::set<Key> Below;

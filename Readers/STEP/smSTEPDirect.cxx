@@ -56,7 +56,7 @@ public:
   }
 
   /// Returns false if `progress` stopped it.
-  bool Read(RepairMode repair, bool reportsHidden, const ProgressCallback& progress)
+  bool Read(RepairMode repair, HiddenMode hidden, const ProgressCallback& progress)
   {
     this->Kind = this->Census.CountBodies(CensusBodyKind::Solid) > 0 ? CensusBodyKind::Solid
                                                                      : CensusBodyKind::SurfaceModel;
@@ -68,12 +68,12 @@ public:
     this->Shapes.Report(this->Result.Messages, this->Result.Defects);
     this->Result.ReversedFaces = this->Shapes.GetReversedFaces();
     this->AddColors();
-    const std::unordered_set<std::uint64_t> hidden = STEPAppearance(this->Entities).ReadHiddenItems();
-    AddSTEPProducts(
-      this->Entities, this->Census, this->Kind, this->Bodies, this->OccurrenceColors, hidden, this->Result);
-    if (reportsHidden)
+    const std::unordered_set<std::uint64_t> items = STEPAppearance(this->Entities).ReadHiddenItems();
+    AddSTEPProducts(this->Entities, this->Census, this->Kind, this->Bodies, this->OccurrenceColors, items,
+      hidden, this->Result);
+    if (hidden == HiddenMode::Count)
     {
-      this->ReportHidden(hidden);
+      this->ReportHidden(items);
     }
     return true;
   }
@@ -440,9 +440,9 @@ private:
 };
 }
 
-bool ReadSTEPDirectly(const Part21File& file, STEPCensus& census, RepairMode repair, bool reportsHidden,
+bool ReadSTEPDirectly(const Part21File& file, STEPCensus& census, RepairMode repair, HiddenMode hidden,
   const ProgressCallback& progress, Document& document, RepairLog& log)
 {
-  return DirectReader(file, census, document, log).Read(repair, reportsHidden, progress);
+  return DirectReader(file, census, document, log).Read(repair, hidden, progress);
 }
 }

@@ -17,10 +17,10 @@ namespace sm
 /**
  * Fills in units, bodies, instances and products of a document from the entities of a file. Faces and
  * instances that are not converted are left out and reported. Sound bodies are not repaired unless `repair`
- * is Always; the others are, by OpenCASCADE (smKernel.h). What contradicts itself becomes a problem of the
- * census. Returns false if `progress` returned false.
+ * is Always; the others are, by OpenCASCADE (smKernel.h). `hidden` bodies are read and marked in any mode.
+ * What contradicts itself becomes a problem of the census. Returns false if `progress` returned false.
  */
-bool ReadSTEPDirectly(const Part21File& file, STEPCensus& census, RepairMode repair, bool reportsHidden,
+bool ReadSTEPDirectly(const Part21File& file, STEPCensus& census, RepairMode repair, HiddenMode hidden,
   const ProgressCallback& progress, Document& document, RepairLog& log);
 }
 

@@ -42,13 +42,14 @@ class ProductTree
 public:
   ProductTree(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
     const STEPBodies& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
-    const std::unordered_set<std::uint64_t>& hidden, Document& document)
+    const std::unordered_set<std::uint64_t>& hidden, HiddenMode mode, Document& document)
     : Entities(entities)
     , Census(census)
     , Kind(kind)
     , Bodies(bodies)
     , Colors(colors)
     , Hidden(hidden)
+    , Mode(mode)
     , Result(document)
     , Adder(document)
     , Motions(entities, document.Defects)
@@ -250,7 +251,6 @@ private:
       [&](std::uint32_t body, const Placement& motion)
       {
         const std::size_t first = this->Result.Instances.size();
-        this->CheckRepeated(body, Compose(placement, motion));
         this->Adder.Add(this->Bodies.at(body).Shapes, this->Describe(body, part), Compose(placement, motion),
           inherited.Color, node);
         const bool isHidden =
@@ -258,6 +258,11 @@ private:
         for (std::size_t i = first; i < this->Result.Instances.size(); ++i)
         {
           this->Result.Instances[i].IsHidden = isHidden;
+        }
+        if (first < this->Result.Instances.size() &&
+          (this->Mode == HiddenMode::Count || isHidden == (this->Mode == HiddenMode::Only)))
+        {
+          this->CheckRepeated(body, Compose(placement, motion));
         }
       });
     for (const std::uint64_t representation : this->Census.Shapes[shape].Representations)
@@ -267,7 +272,8 @@ private:
     }
   }
 
-  /// Reports a solid that is counted a second time in one place.
+  /// Reports a solid that is in one place a second time. Materials or a selection may leave out one of them
+  /// later.
   void CheckRepeated(std::uint32_t index, const Placement& placement)
   {
     if (this->Repeated.Add(index, placement))
@@ -276,9 +282,9 @@ private:
         [&]
         {
           return "Solid #" + std::to_string(this->Census.Bodies[index].Id) +
-            " of the file is counted twice in one place: its product has it in two shapes, or another "
-            "product "
-            "or an assembly of this one has it, too. Export the file again.";
+            " of the file is in one place twice: its product has it in two shapes, or another product or an "
+            "assembly of its product has it, too. Both count, unless materials (counted once in place) or a "
+            "selection leave one out. Export the file again.";
         });
     }
   }
@@ -431,6 +437,7 @@ private:
   const STEPBodies& Bodies;
   const std::unordered_map<std::uint64_t, Vector3>& Colors;
   const std::unordered_set<std::uint64_t>& Hidden;
+  const HiddenMode Mode;
   /// Above 0 while what is visited is in a hidden representation or mapped item.
   int HiddenDepth = 0;
   RepeatedBodies Repeated;
@@ -460,8 +467,8 @@ private:
 
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
   const STEPBodies& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
-  const std::unordered_set<std::uint64_t>& hidden, Document& document)
+  const std::unordered_set<std::uint64_t>& hidden, HiddenMode mode, Document& document)
 {
-  ProductTree(entities, census, kind, bodies, colors, hidden, document).Build();
+  ProductTree(entities, census, kind, bodies, colors, hidden, mode, document).Build();
 }
 }

@@ -39,12 +39,12 @@ using STEPBodies = std::map<std::uint32_t, STEPBody>;
  * (smSTEPCensus.h); where one is not followed, that is a defect: a placement that is not read, or a problem
  * of the census. `colors` are those of occurrences.
  * `hidden` has the numbers of hidden bodies, representations, mapped items and occurrences: instances of
- * these, and below these, are marked.
+ * these, and below these, are marked. A solid that is in one place twice is a defect if `mode` counts both.
  * Faces of surface models are counted where there are solids.
  */
 void AddSTEPProducts(const STEPAttributes& entities, const STEPCensus& census, CensusBodyKind kind,
   const STEPBodies& bodies, const std::unordered_map<std::uint64_t, Vector3>& colors,
-  const std::unordered_set<std::uint64_t>& hidden, Document& document);
+  const std::unordered_set<std::uint64_t>& hidden, HiddenMode mode, Document& document);
 }
 
 #endif

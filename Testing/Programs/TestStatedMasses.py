@@ -273,6 +273,11 @@ def counted():
         check_equal(f"{name}: solids", sorted(b[0] for b in kept), sorted(s["name"] for s in file["solids"]))
         check_true(f"{name}: said", any("the materials count products once" in m and said in m for m in file["messages"]), str(file["messages"]))
         check_equal(f"{name}: parts list", len(kept), sum(part["count_in_all"] for part in list_parts(file["parts"]) if part["kind"] == "part"))
+    # Products of which no solid is left have no mass, and not for the want of a volume.
+    file = run_json("--materials", write_table("left.csv", "bolt,counted once\nbolt,,0.5 kg per product\n"), path)
+    check("the first bolt has the mass", 0.5, file["total"]["overridden_mass"], 1e-14)
+    check_true("said", any("of which all solids are left out, so that it does not count: bolt (5 times)" in m for m in file["messages"])
+               and not any("without a volume" in m for m in file["messages"]), str(file["messages"]))
     # Other analyses, the mesh and the robot have the same solids.
     table = write_table("counted.csv", "*,counted once\n")
     mesh, robot = os.path.join(folder, "counted.stl"), os.path.join(folder, "counted.sdf")
@@ -308,6 +313,12 @@ def counted():
     file = run_json("--materials", write_table("place.csv", "*,counted once in place\n"), near)
     check("both count", 2000.0, file["total"]["volume"], 1e-9)
     check_true("unused", any("no solids coincide that the pattern * counts once in place" in m for m in file["messages"]), str(file["messages"]))
+    # Motions that differ by a rounding are one place, also where a rounding exceeds 1e-9 of the size.
+    inner = Assembly("inner", [(cube, ("0.6", 0, 0), None)])
+    check_true("sums differ", 300000000.1 + 0.6 != 300000000.7)
+    frames = write_product(os.path.join(folder, "frames.step"), Assembly("pair", [(inner, ("300000000.1", 0, 0), None), (cube, ("300000000.7", 0, 0), None)]))
+    file = smprogram.compute(options.program, frames, "--materials", write_table("place.csv", "*,counted once in place\n"))[1]
+    check("one counts", 1000.0, file["total"]["volume"], 1e-6)
     file = run_json("--materials", write_table("place.csv", "rail,counted once\n"), path)
     check_true("unused", any("no product occurs several times that the pattern rail counts once" in m for m in file["messages"]), str(file["messages"]))
     check_equal("nothing is left out", 9, len(file["solids"]))

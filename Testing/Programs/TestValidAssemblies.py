@@ -7,6 +7,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+from smcheck import check_true  # noqa: E402
 from smstepbody import EMPTY, Body  # noqa: E402
 from smvalidforms import run_modes  # noqa: E402
 
@@ -196,6 +197,47 @@ def check_repeated(runner):
         for _ in range(2):
             add_occurrence(body, assembly, definition, body.axes((5, 0, 0)), (part, whole))
 
+    def map_next_to_part(body, x, shift):
+        """A part, and its solid in the same place by a mapped item of the assembly with another frame. Returns the item."""
+        solid = add_box(body)
+        part, inner = body.shape([body.identity, solid]), body.shape([body.identity, solid])
+        source = body.add(f"REPRESENTATION_MAP({body.axes((-shift, 0, 0))},{inner})")
+        item = body.add(f"MAPPED_ITEM('',{source},{body.axes((round(x - shift, 9), 0, 0))})")
+        whole = body.shape([body.identity, item])
+        definition = body.product("part", part)
+        add_occurrence(body, body.product("asm", whole), definition, body.axes((x, 0, 0)), (part, whole))
+        return item
+
+    # Motions that differ by a rounding are one place, also where they lie halfway between two nanometres.
+    for x in (5.3, 25.4 / 128.0, 25.4 * 3.0 / 128.0, 25.4 * 129.0 / 128.0, 5123456789.0123, 4e13 / 3.0):
+        for shift in (0.1, 0.7, 12.7, 1000.3):
+            body = Body()
+            map_next_to_part(body, x, shift)
+            code, entry = runner.run("in two frames", body.get_text())
+            check_true(f"at {x} in a frame at {shift}", code != 0 and entry["status"] == "suspect" and any("is in one place twice" in m for m in entry["messages"]),
+                       f"{code} {entry['status']}, volume {entry['total']['volume']}, {entry['messages']}")
+    # Places far away are not one place, nor are rotated ones.
+    for name, places in (("far", [(1e13, 0, 0), (2e13, 0, 0), (0, 0, 0), (0, 3e13, 0)]), ("close", [(0.19843751 + 2e-5 * k, 0, 0) for k in range(3)])):
+        body = Body()
+        part = body.shape([body.identity, add_box(body)])
+        body.product("asm", body.shape([body.identity] + [add_mapped(body, part, body.axes(place)) for place in places]))
+        entry = runner.run(name, body.get_text())[1]
+        check_true(f"{name} places differ", abs(entry["total"]["volume"] - 6.0 * len(places)) < 1e-6 and not any("one place" in m for m in entry["messages"]),
+                   f"{entry['status']}, volume {entry['total']['volume']}, {entry['messages']}")
+    body = Body()
+    part = body.shape([body.identity, add_box(body)])
+    rotated = [body.axes((7, 0, 0), (0, 0, 1), direction) for direction in ((1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0))]
+    body.product("asm", body.shape([body.identity] + [add_mapped(body, part, place) for place in rotated]))
+    runner.check_value("rotated places differ", body.get_text(), 24.0)
+
+    # What the file hides and a run leaves out is not counted twice.
+    body = Body()
+    item = map_next_to_part(body, 5.3, 0.7)
+    body.add(f"INVISIBILITY(({body.add(f'PRESENTATION_LAYER_ASSIGNMENT({EMPTY},{EMPTY},({item}))')}))")
+    runner.check_flagged("a hidden copy counts", body.get_text())
+    for mode in ("skip", "only"):
+        runner.check_value(f"hidden copy, {mode}", body.get_text(), 6.0, allowed="left out", center=(5.8, 1.0, 1.5), arguments=("--hidden", mode))
+
     for work in (map_once, share_solid, repeat_part, join_products):
         body = Body()
         work(body)
@@ -203,6 +245,14 @@ def check_repeated(runner):
     body = Body()
     occur_twice(body)
     runner.check_value("two occurrences in one place", body.get_text(), 12.0, allowed="they overlap, and both are counted")
+    body = Body()
+    part, definition = add_part(body)
+    shapes = [body.shape([body.identity]) for _ in range(2)]
+    middle, whole = (body.product(name, shape) for name, shape in zip(("middle", "asm"), shapes))
+    add_occurrence(body, middle, definition, body.axes((-0.7, 0, 0)), (part, shapes[0]))
+    add_occurrence(body, whole, middle, body.axes((0.8984375, 0, 0)), (shapes[0], shapes[1]))
+    add_occurrence(body, whole, definition, body.axes((0.1984375, 0, 0)), (part, shapes[1]))
+    runner.check_value("two occurrences in two frames", body.get_text(), 12.0, allowed="they overlap, and both are counted")
 
 
 run_modes()

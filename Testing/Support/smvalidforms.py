@@ -14,17 +14,17 @@ class Runner:
     def __init__(self, options):
         self.program, self.folder = options.program, options.output
 
-    def run(self, name, text):
+    def run(self, name, text, arguments=()):
         path = os.path.join(self.folder, f"valid_{name.replace(' ', '_').replace('/', '_')}.step")
         with open(path, "w", encoding="ascii") as file:
             file.write(text)
-        result = compute(self.program, path)
+        result = compute(self.program, path, *arguments)
         os.remove(path)
         return result
 
-    def check_value(self, name, text, volume, mass=None, allowed=None, center=None):
+    def check_value(self, name, text, volume, mass=None, allowed=None, center=None, arguments=()):
         """`allowed` may be in a message; others are none."""
-        code, entry = self.run(name, text)
+        code, entry = self.run(name, text, arguments)
         got = entry["total"]["volume"]
         messages = [message for message in entry["messages"] if not allowed or allowed not in message]
         check_true(name, code == 0 and entry["status"] == "ok" and abs(got - volume) <= TOLERANCE * volume and not messages,

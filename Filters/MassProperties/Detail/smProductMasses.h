@@ -19,8 +19,8 @@
 namespace sm
 {
 /// Sets `options.Shares` of all solids that share the stated mass of a product. `rows` have the volumes of
-/// the bodies. Returns messages: the masses that are used, and how; products without a volume, statements
-/// that contradict each other, and rules that fit no product.
+/// the bodies. Returns messages: the masses that are used, and how; products without a volume or solids,
+/// statements that contradict each other, and rules that fit no product.
 std::vector<std::string> ShareProductMasses(
   const std::vector<BodyIntegrals>& bodies, const std::vector<MassRow>& rows, MassAnalysisOptions& options);
 }
