@@ -143,13 +143,29 @@ ComputedProduct Compute(const ProductTreeNode& node, bool isRoot, const SolidsBy
 
 using Nodes = std::map<std::string, std::pair<const ProductTreeNode*, bool>>;
 
-/// Collects the first node of each name, and if it is at the top level.
-void ListNodes(const ProductTreeNode& node, bool isTop, Nodes& nodes)
+/// Collects the first node of each name, and if it is at the top level; and all nodes of each name.
+void ListNodes(const ProductTreeNode& node, bool isTop, Nodes& nodes,
+  std::map<std::string, std::vector<const ProductTreeNode*>>& all)
 {
   for (const ProductTreeNode& child : node.Children)
   {
     nodes.emplace(child.Name, std::pair(&child, isTop));
-    ListNodes(child, false, nodes);
+    all[child.Name].push_back(&child);
+    ListNodes(child, false, nodes, all);
+  }
+}
+
+/// Takes material and density from a sum where the solids of another occurrence have others.
+void RemoveOtherMaterials(const ProductTreeNode& node, const SolidsById& byId, ComputedProduct& sum)
+{
+  std::vector<PlacedSolid> solids;
+  if (!std::isnan(sum.Density) && Collect(node, byId, solids))
+  {
+    for (const PlacedSolid& solid : solids)
+    {
+      sum.Material = solid.Solid->Values.Material == sum.Material ? sum.Material : "";
+      sum.Density = solid.Solid->Values.Density == sum.Density ? sum.Density : std::nan("");
+    }
   }
 }
 
@@ -257,7 +273,7 @@ ProductSums::ProductSums(
   {
     this->ById[solid.Id] = &solid;
   }
-  ListNodes(tree, true, this->NodesByName);
+  ListNodes(tree, true, this->NodesByName, this->Occurrences);
 }
 
 ComputedProduct ProductSums::Find(const std::string& name) const
@@ -275,6 +291,10 @@ ComputedProduct ProductSums::Find(const std::string& name) const
   else
   {
     result = Compute(*found->second.first, found->second.second, this->ById, this->Millimetres);
+    for (const ProductTreeNode* node : this->Occurrences.at(name))
+    {
+      RemoveOtherMaterials(*node, this->ById, result);
+    }
   }
   return result;
 }

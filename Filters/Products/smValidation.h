@@ -69,6 +69,8 @@ private:
   std::map<std::string, int> Uses;
   /// The first node of each name, and if it is at the top level.
   std::map<std::string, std::pair<const ProductTreeNode*, bool>> NodesByName;
+  /// All nodes of each name, whose materials may differ.
+  std::map<std::string, std::vector<const ProductTreeNode*>> Occurrences;
   std::map<std::string, const SolidResults*> ById;
 };
 
