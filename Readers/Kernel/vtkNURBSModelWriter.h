@@ -9,8 +9,9 @@
  * - every face as the plane, cylinder, cone, sphere or torus it is, or as a rational B-spline surface,
  * trimmed by its own (u,v) curves and the 3D curves of its edges, which are lines, circles or piecewise
  * polynomials; edges and vertices shared, seams and poles where the surface closes; solids with their voids,
- * and free shells. A void with the orientation of the outer shell is reversed, as the
- * integrals have it. Tolerances are measured: the largest distance of a face from its edge.
+ * and free shells. A void with the orientation of the outer shell is reversed if the orientations of both
+ * are certain, and that the void is inside the outer shell and in no other void; otherwise it is written as
+ * it is, with a warning. Tolerances are measured: the largest distance of a face from its edge.
  * - leaves of one model as instances of one part. A mirrored instance is written as a part of its own,
  * because files hold rigid placements only; a message reports it.
  * - a body that an edit opened is written as it is, with a warning.

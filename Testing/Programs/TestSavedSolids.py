@@ -5,12 +5,14 @@ occt-import-js (PROGRAM: its occt-import-js.js), whose triangles have the volume
 spheres and tori must arrive as such: as rational B-splines their volumes are wrong there by up to 1 %.
 """
 import json
+import math
 import os
 import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
+from smstepbody import Body  # noqa: E402
 
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
 from solidmoments.smFiltersNURBSEdit import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
@@ -92,6 +94,44 @@ def move(reader, mirror):
     return moved
 
 
+def prism(body, ring, low, high):
+    """A shell; the ring is anticlockwise."""
+    count = len(ring)
+    ends = [[(x, y, z) for x, y in ring] for z in (low, high)]
+    vertices = [[body.vertex(p) for p in points] for points in ends]
+    flat = [[body.line_edge(v[i], v[(i + 1) % count], p[i], p[(i + 1) % count]) for i in range(count)] for v, p in zip(vertices, ends)]
+    up = [body.line_edge(vertices[0][i], vertices[1][i], ends[0][i], ends[1][i]) for i in range(count)]
+
+    def plane(point, normal, direction):
+        return body.add(f"PLANE('',{body.axes(point, normal, direction)})")
+
+    faces = [body.face([body.loop([(edge, False) for edge in reversed(flat[0])])], plane(ends[0][0], (0.0, 0.0, -1.0), (1.0, 0.0, 0.0))),
+             body.face([body.loop([(edge, True) for edge in flat[1]])], plane(ends[1][0], (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)))]
+    for i, (x, y) in enumerate(ring):
+        j = (i + 1) % count
+        length = math.hypot(ring[j][0] - x, ring[j][1] - y)
+        along = ((ring[j][0] - x) / length, (ring[j][1] - y) / length)
+        sides = body.loop([(flat[0][i], True), (up[j], True), (flat[1][i], False), (up[i], False)])
+        faces.append(body.face([sides], plane(ends[0][i], (along[1], -along[0], 0.0), (*along, 0.0))))
+    return body.add(f"CLOSED_SHELL('',({','.join(faces)}))")
+
+
+def write_sink(path):
+    """A heat sink, whose volume is small for its area, with an L-shaped void and a box within the L's box. Returns its volume."""
+    body = Body()
+    ring = [(0.0, 0.0), (100.0, 0.0)]
+    for k in reversed(range(100)):
+        ring += [(k + 1.0, 100.0), (k + 0.8, 100.0), (k + 0.8, 30.0), (float(k), 30.0)]
+    outer = prism(body, ring, 0.0, 100.0)
+    angle = prism(body, [(5.0, 5.0), (95.0, 5.0), (95.0, 8.0), (8.0, 8.0), (8.0, 25.0), (5.0, 25.0)], 10.0, 90.0)
+    room = prism(body, [(40.0, 12.0), (60.0, 12.0), (60.0, 22.0), (40.0, 22.0)], 30.0, 60.0)
+    voids = [body.add(f"ORIENTED_CLOSED_SHELL('',*,{shell},.F.)") for shell in (angle, room)]
+    body.product("sink", body.shape([body.identity, body.add(f"BREP_WITH_VOIDS('sink',{outer},({','.join(voids)}))")]))
+    with open(path, "w", encoding="ascii") as text:
+        text.write(body.get_text())
+    return 100.0 * (100.0 * 30.0 + 100 * 0.2 * 70.0) - 80.0 * (90.0 * 3.0 + 3.0 * 17.0) - 20.0 * 10.0 * 30.0
+
+
 # By path: the volume, the kinds of faces, the number of solids, and the file that was read.
 saved = {}
 sources = [(manifest.solid(solid, variant)["path"], f"{solid}-{variant}", manifest.solid(solid, variant)["volume"], kinds, 1)
@@ -102,6 +142,8 @@ for solid, kinds in CERTIFIED.items():
     entry = next(item for item in content["solids"] if item["file"] == f"{solid}.step")
     middle = sum(float(x) for x in entry["volume"]) / 2
     sources.append((os.path.join(certified, f"{solid}.step"), solid, middle, kinds, {"assembly": 3, "mirror_pair": 2}.get(solid, 1)))
+sink = os.path.join(folder, "sink.step")
+sources.append((sink, "sink", write_sink(sink), {"Plane"}, 1))
 readers = {}
 for path, name, volume, kinds, count in sources:
     readers[name] = read(path)

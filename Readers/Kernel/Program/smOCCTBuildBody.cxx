@@ -4,21 +4,17 @@
 #include "smFormat.h"
 #include "smOCCTBuildGeometry.h"
 #include "smOCCTFailure.h"
+#include "smOCCTOrientVoids.h"
 
 #include "vtkTrimmedNURBSModel.h"
 
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -363,9 +359,15 @@ private:
       return;
     }
     const bool solid = this->Model->GetBody() == vtkTrimmedNURBSModel::SOLID;
-    if (solid)
+    if (solid && this->Model->GetNumberOfOuterShells() == 1 && shells.size() > 1 &&
+      shells.size() == lists.size() &&
+      std::all_of(shells.begin(), shells.end(), [](const TopoDS_Shell& shell) { return shell.Closed(); }))
     {
-      this->OrientVoids(shells);
+      const std::string warning = OrientVoids(shells);
+      if (!warning.empty())
+      {
+        this->Result.Warnings.push_back(warning);
+      }
     }
     if (!solid && shells.size() == 1)
     {
@@ -388,53 +390,6 @@ private:
         "The solid is open: not every edge has its two faces. It is saved as it is.");
     }
     this->Result.Shape = whole;
-  }
-
-  /// Reverses the faces of voids that have the orientation of the outer shell, the one of the largest volume.
-  /// Programs that do not heal what they read would add such a void. A solid that is inside out as a whole
-  /// remains so.
-  void OrientVoids(std::vector<TopoDS_Shell>& shells)
-  {
-    if (this->Model->GetNumberOfOuterShells() != 1 || shells.size() < 2 ||
-      !std::all_of(shells.begin(), shells.end(), [](const TopoDS_Shell& shell) { return shell.Closed(); }))
-    {
-      return;
-    }
-    std::vector<double> volumes;
-    std::vector<Bnd_Box> boxes;
-    for (const TopoDS_Shell& shell : shells)
-    {
-      boxes.emplace_back();
-      BRepBndLib::Add(shell, boxes.back());
-      GProp_GProps volume(boxes.back().CornerMin());
-      GProp_GProps area;
-      BRepGProp::VolumeProperties(shell, volume);
-      BRepGProp::SurfaceProperties(shell, area);
-      // A sphere has 0.094 of its area to the power of 1.5. The sign of less than a thousandth is not known.
-      const bool isKnown = std::abs(volume.Mass()) > 1e-3 * std::pow(area.Mass(), 1.5);
-      volumes.push_back(isKnown ? volume.Mass() : 0.0);
-    }
-    const auto outer =
-      static_cast<std::size_t>(std::max_element(volumes.begin(), volumes.end(),
-                                 [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-        volumes.begin());
-    const Bnd_Box& whole = boxes[outer];
-    for (std::size_t i = 0; i < shells.size(); ++i)
-    {
-      const bool isInside = !whole.IsOut(boxes[i].CornerMin()) && !whole.IsOut(boxes[i].CornerMax());
-      if (i != outer && isInside && volumes[i] * volumes[outer] > 0.0)
-      {
-        const BRep_Builder builder;
-        TopoDS_Shell reversed;
-        builder.MakeShell(reversed);
-        for (TopoDS_Iterator face(shells[i]); face.More(); face.Next())
-        {
-          builder.Add(reversed, face.Value().Reversed());
-        }
-        reversed.Closed(true);
-        shells[i] = reversed;
-      }
-    }
   }
 
   void AddGapWarning()
