@@ -1,10 +1,8 @@
 #include "smSTEPEdgeChains.h"
 
-#include "Geometry/smCurveFoot.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
 
 namespace sm
 {
@@ -21,19 +19,6 @@ Vector3 EvaluateFraction(const STEPEdge& edge, double first, double last, int i)
   return edge.Curve->Evaluate((1.0 - fraction) * first + fraction * last);
 }
 
-/// Returns the parameter between `first` and `last` of the point of the curve that is closest to a point.
-double FindFoot(const STEPEdge& edge, double first, double last, const Vector3& point)
-{
-  double t = FindCurveParameter<3>(*edge.Curve, point);
-  const double period = edge.Curve->GetPeriod();
-  if (period > 0.0)
-  {
-    t -= std::floor((t - first) / period) * period;
-    t = t - last > first + period - t ? first : t;
-  }
-  return std::clamp(t, first, last);
-}
-
 struct ChainEnd
 {
   STEPEdgeEnd End;
@@ -47,6 +32,8 @@ struct ChainEnd
 struct ChainEdge
 {
   STEPSingleEdge Source;
+  /// Made when a vertex may lie on it.
+  std::unique_ptr<STEPEdgeSamples> Samples;
   double Limit = 0.0;
   Vector3 Low{};
   Vector3 High{};
@@ -72,8 +59,9 @@ struct ChainPart
 class ChainFinder
 {
 public:
-  ChainFinder(const std::vector<STEPSingleEdge>& edges, double precision)
+  ChainFinder(const std::vector<STEPSingleEdge>& edges, double precision, STEPEdgeWork& work)
     : Precision(precision)
+    , Work(work)
   {
     for (const STEPSingleEdge& edge : edges)
     {
@@ -91,6 +79,10 @@ public:
   void Run(STEPJoinedEdges& joined)
   {
     this->PairParts();
+    if (this->Work.IsSpent())
+    {
+      return;
+    }
     this->LeaveIncomplete();
     std::vector<std::size_t> common(this->Parts.size());
     for (std::size_t i = 0; i < this->Parts.size(); ++i)
@@ -136,7 +128,7 @@ private:
       edge.Low[c] -= longest + edge.Limit;
       edge.High[c] += longest + edge.Limit;
     }
-    this->Edges.push_back(edge);
+    this->Edges.push_back(std::move(edge));
     for (const bool isFirst : { true, false })
     {
       this->Ends.push_back(MakeEnd(single, isFirst));
@@ -170,6 +162,15 @@ private:
     return Norm(Subtract(a, b)) <= limit;
   }
 
+  const STEPEdgeSamples& GetSamples(ChainEdge& edge) const
+  {
+    if (!edge.Samples)
+    {
+      edge.Samples = std::make_unique<STEPEdgeSamples>(*edge.Source.Edge);
+    }
+    return *edge.Samples;
+  }
+
   /// Finds the vertices of other edges that lie within an edge, each place once, in order.
   void FindJunctions(ChainEdge& edge) const
   {
@@ -179,15 +180,17 @@ private:
     std::vector<ChainEnd> found;
     for (auto end = std::lower_bound(this->Ends.begin(), this->Ends.end(), low,
            [](const ChainEnd&a, double place) { return a.Place < place; });
-         end != this->Ends.end() && end->Place <= high; ++end)
+         end != this->Ends.end() && end->Place <= high && !this->Work.IsSpent(); ++end)
     {
+      this->Work.Take(1);
       if (!IsInside(end->Point, edge) || AreSame(end->Point, source.Start, edge.Limit) ||
         AreSame(end->Point, source.End, edge.Limit))
       {
         continue;
       }
       ChainEnd junction = *end;
-      junction.Parameter = FindFoot(source, source.First, source.Last, end->Point);
+      junction.Parameter =
+        this->GetSamples(edge).FindFoot(source.First, source.Last, end->Point, edge.Limit, this->Work);
       if (junction.Parameter > source.First && junction.Parameter < source.Last &&
         AreSame(source.Curve->Evaluate(junction.Parameter), end->Point, edge.Limit))
       {
@@ -234,23 +237,9 @@ private:
     return EvaluateFraction(this->GetEdge(part), part.Ends[0].Parameter, part.Ends[1].Parameter, i);
   }
 
-  /// Returns the largest distance of points of `a` from `b`; infinite if it is above the limit.
-  double MeasureDistance(const ChainPart& a, const ChainPart& b, double limit) const
+  STEPEdgePart GetPart(const ChainPart& part)
   {
-    const STEPEdge& edge = this->GetEdge(b);
-    double result = 0.0;
-    for (int i = 0; i < ChainSamples; ++i)
-    {
-      const Vector3 point = this->Evaluate(a, i);
-      const double t = FindFoot(edge, b.Ends[0].Parameter, b.Ends[1].Parameter, point);
-      const double distance = Norm(Subtract(edge.Curve->Evaluate(t), point));
-      if (!(distance <= limit))
-      {
-        return std::numeric_limits<double>::infinity();
-      }
-      result = std::max(result, distance);
-    }
-    return result;
+    return { &this->GetSamples(this->Edges[part.Edge]), part.Ends[0].Parameter, part.Ends[1].Parameter };
   }
 
   void PairParts()
@@ -280,13 +269,13 @@ private:
     const double limit = std::min(a.Limit, b.Limit);
     for (const bool isOpposite : { false, true })
     {
-      if (a.Edge == b.Edge || !AreSame(a.Ends[0].Point, b.Ends[isOpposite ? 1 : 0].Point, limit) ||
+      if (a.Edge == b.Edge || (a.Partners > 1 && b.Partners > 1) ||
+        !AreSame(a.Ends[0].Point, b.Ends[isOpposite ? 1 : 0].Point, limit) ||
         !AreSame(a.Ends[1].Point, b.Ends[isOpposite ? 0 : 1].Point, limit))
       {
         continue;
       }
-      const double distance =
-        std::max(this->MeasureDistance(a, b, limit), this->MeasureDistance(b, a, limit));
+      const double distance = BoundEdgeDistance(this->GetPart(a), this->GetPart(b), limit, this->Work);
       if (std::isfinite(distance))
       {
         ++a.Partners;
@@ -373,17 +362,19 @@ private:
   }
 
   const double Precision;
+  STEPEdgeWork& Work;
   std::vector<ChainEdge> Edges;
   std::vector<ChainEnd> Ends;
   std::vector<ChainPart> Parts;
 };
 }
 
-void AddEdgeChains(const std::vector<STEPSingleEdge>& edges, double precision, STEPJoinedEdges& joined)
+void AddEdgeChains(
+  const std::vector<STEPSingleEdge>& edges, double precision, STEPEdgeWork& work, STEPJoinedEdges& joined)
 {
   if (edges.size() > 1)
   {
-    ChainFinder(edges, precision).Run(joined);
+    ChainFinder(edges, precision, work).Run(joined);
   }
 }
 }

@@ -5,6 +5,7 @@
 #ifndef smSTEPEdgeChains_h
 #define smSTEPEdgeChains_h
 
+#include "smSTEPEdgeDistance.h"
 #include "smSTEPEdgeTwins.h"
 
 namespace sm
@@ -21,8 +22,9 @@ struct STEPSingleEdge
   const STEPEdge* Edge = nullptr;
 };
 
-/// Adds those of `edges` that chains of others of them cover; see JoinEdges().
-void AddEdgeChains(const std::vector<STEPSingleEdge>& edges, double precision, STEPJoinedEdges& joined);
+/// Adds those of `edges` that chains of others of them cover; see JoinEdges(). None if the work is spent.
+void AddEdgeChains(
+  const std::vector<STEPSingleEdge>& edges, double precision, STEPEdgeWork& work, STEPJoinedEdges& joined);
 }
 
 #endif

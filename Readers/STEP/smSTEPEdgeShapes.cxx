@@ -12,7 +12,7 @@ namespace
 /// The tolerance of a vertex is so many times the distance of the ends of its edges.
 constexpr double VertexMargin = 1.000001;
 
-/// The tolerance of an edge that stands for others is so many times their largest measured distance.
+/// The tolerance of an edge that stands for others is so many times the bound of their distance.
 constexpr double DistanceMargin = 1.5;
 
 void WidenVertices(EdgeShape& edge)

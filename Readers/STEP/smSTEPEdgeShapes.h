@@ -39,7 +39,6 @@ public:
   const STEPJoinedEdges& JoinEdges(const std::vector<Index>& edges, double precision);
 
   const VertexPointer& GetVertex(Index entity, const Vector3& position);
-  bool HasEdge(Index entity) const { return this->Edges.count(entity) > 0; }
   /// Returns the edge of an entity; null if it has a row.
   const EdgePointer& GetEdge(Index entity);
   /// Returns what stands for an edge of this shell, in the direction of its parameter; null: the edge itself.

@@ -2,10 +2,10 @@
 
 #include "smFormat.h"
 #include "smSTEPEdgeChains.h"
+#include "smSTEPEdgeDistance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sm
 {
@@ -19,6 +19,7 @@ constexpr Vector3 TwinDirection = { 0.53773, 0.61512, 0.57669 };
 struct SampledEdge
 {
   Part21File::Index Edge = Part21File::None;
+  const STEPEdge* Source = nullptr;
   /// Place in the list of edges.
   std::size_t Order = 0;
   std::array<Vector3, TwinSamples> Points{};
@@ -38,6 +39,7 @@ SampledEdge SampleEdge(Part21File::Index entity, const STEPEdge& edge, double pr
 {
   SampledEdge result;
   result.Edge = entity;
+  result.Source = &edge;
   double length = 0.0;
   for (std::size_t i = 0; i < TwinSamples; ++i)
   {
@@ -50,29 +52,31 @@ SampledEdge SampleEdge(Part21File::Index entity, const STEPEdge& edge, double pr
   return result;
 }
 
-/// Returns the largest distance of their points; infinite if it is above the limit.
-double MeasureDistance(const SampledEdge& a, const SampledEdge& b, bool isOpposite)
+/// Returns true if their points are closer than the limit.
+bool HasSamePoints(const SampledEdge& a, const SampledEdge& b, bool isOpposite, double limit)
 {
-  const double limit = std::min(a.Limit, b.Limit);
-  double result = 0.0;
+  bool result = true;
   for (std::size_t i = 0; i < TwinSamples; ++i)
   {
     const Vector3& other = b.Points[isOpposite ? TwinSamples - 1 - i : i];
-    const double distance = Norm(Subtract(a.Points[i], other));
-    if (!(distance <= limit))
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    result = std::max(result, distance);
+    result = result && Norm(Subtract(a.Points[i], other)) <= limit;
   }
   return result;
 }
 
-void Connect(SampledEdge& a, SampledEdge& b)
+/// Counts the edges that lie on each other, as far as it matters: an edge on two others is in no pair.
+void Connect(SampledEdge& a, SampledEdge& b, STEPEdgeWork& work)
 {
+  const double limit = std::min(a.Limit, b.Limit);
   for (const bool isOpposite : { false, true })
   {
-    const double distance = MeasureDistance(a, b, isOpposite);
+    if ((a.Partners > 1 && b.Partners > 1) || !HasSamePoints(a, b, isOpposite, limit))
+    {
+      continue;
+    }
+    const STEPEdgeSamples samples[] = { STEPEdgeSamples(*a.Source), STEPEdgeSamples(*b.Source) };
+    const double distance = BoundEdgeDistance({ &samples[0], a.Source->First, a.Source->Last },
+      { &samples[1], b.Source->First, b.Source->Last }, limit, work);
     if (std::isfinite(distance))
     {
       ++a.Partners;
@@ -120,12 +124,13 @@ STEPJoinedEdges JoinEdges(const std::vector<Part21File::Index>& edges, STEPEdges
   std::sort(samples.begin(), samples.end(),
     [](const SampledEdge& a, const SampledEdge& b)
     { return a.Place != b.Place ? a.Place < b.Place : a.Order < b.Order; });
+  STEPEdgeWork work(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     for (std::size_t k = i + 1; k < samples.size() && samples[k].Place - samples[i].Place <= samples[i].Limit;
          ++k)
     {
-      Connect(samples[i], samples[k]);
+      Connect(samples[i], samples[k], work);
     }
   }
   STEPJoinedEdges result;
@@ -142,7 +147,7 @@ STEPJoinedEdges JoinEdges(const std::vector<Part21File::Index>& edges, STEPEdges
     }
   }
   std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.Order < b.Order; });
-  AddEdgeChains(others, precision, result);
+  AddEdgeChains(others, precision, work, result);
   return result;
 }
 
@@ -153,14 +158,16 @@ std::string DescribeJoinedEdges(std::uint64_t body, const STEPJoinedEdges& joine
   {
     distance = std::max(distance, common.Distance);
   }
-  std::string result = "Solid #" + std::to_string(body) +
-    " of the file: " + std::to_string(joined.Common.size()) +
-    " pairs of edges lie on each other and were joined, since the file has edges of their own for adjacent "
-    "faces";
-  if (joined.NumberOfDivided > 0)
+  const bool hasParts = joined.NumberOfDivided > 0;
+  std::string result = "Solid #" + std::to_string(body) + " of the file: " +
+    FormatCount(joined.Common.size(), hasParts ? "pair of edges or their parts" : "pair of edges",
+      hasParts ? "pairs of edges or their parts" : "pairs of edges") +
+    " lie on each other and were joined, since the file has edges of their own for adjacent faces";
+  if (hasParts)
   {
-    result += "; " + FormatCount(joined.NumberOfDivided, "edge that lies", "edges that lie") +
-      " on several others were divided at their ends";
+    result += "; " +
+      FormatCount(joined.NumberOfDivided, "edge that lies on several others was divided at their ends",
+        "edges that lie on several others were divided at their ends");
   }
   return result + ". Joined edges are up to " + FormatBound(distance) + " mm apart.";
 }

@@ -30,7 +30,7 @@ struct STEPCommonEdge
   double First = 0.0;
   double Last = 0.0;
   std::array<STEPEdgeEnd, 2> Ends;
-  /// Largest measured distance of the edge that it stands for, in millimetres.
+  /// Bound of the distance of the edge that it stands for, in millimetres.
   double Distance = 0.0;
 };
 
@@ -61,13 +61,14 @@ struct STEPJoinedEdges
  * but some programs write an edge of its own for each face; SolveSpace does so.
  *
  * - Two edges are a pair if five points that divide their parameters evenly are closer than `precision`
- *   (millimetres) and than 1e-4 of the length, in the same or the opposite order, and no third edge lies
- *   there.
+ *   (millimetres) and than 1e-4 of the length, in the same or the opposite order, so is the bound of their
+ *   distance (BoundEdgeDistance()), and no third edge lies there.
  * - Other edges are divided where vertices of others of them lie on their curves, as close as that. Two parts
- *   are a pair if their ends are the same, and 17 points on each are as close to the other one. An edge is
+ *   are a pair if their ends are the same, and the bound of their distance is as small. An edge is
  *   joined if each of its parts is in one pair, whose other edge is joined, too: chains that stop short,
  *   overlap, or cover an edge twice are left as they are.
  *
+ * No edge is joined any more after an amount of work that grows with the number of edges (STEPEdgeWork).
  * Edges that have a row in the ledger are left out. The senses of the uses are not compared: edges that are
  * used twice in one direction are open.
  */

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace sm
 {
@@ -209,25 +210,21 @@ private:
     }
   }
 
-  /// Returns the edge of an entity; null if it has a row.
-  const EdgePointer& GetEdge(Index entity)
+  /// Reports an edge of the file when it is used first, also one that others stand for.
+  void ReportEdge(Index entity, const STEPEdge& edge)
   {
-    const bool isKnown = this->EdgeShapes.HasEdge(entity);
-    const EdgePointer& result = this->EdgeShapes.GetEdge(entity);
-    const STEPEdge* edge = this->Shared.Edges.GetEdge(entity);
-    if (isKnown || !edge)
+    if (!this->ReportedEdges.insert(entity).second)
     {
-      return result;
+      return;
     }
-    this->AddDefect(DescribeShortArc(*edge));
-    if (IsNearlyClosed(*edge))
+    this->AddDefect(DescribeShortArc(edge));
+    if (IsNearlyClosed(edge))
     {
-      this->Shapes.ShortArcs.Add([edge] { return DescribeNearlyClosed(*edge); });
+      this->Shapes.ShortArcs.Add([&edge] { return DescribeNearlyClosed(edge); });
     }
-    this->Shapes.Extend(edge->Start);
-    this->Shapes.Extend(edge->End);
-    this->Shapes.Extend(edge->Curve->Evaluate(0.5 * (edge->First + edge->Last)));
-    return result;
+    this->Shapes.Extend(edge.Start);
+    this->Shapes.Extend(edge.End);
+    this->Shapes.Extend(edge.Curve->Evaluate(0.5 * (edge.First + edge.Last)));
   }
 
   /// Returns a face; null, with a row, if it is not made.
@@ -374,12 +371,13 @@ private:
     {
       return false;
     }
+    this->ReportEdge(use.Edge, *edge);
     CoedgeShape coedge;
     const bool isForward = use.IsForward == edge->IsForward;
     const std::vector<STEPJoinedEdges::Use>* common = this->EdgeShapes.FindCommon(use.Edge);
     if (!common)
     {
-      coedge.Edge = this->GetEdge(use.Edge);
+      coedge.Edge = this->EdgeShapes.GetEdge(use.Edge);
       coedge.Reversed = isForward != isSame;
       this->Trims.Add(use.Edge, count, surfaceEntity, coedge);
       wire.Coedges.push_back(std::move(coedge));
@@ -453,6 +451,7 @@ private:
   const double Precision;
   STEPTrims Trims;
   STEPEdgeShapes EdgeShapes;
+  std::unordered_set<Index> ReportedEdges;
   int NumberOfLostFaces = 0;
   STEPPolygons Polygons;
 };

@@ -19,11 +19,14 @@ SIZE = (2.0, 3.0, 4.0)
 
 
 class OwnEdges(Body):
-    """A solid of faces that share neither edges nor vertices. `accuracy`: the uncertainty that the file states, in mm."""
+    """A solid of faces that share neither edges nor vertices. `accuracy`: the uncertainty that the file states, in mm; None: none."""
 
     def __init__(self, accuracy=1e-7):
         super().__init__(0.7, (1.0, 2.0, 3.0))
-        self.lines = [line.replace("LENGTH_MEASURE(1.E-07)", f"LENGTH_MEASURE({format_real(accuracy)})") for line in self.lines]
+        if accuracy is None:
+            self.lines = [re.sub(r"GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT\(\(#\d+\)\)", "", line) for line in self.lines]
+        else:
+            self.lines = [line.replace("LENGTH_MEASURE(1.E-07)", f"LENGTH_MEASURE({format_real(accuracy)})") for line in self.lines]
         self.faces = []
 
     def add_polygon(self, normal, ring, sense=True):
@@ -39,7 +42,7 @@ class OwnEdges(Body):
         return self.get_text()
 
 
-def make_box(sides, top=(), accuracy=1e-7, lift=0.0):
+def make_box(sides, top=(), accuracy=1e-7, lift=0.0, has_top=True):
     """A box whose side at the high x is parted: `sides` are ranges of its y. `top`: vertices within the top's edge along that side.
 
     `lift` moves the vertices at the ends of all ranges but the first and last ones away from the side, along x.
@@ -61,6 +64,8 @@ def make_box(sides, top=(), accuracy=1e-7, lift=0.0):
                 for first, last in sides:
                     x, y = (a + (lift if end not in (0.0, b) else 0.0) for end in (first, last))
                     body.add_polygon(normal, [(x, first, 0.0), (y, last, 0.0), (y, last, c), (x, first, c)])
+            elif d == 2 and side == 1 and not has_top:
+                continue
             elif d == 2 and side == 1:
                 at = ring.index((a, 0.0, c))
                 body.add_polygon(normal, ring[:at + 1] + [(a, y, c) for y in top] + ring[at + 1:])
@@ -117,6 +122,45 @@ def check_gaps(runner):
     runner.check_flagged("gap beyond the length", make_box([(0.0, 1.2), (1.2, 3.0)], (), 1.0, 2e-3).get_solid())
 
 
+def make_zigzag(height, spans, sides, is_first, degree=1, accuracy=1e-7):
+    """A box whose top has a spline along the side at the high x, off by `height` at its odd control points; and the area of its faces."""
+    a, b, c = SIZE
+    body = make_box(sides, (), accuracy, has_top=False)
+    ring = [(0.0, 0.0, c), (a, 0.0, c), (a, b, c), (0.0, b, c)]
+    vertices = [body.vertex(p) for p in ring]
+    count = spans * degree
+    points = ",".join(body.point((a - (height if i % 2 else 0.0), b * i / count, c)) for i in range(count + 1))
+    multiplicities, knots = [degree + 1] + [degree] * (spans - 1) + [degree + 1], range(spans + 1)
+    curve = body.add(f"B_SPLINE_CURVE_WITH_KNOTS('',{degree},({points}),.UNSPECIFIED.,.F.,.F.,({','.join(map(str, multiplicities))}),"
+                     f"({','.join(map(format_real, knots))}),.UNSPECIFIED.)")
+    edges = [body.line_edge(vertices[k], vertices[k + 1], ring[k], ring[k + 1]) if k != 1 else body.add(f"EDGE_CURVE('',{vertices[1]},{vertices[2]},{curve},.T.)")
+             for k in range(3)] + [body.line_edge(vertices[3], vertices[0], ring[3], ring[0])]
+    plane = body.add(f"PLANE('',{body.axes(ring[0])})")
+    body.faces.insert(0 if is_first else len(body.faces), body.face([body.loop([(edge, True) for edge in edges])], plane))
+    # Below a polyline is half of the height on average, below a parabola of three control points a third.
+    return body.get_solid(), 52.0 - b * height * (0.5 if degree == 1 else 1.0 / 3.0)
+
+
+def check_zigzags(runner):
+    """Splines of many spans that meet the adjacent edge at even fractions of their parameter, and are elsewhere in between."""
+    for degree, largest in ((1, 1.0), (2, 0.5)):
+        for spans in (8, 64, 7):
+            for sides in ([(0.0, 3.0)], [(0.0, 1.5), (1.5, 3.0)]):
+                for is_first in (False, True):
+                    name = f"{'chain' if sides[1:] else 'twin'} of {spans} spans, degree {degree}, first {is_first}"
+                    for height, accuracy in ((5e-5, 1e-7), (1.3e-7 / largest, 1e-7), (2.1e-4, 1e-4), (2.1e-4, None)):
+                        runner.check_flagged(f"{name}, off by {height}", make_zigzag(height, spans * (2 if degree == 1 else 1), sides, is_first, degree, accuracy)[0])
+                    for height, accuracy in ((8e-8, 1e-7), (5e-5, 1e-4), (5e-5, None)):
+                        text, area = make_zigzag(height, spans * (2 if degree == 1 else 1), sides, is_first, degree, accuracy)
+                        code, entry = runner.run(f"{name}, off by {height}", text)
+                        total = entry["total"]
+                        limit = total["bounds"]["area"] + total["closure_spread"]["area"]
+                        check_true(f"{name}, off by {height}", code == 0 and entry["status"] == "ok" and abs(total["area"] - area) <= limit,
+                                   f"{entry['status']}, area {total['area']} for {area}, limit {limit}")
+                        apart = [float(word) for message in entry["messages"] for word in re.findall(r"edges are up to (\S+) mm apart", message)]
+                        check_true("  note", len(apart) == 1 and largest * height <= 1.001 * apart[0] <= 2.0 * largest * height, f"{apart}")
+
+
 def make_arc(body, radius, z, first, last, is_spline):
     """The vertices and the edge from the angle `first` to `last`, on a circle or on a rational spline of two spans."""
     def get_place(angle, r=radius):
@@ -164,6 +208,26 @@ def check_arcs(runner):
         runner.check_flagged(f"a wider end, spline {is_spline}", make_cylinder(sides, divide_turn(-0.2, 1.7, 3.3), is_spline, 2.0, 2.001))
         runner.check_flagged(f"a hole, spline {is_spline}", make_cylinder(sides[:2], divide_turn(-0.2, 1.7, 3.3), is_spline))
         runner.check_flagged(f"a face twice, spline {is_spline}", make_cylinder([*sides, sides[1]], divide_turn(-0.2, 1.7, 3.3), is_spline))
+
+
+def check_work(runner):
+    """Straight splines are joined; those of so many spans that their comparison is too much work are left as they are."""
+    for sides in ([(0.0, 3.0)], [(0.0, 1.5), (1.5, 3.0)]):
+        runner.check_value(f"500 spans on {len(sides)} lines", make_zigzag(0.0, 500, sides, False)[0], 24.0, allowed=NOTE)
+        runner.check_flagged(f"20000 spans on {len(sides)} lines", make_zigzag(0.0, 20000, sides, False)[0])
+
+
+def check_notes(runner):
+    """The note counts pairs of edges and of their parts, in one and in several; a short arc is reported although another edge stands for it."""
+    for name, sides, parts in (("whole edges", [(0.0, 3.0)], "12 pairs of edges lie"), ("parts", [(0.0, 1.2), (1.2, 3.0)], "15 pairs of edges or their parts lie")):
+        _, entry = runner.run(name, make_box(sides).get_solid())
+        check_true(name, any(parts in message for message in entry["messages"]) and any("were divided" in message for message in entry["messages"]) == bool(sides[1:]),
+                   f"{entry['messages']}")
+    turn, angle = 2.0 * math.pi, 5e-8 / 2.0
+    for name, side, disc in (("the joined edge", turn, turn - angle), ("the one that stands for it", turn - angle, turn), ("none", turn, turn)):
+        _, entry = runner.run(f"two vertices of {name}", make_cylinder([(0.3, 0.3 + side)], [(0.3, 0.3 + disc)], False))
+        check_true(f"two vertices of {name}", any(NOTE in message for message in entry["messages"]) and
+                   any("vertices that are" in message for message in entry["messages"]) == (name != "none"), f"{entry['status']}, {entry['messages']}")
 
 
 def part_boundary(chance, cells):

@@ -61,10 +61,11 @@ double FindOnConic(const ConicCurve<Dimension>& conic, const std::array<double, 
   }
 }
 
-/// Improves a parameter by Newton's method within [low, high], as long as the distance decreases.
+}
+
 template <int Dimension>
-double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array<double, Dimension>& point,
-  double t, double low, double high)
+double ImproveCurveParameter(const GeometricCurve<Dimension>& curve,
+  const std::array<double, Dimension>& point, double t, double low, double high)
 {
   typename GeometricCurve<Dimension>::Derivatives d;
   const int order = std::min(2, curve.GetMaxOrder());
@@ -100,7 +101,6 @@ double ImproveParameter(const GeometricCurve<Dimension>& curve, const std::array
     }
   }
   return best;
-}
 }
 
 template <int Dimension>
@@ -153,7 +153,7 @@ double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::arr
   Start best{ std::numeric_limits<double>::infinity(), domain.Low };
   for (auto start = starts.begin(); start != last; ++start)
   {
-    const double t = ImproveParameter<Dimension>(curve, point, start->T, domain.Low, domain.High);
+    const double t = ImproveCurveParameter<Dimension>(curve, point, start->T, domain.Low, domain.High);
     const auto gap = GetDifference<Dimension>(point, curve.Evaluate(t));
     const double square = GetProduct<Dimension>(gap, gap);
     if (square < best.Square)
@@ -166,4 +166,6 @@ double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::arr
 
 template double FindCurveParameter<2>(const GeometricCurve<2>&, const std::array<double, 2>&);
 template double FindCurveParameter<3>(const GeometricCurve<3>&, const std::array<double, 3>&);
+template double ImproveCurveParameter<3>(
+  const GeometricCurve<3>&, const std::array<double, 3>&, double, double, double);
 }

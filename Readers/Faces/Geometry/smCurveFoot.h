@@ -17,10 +17,17 @@ namespace sm
 template <int Dimension>
 double FindCurveParameter(const GeometricCurve<Dimension>& curve, const std::array<double, Dimension>& point);
 
+/// Improves a parameter by Newton's method within [low, high], as long as the distance decreases.
+template <int Dimension>
+double ImproveCurveParameter(const GeometricCurve<Dimension>& curve,
+  const std::array<double, Dimension>& point, double t, double low, double high);
+
 extern template SMREADERSFACES_EXPORT double FindCurveParameter<2>(
   const GeometricCurve<2>&, const std::array<double, 2>&);
 extern template SMREADERSFACES_EXPORT double FindCurveParameter<3>(
   const GeometricCurve<3>&, const std::array<double, 3>&);
+extern template SMREADERSFACES_EXPORT double ImproveCurveParameter<3>(
+  const GeometricCurve<3>&, const std::array<double, 3>&, double, double, double);
 }
 
 #endif
