@@ -44,7 +44,7 @@ def stated():
         check_bounded("steel", 7850 * 1e-9 * total["volume"], total["mass"], total["bounds"]["mass"])
     for option in ("--materials", "--face-tolerance"):
         done = run("-q", path, option, folder)
-        check_true("a folder is no table", done.returncode == 1 and folder in done.stderr, done.stderr)
+        check_true("a folder cannot be a table", done.returncode == 1 and folder in done.stderr, done.stderr)
     density = {"plate": Fraction(2700), "bolt": Fraction(7850), "rail": Fraction(1400)}
     masses = {"bolt": Fraction("0.25"), "rail": Fraction("1.5")}
     weights = [masses[b[0]] / volumes[b[0]] / KG if b[0] in masses else density[b[0]] for b in boxes]
