@@ -435,6 +435,16 @@ def validation():
     after = run_json(os.path.join(folder, "nested-stated.step"))
     check_equal("densities of all parts", {"bolt": 7850.0, "plate": 7850.0, "rail": 1400.0},
                 {solid["name"]: round(solid["density"] or 0.0, 9) for solid in after["solids"]})
+    # A part that weighs otherwise in another assembly has no density of its own: none is stated for it.
+    pin = Part("pin", [((0, 0, 0), (2, 2, 10))], None)
+    arm = Assembly("arm", [(pin, (0, 0, 0), None)])
+    shared = write_product(os.path.join(folder, "shared.step"), Assembly("machine", [(arm, (0, 0, 0), None), (pin, (20, 0, 0), None)]))
+    with open(table, "w", encoding="utf-8") as text:
+        text.write("arm,,1 kg per product\npin,steel,7850\n")
+    both = os.path.join(folder, "shared-stated.step")
+    before = run_json("--materials", table, "--write-validation", both, shared)
+    check_true("one part by two densities", len({solid["density"] for solid in before["solids"]}) == 2, str(before["solids"]))
+    check_equal("no density is stated", [None, None], [solid["density"] for solid in run_json(both)["solids"]])
     # A second time nothing is added, as everything is stated.
     again = os.path.join(folder, "again.step")
     run("-q", "--write-validation", again, target)
