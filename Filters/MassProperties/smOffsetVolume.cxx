@@ -13,7 +13,6 @@ namespace sm
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 /// Relative error of the sums.
 constexpr double FewRoundings = 64.0 * UnitRoundoff;
 /// Smallest factor by which a curvature radius is taken to shrink; a face whose radius shrinks more is tight,
@@ -256,7 +255,8 @@ private:
     // The cone between the normals, and no more than the ball.
     const double share = std::min(4.0 * (1.0 - apex), 1.0);
     const double reach = largest / std::max(apex, MinProduct);
-    this->Change.Remainder += (apex < 1.0 - SharpApex ? 1.0 : share) * 4.0 * Pi / 3.0 * reach * reach * reach;
+    this->Change.Remainder +=
+      (apex < 1.0 - SharpApex ? 1.0 : share) * 4.0 * vtkMath::Pi() / 3.0 * reach * reach * reach;
     this->Change.Reach = std::max(this->Change.Reach, reach);
   }
 
@@ -292,7 +292,8 @@ private:
     const double spread = largest - std::min(smallest, largest);
     this->AddApex(vertex.Apex, largest);
     const double reach = GetReach(vertex, normals, largest);
-    const double ball = (static_cast<double>(vertex.Corners.size()) + 2.0 * Pi / 3.0) * reach * reach * reach;
+    const double ball =
+      (static_cast<double>(vertex.Corners.size()) + 2.0 * vtkMath::Pi() / 3.0) * reach * reach * reach;
     if (same > NormalRounding)
     {
       // What lies between normals that count as one: sectors with that angle.

@@ -2,6 +2,8 @@
 
 #include "smPolynomialCurve.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,10 +11,9 @@ namespace sm
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 /// Longest arc that one Gauss rule integrates: its error is 1e-11 of the radius's powers.
-constexpr double MaxArc = 0.25 * Pi;
+constexpr double MaxArc = 0.25 * vtkMath::Pi();
 
 /// Tolerance of splines whose integrands one Gauss rule does not integrate exactly.
 constexpr double SplineTolerance = 1e-9;
@@ -153,7 +154,7 @@ bool FindConicRange(
   if (curve.Kind == SpaceCurve::Type::Ellipse)
   {
     const bool isWhole = Norm(Subtract(end, start)) <= SameVertex * GetSize(curve);
-    const double turn = isForward ? 2.0 * Pi : -2.0 * Pi;
+    const double turn = isForward ? 2.0 * vtkMath::Pi() : -2.0 * vtkMath::Pi();
     if (isWhole)
     {
       range[1] = range[0] + turn;

@@ -2,6 +2,8 @@
 
 #include "Geometry/smCurveFoot.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +13,6 @@ namespace sm
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Pi = 3.14159265358979323846;
 
 /// Number of samples in each span, and in each box.
 constexpr int SpanSamples = 8;
@@ -118,7 +119,7 @@ public:
     {
       for (int i = 0; i <= count; ++i)
       {
-        const double share = 0.5 - 0.5 * std::cos((2 * i + 1) * Pi / (2 * count));
+        const double share = 0.5 - 0.5 * std::cos((2 * i + 1) * vtkMath::Pi() / (2 * count));
         const double t = i < count ? Mix(breaks[k], breaks[k + 1], share) : breaks[k + 1];
         largest = std::max(largest, this->Measure(t));
         if (!(margin * largest <= this->Limit))

@@ -38,7 +38,7 @@ def stated():
     path = write_product(os.path.join(folder, "stated.step"), machine)
     boxes = expand(machine)
     volumes = {"plate": 2 * Fraction("0.25") * Fraction("25.4") ** 3, "bolt": Fraction(40), "rail": Fraction(20000)}
-    # Tables as spreadsheets write them, with the mark of UTF-8 and a header; and a folder in the place of a table.
+    # Tables as spreadsheets write them, with the mark of UTF-8 and a header; and a folder instead of a table.
     for text in ("\ufeffname,material\n*,steel\n", "\ufeff*,steel\n", "name,material\n*,steel\n"):
         total = run_json("--materials", write_table("spreadsheet.csv", text), path)["total"]
         check_bounded("steel", 7850 * 1e-9 * total["volume"], total["mass"], total["bounds"]["mass"])
