@@ -7,6 +7,8 @@
 #include "smShaderSource.h"
 #include "vtkComputeContext.h"
 
+#include <algorithm>
+#include <cstring>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,7 +54,7 @@ ComputeProgram& ComputeProgram::operator=(ComputeProgram&& other) noexcept
     this->LocalSize = std::exchange(other.LocalSize, 0);
     this->BegunShader = std::exchange(other.BegunShader, 0);
     this->Source = std::move(other.Source);
-    this->Locations = std::move(other.Locations);
+    this->Uniforms = std::move(other.Uniforms);
     this->Label = std::move(other.Label);
     this->Error = std::move(other.Error);
     this->Log = std::move(other.Log);
@@ -86,7 +88,7 @@ void ComputeProgram::Free()
   this->Generation = 0;
   this->LocalSize = 0;
   this->BegunShader = 0;
-  this->Locations.clear();
+  this->Uniforms.clear();
 }
 
 bool ComputeProgram::Build(vtkComputeContext* context, const std::string& name, const std::string& source)
@@ -134,7 +136,6 @@ bool ComputeProgram::FinishBuild()
   {
     return this->Fail("the compute context is not ready");
   }
-  GL::DrainErrors();
   GLint isCompiled = GL_FALSE;
   GLint isLinked = GL_FALSE;
   GL::GetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
@@ -172,65 +173,60 @@ void ComputeProgram::FindUniforms()
     GLint size = 0;
     GLenum type = 0;
     GL::GetActiveUniform(this->Name, static_cast<GLuint>(i), sizeof(name), nullptr, &size, &type, name);
-    this->Locations[name] = GL::GetUniformLocation(this->Name, name);
+    this->Uniforms.push_back({ name, GL::GetUniformLocation(this->Name, name), type, false, 0 });
   }
 }
 
-int ComputeProgram::FindUniform(const char* name)
+ComputeProgram::Uniform* ComputeProgram::FindUniform(const char* name)
+{
+  const auto found = std::find_if(this->Uniforms.begin(), this->Uniforms.end(),
+    [name](const Uniform& uniform) { return std::strcmp(uniform.Name.c_str(), name) == 0; });
+  return found == this->Uniforms.end() ? nullptr : &*found;
+}
+
+template <typename T>
+bool ComputeProgram::ChangeUniform(
+  const char* name, unsigned int type, T value, void (*const& set)(GLuint, GLint, T))
 {
   this->Error.clear();
   if (!this->IsBuilt() || !ContextScope::IsInside(this->Resources->Context))
   {
-    this->Fail(std::string("uniform ") + name + " set outside a scope of a built program's context");
-    return -1;
+    return this->Fail(std::string("uniform ") + name + " set outside a scope of a built program's context");
   }
-  GL::DrainErrors();
-  const auto found = this->Locations.find(name);
-  const GLint location = found == this->Locations.end() ? -1 : found->second;
-  if (location < 0)
+  Uniform* const uniform = this->FindUniform(name);
+  if (!uniform)
   {
-    this->Fail(std::string("has no active uniform ") + name);
+    return this->Fail(std::string("has no active uniform ") + name);
   }
-  return location;
-}
-
-bool ComputeProgram::CheckUniform(const char* name)
-{
-  const std::string error = GL::TakeError();
-  return error.empty() || this->Fail(error + " for uniform " + name + ": is it of another type?");
+  if (uniform->Type != type)
+  {
+    return this->Fail(std::string("uniform ") + name + " is of another type");
+  }
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(value));
+  // The program keeps its uniforms between dispatches.
+  if (!uniform->IsSet || uniform->Bits != bits)
+  {
+    set(this->Name, uniform->Location, value);
+    uniform->IsSet = true;
+    uniform->Bits = bits;
+  }
+  return true;
 }
 
 bool ComputeProgram::SetUniform(const char* name, int value)
 {
-  const int location = this->FindUniform(name);
-  if (location < 0)
-  {
-    return false;
-  }
-  GL::ProgramUniform1i(this->Name, location, value);
-  return this->CheckUniform(name);
+  return this->ChangeUniform<GLint>(name, GL_INT, value, GL::ProgramUniform1i);
 }
 
 bool ComputeProgram::SetUniform(const char* name, unsigned int value)
 {
-  const int location = this->FindUniform(name);
-  if (location < 0)
-  {
-    return false;
-  }
-  GL::ProgramUniform1ui(this->Name, location, value);
-  return this->CheckUniform(name);
+  return this->ChangeUniform<GLuint>(name, GL_UNSIGNED_INT, value, GL::ProgramUniform1ui);
 }
 
 bool ComputeProgram::SetUniform(const char* name, double value)
 {
-  const int location = this->FindUniform(name);
-  if (location < 0)
-  {
-    return false;
-  }
-  GL::ProgramUniform1d(this->Name, location, value);
-  return this->CheckUniform(name);
+  return this->ChangeUniform<GLdouble>(name, GL_DOUBLE, value, GL::ProgramUniform1d);
 }
 
 bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize, Barrier barrier)
@@ -259,7 +255,6 @@ bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize, 
   {
     return this->Fail(std::to_string(invocations) + " invocations are too many for one dispatch");
   }
-  GL::DrainErrors();
   GL::UseProgram(this->Name);
   GL::DispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>(rows), 1);
   if (barrier == Barrier::After)

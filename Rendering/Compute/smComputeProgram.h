@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <unordered_map>
+#include <vector>
 
 class vtkComputeContext;
 
@@ -47,9 +47,12 @@ public:
   /** True when there is a program in the context's present generation. */
   bool IsBuilt() const;
 
+  /** True when the program has an active uniform of this name: the compiler removes unused ones. */
+  bool HasUniform(const char* name) { return this->FindUniform(name) != nullptr; }
+
   ///@{
   /** Sets a uniform of the program, which keeps it between dispatches. Inside a ContextScope only. False when
-   * the program has no such active uniform (the compiler removes unused ones), or one of another type. */
+   * the program has no such active uniform, or one of another type. */
   bool SetUniform(const char* name, int value);
   bool SetUniform(const char* name, unsigned int value);
   bool SetUniform(const char* name, double value);
@@ -84,10 +87,24 @@ public:
   static long GetLiveCount();
 
 private:
+  /// An active uniform, and the bits of its value if it was set.
+  struct Uniform
+  {
+    std::string Name;
+    int Location;
+    unsigned int Type;
+    bool IsSet;
+    std::uint64_t Bits;
+  };
+
   bool Fail(const std::string& what);
   void FindUniforms();
-  int FindUniform(const char* name);
-  bool CheckUniform(const char* name);
+  /// Returns null if there is no active uniform of this name.
+  Uniform* FindUniform(const char* name);
+  /// Calls set(program, location, value) unless the uniform has this value; its type in OpenGL must be
+  /// `type`.
+  template <typename T>
+  bool ChangeUniform(const char* name, unsigned int type, T value, void (*const& set)(unsigned int, int, T));
 
   std::shared_ptr<ContextResources> Resources;
   std::uint64_t Generation = 0;
@@ -99,8 +116,7 @@ private:
   /// The shader and the source of a build that was begun.
   unsigned int BegunShader = 0;
   std::string Source;
-  /// Locations of the active uniforms by their names.
-  std::unordered_map<std::string, int> Locations;
+  std::vector<Uniform> Uniforms;
 };
 }
 

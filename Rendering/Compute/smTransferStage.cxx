@@ -41,7 +41,6 @@ bool TransferStage::Map(std::size_t bytes)
   }
   const auto size = static_cast<GLsizeiptr>(this->Capacity);
   constexpr GLbitfield flags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-  GL::DrainErrors();
   GLuint name = 0;
   GL::GenBuffers(1, &name);
   GL::BindBuffer(GL_COPY_READ_BUFFER, name);

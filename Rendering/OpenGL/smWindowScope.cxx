@@ -114,6 +114,8 @@ bool SavedScope::Enter(vtkComputeContext* context, vtkOpenGLRenderWindow* window
   }
   this->Resources = context->GetResources();
   this->Generation = this->Resources->Generation;
+  // Errors of other code; inside the scope all are ours.
+  sm::GL::DrainErrors();
   this->Saved.Save();
   this->Shader = window->GetShaderCache()->GetLastShaderBound();
   window->GetShaderCache()->ReleaseCurrentShader();

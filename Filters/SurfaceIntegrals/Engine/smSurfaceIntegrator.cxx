@@ -22,6 +22,8 @@ constexpr double AcquireShare = 0.1;
 constexpr double PreparedShare = CutShare + PlanShare + AcquireShare;
 // Approximate number of evaluations of a batch, whose results are lost if the run is stopped.
 constexpr std::int64_t EvaluationsPerBatch = 20000000;
+// Largest number of items whose memory is kept between runs: some 7 MB.
+constexpr std::size_t MaxKeptItems = 65536;
 
 double Now()
 {
@@ -335,6 +337,10 @@ bool SurfaceIntegrator::Internals::Run(
     this->Runner->Release();
   }
   this->Faces.clear();
+  if (this->Items.capacity() > MaxKeptItems)
+  {
+    this->Items = WorkItems();
+  }
   return ok;
 }
 
@@ -395,6 +401,7 @@ void SurfaceIntegrator::ReleaseMemory()
   self.Plans.Clear();
   self.Shares.Forget();
   self.Received.Clear();
+  self.Items = WorkItems();
 }
 
 void SurfaceIntegrator::SetMaximumEvaluations(std::int64_t evaluations)

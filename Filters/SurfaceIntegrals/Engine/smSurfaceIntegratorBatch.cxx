@@ -93,19 +93,20 @@ void SurfaceIntegrator::Internals::Store(const std::vector<FaceTask>& tasks,
   {
     FaceResultKey Key;
     std::shared_ptr<const FaceIntegrals> Result;
+    std::size_t Bytes = 0;
   };
   std::vector<Entry> entries(batch.size());
   ForFaces(batch,
     [&](std::size_t i, std::size_t face)
     {
-      entries[i] = { this->GetResultKey(tasks[face], face),
-        std::make_shared<const FaceIntegrals>(results[face]) };
+      auto result = std::make_shared<const FaceIntegrals>(results[face]);
+      const std::size_t bytes = CountBytes(*result);
+      entries[i] = { this->GetResultKey(tasks[face], face), std::move(result), bytes };
     });
   for (std::size_t i = 0; i < batch.size(); ++i)
   {
-    const std::size_t bytes = CountBytes(*entries[i].Result);
     this->Results.Store(
-      tasks[batch[i]].Source->Id, std::move(entries[i].Key), std::move(entries[i].Result), bytes);
+      tasks[batch[i]].Source->Id, std::move(entries[i].Key), std::move(entries[i].Result), entries[i].Bytes);
   }
 }
 
@@ -166,39 +167,41 @@ bool SurfaceIntegrator::Internals::Accumulate(
 {
   const std::vector<RowPart> parts = FindParts(items);
   std::vector<std::size_t> faces;
+  // The first part and the first coedge of each face, and their ends.
+  std::vector<std::pair<std::size_t, std::size_t>> firsts;
+  std::size_t coedges = 0;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     if (i == 0 || parts[i].Slot != parts[i - 1].Slot)
     {
       faces.push_back(batch[parts[i].Slot]);
+      firsts.emplace_back(i, coedges);
     }
+    coedges += parts[i].Coedge >= 0 ? 1 : 0;
   }
+  firsts.emplace_back(parts.size(), coedges);
   FaceTotals totals(faces.size(), this->Chosen.size());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    this->SetTotals(results[faces[i]], totals, i);
-  }
+  ForFaces(faces, [&](std::size_t i, std::size_t face) { this->SetTotals(results[face], totals, i); });
   std::vector<RowGaps> gaps;
   if (!this->Runner->AddUp(parts, totals, gaps))
   {
     return this->FailByRunner();
   }
-  std::size_t part = 0;
-  auto gap = gaps.begin();
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    FaceIntegrals& result = results[faces[i]];
-    this->TakeTotals(totals, i, result);
-    CoedgeGaps coedges(*this->Faces[faces[i]]->Source, result.Gaps);
-    for (const std::uint32_t slot = parts[part].Slot; part < parts.size() && parts[part].Slot == slot; ++part)
+  ForFaces(faces,
+    [&](std::size_t i, std::size_t face)
     {
-      if (parts[part].Coedge >= 0)
+      this->TakeTotals(totals, i, results[face]);
+      CoedgeGaps measured(*this->Faces[face]->Source, results[face].Gaps);
+      auto gap = gaps.begin() + static_cast<std::ptrdiff_t>(firsts[i].second);
+      for (std::size_t part = firsts[i].first; part < firsts[i + 1].first; ++part)
       {
-        coedges.Add(parts[part].Coedge, { 0, 0, gap->Squared, gap->Area, gap->Largest });
-        ++gap;
+        if (parts[part].Coedge >= 0)
+        {
+          measured.Add(parts[part].Coedge, { 0, 0, gap->Squared, gap->Area, gap->Largest });
+          ++gap;
+        }
       }
-    }
-  }
+    });
   return true;
 }
 
@@ -237,7 +240,6 @@ bool SurfaceIntegrator::Internals::RunLevels(WorkItems& items, int depth, std::v
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     active[i] = i;
-    items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
   }
   std::vector<std::uint8_t> unconverged;
   for (int level = 0; !active.empty(); ++level)
@@ -284,37 +286,23 @@ bool SurfaceIntegrator::Internals::RunLevels(WorkItems& items, int depth, std::v
 bool SurfaceIntegrator::Internals::RunPlanned(
   WorkItems& items, int depth, std::vector<std::size_t>& candidates)
 {
-  std::vector<std::size_t> all(items.size());
-  std::atomic<bool> hasCompared{ false };
-  ParallelFor(items.size(), ItemsOfTask,
-    [&](std::size_t begin, std::size_t end)
-    {
-      bool isCompared = false;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        all[i] = i;
-        items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
-        isCompared = isCompared || items[i].Compared;
-      }
-      hasCompared = hasCompared || isCompared;
-    });
   const auto shouldContinue = [this]() { return this->ReportItemProgress(); };
-  if (!this->Runner->Run(items, all, this->Evaluations, shouldContinue))
+  if (!this->Runner->Run(items, ActiveItems(items), this->Evaluations, shouldContinue))
   {
     return this->FailByRunner();
   }
   this->ItemsDone += depth == 0 ? items.size() : 0;
-  if (!hasCompared)
-  {
-    return true;
-  }
   std::vector<std::size_t> compared;
-  for (std::size_t i = 0; i < items.size(); ++i)
+  for (std::size_t i = 0; i < items.size() && this->HasCompared; ++i)
   {
     if (items[i].Compared)
     {
       compared.push_back(i);
     }
+  }
+  if (compared.empty())
+  {
+    return true;
   }
   // The plan's bounds of everything but the area also hold for the parts, since their ellipses lie in that of
   // the whole item.
@@ -373,6 +361,7 @@ bool SurfaceIntegrator::Internals::RunItems(
   {
     std::for_each(children.begin(), children.end(), HalveOrders);
   }
+  NumberRows(children);
   return this->RunPortions(children, batch, depth + 1, results);
 }
 
@@ -400,6 +389,7 @@ bool SurfaceIntegrator::Internals::RunPortions(
     }
     WorkItems part(
       items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end));
+    NumberRows(part);
     if (!this->RunItems(part, batch, depth, results))
     {
       return false;
@@ -408,7 +398,7 @@ bool SurfaceIntegrator::Internals::RunPortions(
   return true;
 }
 
-void SurfaceIntegrator::Internals::MakeItems(const std::vector<std::size_t>& batch, WorkItems& items) const
+void SurfaceIntegrator::Internals::MakeItems(const std::vector<std::size_t>& batch)
 {
   std::vector<std::size_t> firsts;
   std::size_t count = 0;
@@ -417,13 +407,20 @@ void SurfaceIntegrator::Internals::MakeItems(const std::vector<std::size_t>& bat
     firsts.push_back(count);
     count += this->GetNumberOfItems(face);
   }
-  items.resize(count);
+  this->Items.resize(count);
+  std::atomic<bool> hasCompared{ false };
   ForFaces(batch,
     [&](std::size_t slot, std::size_t face)
     {
-      MakePlannedItems(*this->Faces[face], this->Plans.Get(face), static_cast<std::uint32_t>(slot),
-        items.data() + firsts[slot]);
+      const FacePlan& plan = this->Plans.Get(face);
+      MakePlannedItems(*this->Faces[face], plan, static_cast<std::uint32_t>(slot),
+        static_cast<std::uint32_t>(firsts[slot]), this->Items.data() + firsts[slot]);
+      if (std::any_of(plan.Items.begin(), plan.Items.end(), [](const auto& item) { return item.Compared; }))
+      {
+        hasCompared = true;
+      }
     });
+  this->HasCompared = hasCompared;
 }
 
 bool SurfaceIntegrator::Internals::CheckRunner(
@@ -475,7 +472,8 @@ bool SurfaceIntegrator::Internals::CheckRunner(
 bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   const std::vector<std::size_t>& batch, std::vector<FaceIntegrals>& results)
 {
-  WorkItems items;
+  WorkItems& items = this->Items;
+  items.clear();
   std::vector<ItemRunner::BatchFace> faces;
   faces.reserve(batch.size());
   for (std::size_t slot = 0; slot < batch.size(); ++slot)
@@ -496,7 +494,11 @@ bool SurfaceIntegrator::Internals::RunBatch(const std::vector<FaceTask>& tasks,
   }
   if (this->Planned)
   {
-    this->MakeItems(batch, items);
+    this->MakeItems(batch);
+  }
+  else
+  {
+    NumberRows(items);
   }
   if (!this->Runner->BeginBatch(faces))
   {

@@ -71,6 +71,10 @@ struct SurfaceIntegrator::Internals
   /// Limit of the run time in seconds since Start.
   double Seconds = 0.0;
   std::vector<CutFacePointer> Faces;
+  /// Items of the current batch, and whether the plan compares some of them. The memory of a small batch is
+  /// kept for the next one: new pages take longer than what is written to them.
+  WorkItems Items;
+  bool HasCompared = false;
   std::size_t ItemsDone = 0;
   std::size_t ItemsTotal = 1;
 
@@ -111,7 +115,7 @@ struct SurfaceIntegrator::Internals
   /// Compares the first item of each program that has not been used before with what the CPU makes of it.
   bool CheckRunner(const std::vector<ItemRunner::BatchFace>& faces, const WorkItems& items);
   /// Makes the items of the plans of a batch, face by face.
-  void MakeItems(const std::vector<std::size_t>& batch, WorkItems& items) const;
+  void MakeItems(const std::vector<std::size_t>& batch);
   bool RunPortions(
     WorkItems& items, const std::vector<std::size_t>& batch, int depth, std::vector<FaceIntegrals>& results);
   bool RunItems(

@@ -108,12 +108,12 @@ struct CPUItemRunner::Internals
   std::vector<std::uint8_t> Unconverged;
 
   /// Evaluates items[active[i]] for i in [begin, end) and returns the number of evaluations.
-  std::int64_t RunPart(const KernelData& data, const WorkItems& items, const std::vector<std::size_t>& active,
+  std::int64_t RunPart(const KernelData& data, const WorkItems& items, const ActiveItems& active,
     std::size_t begin, std::size_t end, int lanes, std::vector<std::uint8_t>& unconverged) const;
 };
 
 std::int64_t CPUItemRunner::Internals::RunPart(const KernelData& data, const WorkItems& items,
-  const std::vector<std::size_t>& active, std::size_t begin, std::size_t end, int lanes,
+  const ActiveItems& active, std::size_t begin, std::size_t end, int lanes,
   std::vector<std::uint8_t>& unconverged) const
 {
   const auto getItem = [&](std::size_t i) {
@@ -231,8 +231,8 @@ bool CPUItemRunner::BeginRows(std::size_t rows)
   return true;
 }
 
-bool CPUItemRunner::Run(const WorkItems& items, const std::vector<std::size_t>& active,
-  std::int64_t& evaluations, const ContinueCallback& shouldContinue)
+bool CPUItemRunner::Run(const WorkItems& items, const ActiveItems& active, std::int64_t& evaluations,
+  const ContinueCallback& shouldContinue)
 {
   Internals& self = *this->Implementation;
   std::vector<std::uint8_t>& unconverged = self.Unconverged;

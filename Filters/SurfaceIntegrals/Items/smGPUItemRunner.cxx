@@ -212,7 +212,8 @@ bool GPUItemRunner::BeginBatch(const std::vector<BatchFace>& faces)
     self.Slots.push_back(&self.Places[face.Face]);
   }
   self.Batch = BatchParameters(faces, this->Configured.UsePlacements);
-  return self.Parameters.Upload(self.Batch.Values) || this->Fail(self.Parameters.GetError());
+  self.IsBatchUploaded = false;
+  return true;
 }
 
 bool GPUItemRunner::BeginRows(std::size_t rows)
@@ -231,16 +232,21 @@ bool GPUItemRunner::Internals::DispatchLines(
   {
     return false;
   }
-  // Programs have those of the uniforms that they use.
-  program->SetUniform("smFirstShape", range.FirstShape);
-  program->SetUniform("smShapeCount", range.ShapeCount);
-  program->SetUniform("smFirstLine", range.FirstLine);
-  program->SetUniform("smLineStride", portion.LineCount);
-  program->SetUniform("smPlacementOffset", this->Batch.PlacementOffset);
-  program->SetUniform("smIntegrandCount", static_cast<unsigned int>(layout.GetNumberOfIntegrands()));
-  program->SetUniform("smRoundingCount", static_cast<unsigned int>(layout.GetNumberOfRoundings()));
-  program->SetUniform("smGapSteps", FootPointSteps);
-  return program->SetUniform("smLineCount", range.LineCount) &&
+  const std::pair<const char*, std::uint32_t> numbers[] = { { "smFirstShape", range.FirstShape },
+    { "smShapeCount", range.ShapeCount }, { "smFirstLine", range.FirstLine },
+    { "smLineStride", portion.LineCount }, { "smPlacementOffset", this->Batch.PlacementOffset },
+    { "smIntegrandCount", static_cast<std::uint32_t>(layout.GetNumberOfIntegrands()) },
+    { "smRoundingCount", static_cast<std::uint32_t>(layout.GetNumberOfRoundings()) } };
+  for (const auto& [name, value] : numbers)
+  {
+    // Programs have those of them that they use.
+    if (program->HasUniform(name) && !program->SetUniform(name, value))
+    {
+      return false;
+    }
+  }
+  return (!program->HasUniform("smGapSteps") || program->SetUniform("smGapSteps", FootPointSteps)) &&
+    program->SetUniform("smLineCount", range.LineCount) &&
     program->Dispatch(range.LineCount, LocalSize, ComputeProgram::Barrier::None);
 }
 
@@ -287,8 +293,8 @@ bool GPUItemRunner::Internals::RunPortion(
   return true;
 }
 
-bool GPUItemRunner::Run(const WorkItems& items, const std::vector<std::size_t>& active,
-  std::int64_t& evaluations, const ContinueCallback& shouldContinue)
+bool GPUItemRunner::Run(const WorkItems& items, const ActiveItems& active, std::int64_t& evaluations,
+  const ContinueCallback& shouldContinue)
 {
   Internals& self = *this->Implementation;
   const WorkList list(items, active, self.GetLimits(this->Layout));
@@ -307,12 +313,14 @@ bool GPUItemRunner::Run(const WorkItems& items, const std::vector<std::size_t>& 
         }
       });
   };
-  if (!self.Work.Fill<WorkRecord>(active.size(), fillRecords) || !self.Shapes.Upload(list.GetShapes()) ||
+  if (!(self.IsBatchUploaded || self.Parameters.Upload(self.Batch.Values)) ||
+    !self.Work.Fill<WorkRecord>(active.size(), fillRecords) || !self.Shapes.Upload(list.GetShapes()) ||
     !self.StatusFlags.Allocate(active.size() * sizeof(std::uint32_t)) ||
     !self.LineSums.Allocate(list.GetMaximumLines() * Internals::GetLineBytes(this->Layout)))
   {
     return this->Fail("the work list does not fit on the GPU: " + self.GetBufferErrors());
   }
+  self.IsBatchUploaded = true;
   for (const WorkPortion& portion : list.GetPortions())
   {
     if (!scope)

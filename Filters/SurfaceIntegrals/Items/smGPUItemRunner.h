@@ -38,7 +38,7 @@ public:
   void ForgetProofs() override;
   bool BeginBatch(const std::vector<BatchFace>& faces) override;
   bool BeginRows(std::size_t rows) override;
-  bool Run(const WorkItems& items, const std::vector<std::size_t>& active, std::int64_t& evaluations,
+  bool Run(const WorkItems& items, const ActiveItems& active, std::int64_t& evaluations,
     const ContinueCallback& shouldContinue) override;
   bool GetUnconverged(std::vector<std::uint8_t>& unconverged) override;
   bool AddUp(const std::vector<RowPart>& parts, FaceTotals& totals, std::vector<RowGaps>& gaps) override;

@@ -73,6 +73,8 @@ struct GPUItemRunner::Internals
   /// Places of the faces of the last BeginBatch(), by slot; all are on one page.
   std::vector<const ResidentFace*> Slots;
   BatchParameters Batch;
+  /// True if Parameters has the numbers of Batch, which Run() uploads in the scope that it enters anyway.
+  bool IsBatchUploaded = false;
   /// The order of evaluation of the last Run(), and whether an item of it was compared.
   std::vector<std::uint32_t> Order;
   bool HasComparisons = false;

@@ -169,7 +169,7 @@ public:
   virtual bool BeginRows(std::size_t rows) = 0;
 
   /// Evaluates items[active[i]]. `evaluations` is increased by the number of points of panels and ribbons.
-  virtual bool Run(const WorkItems& items, const std::vector<std::size_t>& active, std::int64_t& evaluations,
+  virtual bool Run(const WorkItems& items, const ActiveItems& active, std::int64_t& evaluations,
     const ContinueCallback& shouldContinue) = 0;
 
   /// Sets unconverged[i] to 1 if the differences of items[active[i]] of the last Run() are above the

@@ -13,18 +13,16 @@ namespace
 /// Evaluates all items; those of each are a face of their own in `totals`.
 bool Evaluate(ItemRunner& runner, WorkItems& items, FaceTotals& totals)
 {
-  std::vector<std::size_t> all;
+  NumberRows(items);
   std::vector<RowPart> parts;
   for (std::uint32_t i = 0; i < items.size(); ++i)
   {
-    items[i].Work.Item[2] = i;
-    all.push_back(i);
     parts.push_back({ i, ItemKind::Panel, -1, i, i + 1 });
   }
   totals = FaceTotals(items.size(), static_cast<std::size_t>(runner.GetLayout().GetNumberOfIntegrands()));
   std::int64_t evaluations = 0;
   std::vector<RowGaps> gaps;
-  return runner.BeginRows(items.size()) && runner.Run(items, all, evaluations, nullptr) &&
+  return runner.BeginRows(items.size()) && runner.Run(items, ActiveItems(items), evaluations, nullptr) &&
     runner.AddUp(parts, totals, gaps);
 }
 

@@ -84,7 +84,16 @@ void AddItems(const CutFace& face, std::uint32_t slot, WorkItems& items)
   }
 }
 
-void MakePlannedItems(const CutFace& face, const FacePlan& plan, std::uint32_t slot, WorkItem* items)
+void NumberRows(WorkItems& items)
+{
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    items[i].Work.Item[2] = static_cast<std::uint32_t>(i);
+  }
+}
+
+void MakePlannedItems(
+  const CutFace& face, const FacePlan& plan, std::uint32_t slot, std::uint32_t row, WorkItem* items)
 {
   const ItemMaker maker(face, slot);
   for (const PlannedItem& planned : plan.Items)
@@ -93,6 +102,7 @@ void MakePlannedItems(const CutFace& face, const FacePlan& plan, std::uint32_t s
     item = planned.Kind == ItemKind::Panel ? maker.MakePanel(planned.Index)
       : planned.Kind == ItemKind::Ribbon   ? maker.MakeRibbon(planned.Index)
                                            : maker.MakeCap(planned.Index);
+    item.Work.Item[2] = row++;
     double* range = item.Work.Range;
     const double start = range[0];
     const double width = range[1] - start;

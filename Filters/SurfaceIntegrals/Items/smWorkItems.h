@@ -73,13 +73,39 @@ struct WorkItem
 using WorkItems = UninitializedVector<WorkItem>;
 static_assert(std::is_trivially_default_constructible_v<WorkItem>);
 
+/// Items of a list to evaluate: some, by their indices, or all.
+class ActiveItems
+{
+public:
+  ActiveItems(const std::vector<std::size_t>& indices)
+    : Indices(indices.data())
+    , Count(indices.size())
+  {
+  }
+  explicit ActiveItems(const WorkItems& all)
+    : Indices(nullptr)
+    , Count(all.size())
+  {
+  }
+
+  std::size_t size() const { return this->Count; }
+  std::size_t operator[](std::size_t i) const { return this->Indices ? this->Indices[i] : i; }
+
+private:
+  const std::size_t* Indices;
+  std::size_t Count;
+};
+
 /// Appends the items of a face, panels first. `slot` is the index of the face in the batch.
 SMFILTERSSURFACEINTEGRALS_EXPORT void AddItems(const CutFace& face, std::uint32_t slot, WorkItems& items);
 
-/// Writes the items of a face's plan, as many as it has, panels, then ribbons, then caps, with their orders.
-/// Each is evaluated once, without a comparison.
+/// Writes the items of a face's plan, as many as it has, panels, then ribbons, then caps, with their orders
+/// and with rows from `row` on. Each is evaluated once, without a comparison.
 SMFILTERSSURFACEINTEGRALS_EXPORT void MakePlannedItems(
-  const CutFace& face, const FacePlan& plan, std::uint32_t slot, WorkItem* items);
+  const CutFace& face, const FacePlan& plan, std::uint32_t slot, std::uint32_t row, WorkItem* items);
+
+/// Sets the row of each item to its place in the list.
+SMFILTERSSURFACEINTEGRALS_EXPORT void NumberRows(WorkItems& items);
 
 /// Doubles the points of an item that was evaluated, for a comparison with its row. If `mayBisect` is true,
 /// an item that does not converge leaves zeros in its row.

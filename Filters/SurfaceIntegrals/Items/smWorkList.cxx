@@ -3,9 +3,6 @@
 #include "smParallelFor.h"
 
 #include <algorithm>
-#include <array>
-#include <tuple>
-#include <unordered_map>
 #include <utility>
 
 namespace sm
@@ -38,33 +35,70 @@ ProgramKey GetProgram(const WorkItem& item, const PortionLimits& limits)
   return IntegrationPrograms::ChooseProgram(item.Kind, item.Degree[0], item.Degree[1], limits.IsSoftware);
 }
 
-/// Numbers the keys that it gets, from 0.
+/// Keys in the order of their programs: degrees have 5 bits, and a key has 44.
+std::uint64_t GetRank(const ProgramKey& program, std::uint64_t key)
+{
+  const auto& [kind, degreeS, degreeR] = program;
+  return (static_cast<std::uint64_t>(kind) << 10 | static_cast<std::uint64_t>(degreeS) << 5 |
+           static_cast<std::uint64_t>(degreeR))
+    << 44 |
+    key;
+}
+
+/// Numbers the keys that it gets, from 0: a hash table with open addressing, since a small part has a key for
+/// every fifth item.
 class KeyIndex
 {
 public:
+  KeyIndex()
+    : Places(1024)
+  {
+  }
+
   /// Returns the items of a key, which are new without an example.
   std::uint32_t Find(std::uint64_t key)
   {
-    std::uint32_t& guess = this->Recent[(key ^ key >> 16 ^ key >> 32) % this->Recent.size()];
-    if (guess >= this->Shapes.size() || this->Shapes[guess].Key != key)
+    std::uint32_t& place = this->FindPlace(key);
+    if (place == 0)
     {
-      const auto [found, isNew] =
-        this->Known.try_emplace(key, static_cast<std::uint32_t>(this->Shapes.size()));
-      if (isNew)
+      this->Shapes.push_back({ key, nullptr, 0, 0 });
+      place = static_cast<std::uint32_t>(this->Shapes.size());
+      if (2 * this->Shapes.size() > this->Places.size())
       {
-        this->Shapes.push_back({ key, nullptr, 0, 0 });
+        this->Grow();
       }
-      guess = found->second;
+      return static_cast<std::uint32_t>(this->Shapes.size() - 1);
     }
-    return guess;
+    return place - 1;
   }
 
   std::vector<KeyedItems> Shapes;
 
 private:
-  std::unordered_map<std::uint64_t, std::uint32_t> Known;
-  /// Neighbours often alternate between a few keys: the last one of each hash is found without the map.
-  std::array<std::uint32_t, 256> Recent{};
+  /// Returns the place of a key, or the free one where it belongs.
+  std::uint32_t& FindPlace(std::uint64_t key)
+  {
+    std::size_t at = static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32);
+    for (;; ++at)
+    {
+      std::uint32_t& place = this->Places[at & (this->Places.size() - 1)];
+      if (place == 0 || this->Shapes[place - 1].Key == key)
+      {
+        return place;
+      }
+    }
+  }
+  void Grow()
+  {
+    this->Places.assign(2 * this->Places.size(), 0);
+    for (std::size_t i = 0; i < this->Shapes.size(); ++i)
+    {
+      this->FindPlace(this->Shapes[i].Key) = static_cast<std::uint32_t>(i + 1);
+    }
+  }
+
+  /// Numbers of the keys, from 1; 0: free. Their number is a power of two.
+  std::vector<std::uint32_t> Places;
 };
 
 /// Consecutive items of the list, which one thread sorts by their keys.
@@ -74,8 +108,8 @@ struct ItemChunk
   bool HasComparisons = false;
 
   /// Writes the number of each item's key.
-  void Count(const WorkItems& items, const std::vector<std::size_t>& active, std::size_t begin,
-    std::size_t end, std::uint32_t* shapeOf)
+  void Count(const WorkItems& items, const ActiveItems& active, std::size_t begin, std::size_t end,
+    std::uint32_t* shapeOf)
   {
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -91,8 +125,7 @@ struct ItemChunk
 };
 }
 
-WorkList::WorkList(
-  const WorkItems& items, const std::vector<std::size_t>& active, const PortionLimits& limits)
+WorkList::WorkList(const WorkItems& items, const ActiveItems& active, const PortionLimits& limits)
   : Order(active.size())
 {
   std::vector<ItemChunk> chunks((active.size() + ItemsOfChunk - 1) / ItemsOfChunk);
@@ -144,16 +177,15 @@ WorkList::WorkList(
 
 void WorkList::AddShapes(std::vector<KeyedItems>& shapes, const PortionLimits& limits)
 {
-  std::vector<std::pair<ProgramKey, KeyedItems*>> sorted;
+  std::vector<std::pair<std::uint64_t, KeyedItems*>> sorted;
+  sorted.reserve(shapes.size());
   for (KeyedItems& shape : shapes)
   {
-    sorted.emplace_back(GetProgram(*shape.Example, limits), &shape);
+    sorted.emplace_back(GetRank(GetProgram(*shape.Example, limits), shape.Key), &shape);
   }
-  std::sort(sorted.begin(), sorted.end(),
-    [](const auto& a, const auto& b)
-    { return std::tie(a.first, a.second->Key) < std::tie(b.first, b.second->Key); });
+  std::sort(sorted.begin(), sorted.end());
   std::uint32_t first = 0;
-  for (const auto& [program, shape] : sorted)
+  for (const auto& [rank, shape] : sorted)
   {
     shape->First = first;
     this->AddShape(*shape->Example, first, shape->Count, limits);

@@ -65,7 +65,7 @@ struct KeyedItems
 class SMFILTERSSURFACEINTEGRALS_EXPORT WorkList
 {
 public:
-  WorkList(const WorkItems& items, const std::vector<std::size_t>& active, const PortionLimits& limits);
+  WorkList(const WorkItems& items, const ActiveItems& active, const PortionLimits& limits);
 
   /// Indices into `active`, in the order of evaluation.
   const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
