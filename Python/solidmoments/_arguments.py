@@ -1,6 +1,9 @@
 """Checks of arguments: a wrong type raises TypeError, a wrong value ValueError, both with the name, the value and what is expected."""
 import operator
 import os
+import sys
+
+from ._version import PYTHON, VTK_FOLDER
 
 _LONGEST = 60
 
@@ -99,3 +102,12 @@ def share(name, value, minimum=0.0, expected="from 0 to 1"):
     if not minimum <= value <= 1.0:
         raise ValueError(f"{name} is {value:g}; it has to be {expected}")
     return value
+
+
+def require_vtk():
+    """Raises ImportError with a remedy if this Python has no VTK, which the extension modules need before they can be loaded."""
+    try:
+        import vtkmodules.vtkCommonCore  # noqa: F401
+    except ImportError as reason:
+        raise ImportError(f"solidmoments needs VTK's Python modules, which {sys.executable} does not find ({reason}): run {PYTHON}, or add {VTK_FOLDER} "
+                          "to PYTHONPATH") from reason

@@ -64,6 +64,7 @@ def moment_gradient(source, *, solids=(), faces=(), tied=True, tolerance=1e-9, b
     Raises FileNotFoundError and IsADirectoryError, TypeError and ValueError for a wrong argument, and SolidMomentsError when there is no result.
     """
     import numpy
+    arguments.require_vtk()
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     from .smFiltersMomentGradient import vtkMomentGradient

@@ -49,6 +49,7 @@ def moment_hessian_product(source, direction, *, tied=True, tolerance=1e-9):
     Raises FileNotFoundError and IsADirectoryError, TypeError and ValueError for a wrong argument, and SolidMomentsError when there is no result.
     """
     import numpy
+    arguments.require_vtk()
     from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
     from .smFiltersMomentGradient import vtkMomentGradient, vtkMomentHessian

@@ -15,6 +15,7 @@ class Model:
 
     def __init__(self, name="model", length_unit="mm"):
         from ._run import check_unit
+        arguments.require_vtk()
         from .smFiltersNURBS import vtkTrimmedNURBSModel
 
         check_unit("mm", length_unit, "length_unit")

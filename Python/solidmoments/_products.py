@@ -29,6 +29,7 @@ def _check_limit(limit):
 
 def materials():
     """The densities of common materials in kg/m^3 by their names: a dict."""
+    arguments.require_vtk()
     from .smFiltersProducts import vtkProducts
 
     return {entry["name"]: entry["density"] for entry in _parse(vtkProducts.GetMaterials())}
@@ -41,6 +42,7 @@ def parts_list(file, density=None, **options):
     status, material, density, and the sums `each` and `in_all` of volume, area and mass with their bounds. A value that is not known is
     None. density and options are those of `mass_properties`, and so are errors and warnings.
     """
+    arguments.require_vtk()
     from .smFiltersProducts import vtkProducts
 
     reader, mass = _run(file, density, options)
@@ -55,6 +57,7 @@ def compare(old, new, density=None, *, limit=1e-9, **options):
     limit: largest relative difference, in addition to the bounds, that counts as equal. density and options are those of
     `mass_properties`, for both files, and so are errors and warnings.
     """
+    arguments.require_vtk()
     from .smFiltersProducts import vtkProducts
 
     limit = _check_limit(limit)
@@ -74,6 +77,7 @@ def validation(file, density=None, *, limit=1e-3, **options):
     by `limit` of the stated value, the centroid by `limit` of the cube root of the volume, and all by their bounds. density and options
     are those of `mass_properties`, and so are errors and warnings.
     """
+    arguments.require_vtk()
     from vtkmodules.vtkCommonDataModel import vtkTable
 
     from .smFiltersProducts import vtkProducts
@@ -96,6 +100,7 @@ def robot(file, format="urdf", density=None, *, joints="", fuse=(), **options):
     one link with all below it. Warns of links that are left out or that readers refuse. Raises ValueError for a table or a format that is
     wrong, and where no product has a mass. density and options are those of `mass_properties`, and so are other errors and warnings.
     """
+    arguments.require_vtk()
     from .smFiltersProducts import vtkProducts
 
     arguments.choice("format", format, ("urdf", "sdf", "mjcf"))

@@ -153,6 +153,7 @@ def _add_material(mass, pattern, material, density, stated=None, tolerance=None)
 
 def make_reader(file, *, content=None, unit="mm", input_unit="mm", max_seconds=None, repair="needed", hidden="count"):
     """The reader of a file, with the options of mass_properties(), before its run."""
+    arguments.require_vtk()
     from .smReadersBREP import vtkBREPReader
     from .smReadersSTEP import vtkSTEPReader
 
@@ -190,6 +191,7 @@ def read(file, reader):
 
 def make_filter(density, tolerance, backend, density_tolerance=0.0, max_seconds=None):
     """A vtkMassPropertiesGPU with these properties, which writes nothing to the console."""
+    arguments.require_vtk()
     from .smFiltersMassProperties import vtkMassPropertiesGPU
 
     arguments.choice("backend", backend, ("auto", "opengl", "cpu"))

@@ -27,6 +27,7 @@ class Variants:
     NAMES = ("volume", "x", "y", "z", "xx", "yy", "zz", "xy", "yz", "xz")
 
     def __init__(self, base, directions, ranges=None, *, method="auto", backend="auto", expected=100000, progress=None):
+        arguments.require_vtk()
         from .smFiltersVariants import vtkVariantMoments
 
         methods = {"auto": vtkVariantMoments.AUTOMATIC, "polynomial": vtkVariantMoments.POLYNOMIAL, "points": vtkVariantMoments.POINTS}

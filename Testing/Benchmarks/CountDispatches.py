@@ -5,7 +5,7 @@
 
 For each file and build a process of its own computes mass properties by OpenGL twice: the first run compiles; counts, seconds and the table are
 those of later runs, each planned anew (the tolerance moves by 1e-3 of itself): dispatches and read-backs a run, bytes up and down an evaluation,
-and for the minimum of --runs the milliseconds of "integrate" outside of dispatches, read-backs and other waits for OpenGL.
+and for the median of --runs the milliseconds of "integrate" outside of dispatches, read-backs and other waits for OpenGL.
 
 Exit status 1: a run fails, is not by OpenGL, or makes other dispatches than it says.
 """
@@ -32,7 +32,7 @@ def measure(path, runs):
     mass.SetInputConnection(reader.GetOutputPort())
     mass.SetBackend(vtkMassPropertiesGPU.OPENGL)
     take = ctypes.CDLL(None).CountOpenGL
-    best = None
+    results = []
     for run in range(runs + 1):
         mass.SetRelativeTolerance(1e-9 * (1.0 + 1e-3 * run))
         values = (ctypes.c_int64 * len(COUNTS))()
@@ -44,9 +44,9 @@ def measure(path, runs):
         result = dict(zip(COUNTS, values), said=mass.GetDispatches(), evaluations=mass.GetEvaluations(), seconds=mass.GetIntegrateSeconds(),
                       volume=mass.GetVolume(), bound=mass.GetVolumeBound(), status=mass.GetStatus())
         result["around"] = result["seconds"] - 1e-9 * result["waited"]
-        if run > 0 and (best is None or result["around"] < best["around"]):
-            best = result
-    print(json.dumps(best))
+        results.append(result)
+    # Not the minimum: a wait outside of "integrate" makes the difference too small.
+    print(json.dumps(sorted(results[1:], key=lambda result: result["around"])[runs // 2]))
 
 
 def run_build(build, path, runs, library):

@@ -153,6 +153,13 @@ def check_failures():
                   {"materials": [("*", "", None, 2.0, 1.5)]}, {"hidden": "sometimes"}):
         found = raised(ValueError, sample, **wrong)
         check_true(f"{wrong} is refused", found is not None, str(found))
+    # A Python without VTK, as of another installation.
+    package = os.path.dirname(os.path.dirname(solidmoments.__file__))
+    code = f"import sys; sys.path.append({package!r}); import solidmoments; solidmoments.mass_properties({sample!r})"
+    done = subprocess.run([sys.executable, "-I", "-S", "-c", code], capture_output=True, text=True, timeout=200, check=False)
+    last = done.stderr.strip().splitlines()[-1:]
+    check_true("a Python without VTK names what to do",
+               done.returncode == 1 and last and last[0].startswith("ImportError: solidmoments needs VTK's Python modules") and "PYTHONPATH" in last[0], str(last))
     # A tolerance that no run meets flags the result.
     result, flags = quietly(sample, tolerance=1e-15)
     check_equal("a tolerance that is not met", "tolerance-not-met", result.status)
