@@ -23,7 +23,8 @@ class WindowScope;
  * Saved on entry and restored at the end: the current context with its drawables and its API; within our
  * context the current program (VTK's shader cache knows it again too), the indexed shader storage
  * bindings 0 to 7, the generic shader storage, uniform, copy-read, copy-write and dispatch-indirect
- * bindings. Compute code must not change any other state.
+ * bindings. Of these the bindings are not restored in a window that the context made for itself, unless the
+ * scope is inside another one. Compute code must not change any other state.
  *
  * Inside the scope of an EGL context no X window may render or be deleted: VTK would make its GLX context
  * current in addition to the EGL context, which is an X error that ends the process. Scopes nest, of one

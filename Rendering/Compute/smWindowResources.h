@@ -32,6 +32,8 @@ struct SMRENDERINGCOMPUTE_EXPORT WindowResources
 
   void AddBytes(std::size_t bytes);
 
+  /// True for a window that a compute context made for itself.
+  bool IsOwn = false;
   /// Number of open ContextScopes of the window's contexts.
   int ScopeDepth = 0;
   /// True after the test of the driver's double precision has passed, which is run once per OpenGL context.

@@ -299,6 +299,7 @@ void ContextSearch::Adopt(vtkOpenGLRenderWindow* window)
     resources.MaximumWorkGroupCount[axis] = value;
   }
   resources.Window = WindowResources::Get(window);
+  resources.Window->IsOwn = resources.Window->IsOwn || window == this->Own;
   resources.Generation = ContextResources::NewGeneration();
   this->State.Used = window;
   this->State.Status = Context::READY;

@@ -101,6 +101,7 @@ private:
   std::uint64_t Generation = 0;
   bool WasCurrent = false;
   vtkSmartPointer<vtkShaderProgram> Shader;
+  bool HasSaved = false;
   Bindings Saved;
 };
 
@@ -116,7 +117,12 @@ bool SavedScope::Enter(vtkComputeContext* context, vtkOpenGLRenderWindow* window
   this->Generation = this->Resources->Generation;
   // Errors of other code; inside the scope all are ours.
   sm::GL::DrainErrors();
-  this->Saved.Save();
+  // What renders with a window of ours, such as an example, relies on no binding between its calls.
+  this->HasSaved = !this->Resources->Window->IsOwn || this->Resources->Window->ScopeDepth > 0;
+  if (this->HasSaved)
+  {
+    this->Saved.Save();
+  }
   this->Shader = window->GetShaderCache()->GetLastShaderBound();
   window->GetShaderCache()->ReleaseCurrentShader();
   this->Window = this->Resources->Window;
@@ -156,7 +162,10 @@ SavedScope::~SavedScope()
     {
       window->GetShaderCache()->ReleaseCurrentShader();
     }
-    this->Saved.Restore();
+    if (this->HasSaved)
+    {
+      this->Saved.Restore();
+    }
   }
   this->Previous.Restore();
 }

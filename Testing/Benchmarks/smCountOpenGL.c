@@ -26,11 +26,53 @@ enum
 };
 static int64_t Counts[NumberOfCounts];
 
+/* The times of vtkTimerLog since the last call of CountOpenGL(), and the nanoseconds of waits before each. */
+enum
+{
+  MaxTimes = 100000
+};
+static double Times[MaxTimes];
+static int64_t WaitedBefore[MaxTimes];
+static int NumberOfTimes;
+
 /* Writes the counts since the last call, and begins anew. */
 void CountOpenGL(int64_t counts[NumberOfCounts])
 {
   memcpy(counts, Counts, sizeof(Counts));
   memset(Counts, 0, sizeof(Counts));
+  NumberOfTimes = 0;
+}
+
+/* vtkTimerLog::GetUniversalTime(): the ends of a stage are two of its times. */
+double GetUniversalTime(void) __asm__("_ZN11vtkTimerLog16GetUniversalTimeEv");
+double GetUniversalTime(void)
+{
+  struct timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  const double time = (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+  const int at = __atomic_fetch_add(&NumberOfTimes, 1, __ATOMIC_RELAXED);
+  if (at < MaxTimes)
+  {
+    Times[at] = time;
+    WaitedBefore[at] = Counts[Waited];
+  }
+  return time;
+}
+
+/* Returns the nanoseconds of waits in the stage that took `seconds`; -1 if there is none. */
+int64_t CountWaits(double seconds)
+{
+  for (int begin = 0; begin < NumberOfTimes && begin < MaxTimes; ++begin)
+  {
+    for (int end = begin + 1; end < NumberOfTimes && end < MaxTimes; ++end)
+    {
+      if (Times[end] - Times[begin] == seconds)
+      {
+        return WaitedBefore[end] - WaitedBefore[begin];
+      }
+    }
+  }
+  return -1;
 }
 
 static int64_t GetNanoseconds(void)
@@ -86,6 +128,12 @@ void glGetBufferSubData(Enum target, intptr_t offset, intptr_t size, void* data)
 
 void glFinish(void){ NEXT(glFinish) TIMED(next()) }
 
+void glMemoryBarrier(unsigned int barriers)
+{
+  NEXT(glMemoryBarrier)
+  TIMED(next(barriers))
+}
+
 Enum glClientWaitSync(void* sync, unsigned int flags, uint64_t timeout)
 {
   NEXT(glClientWaitSync)
@@ -125,7 +173,7 @@ static Function FindOwn(const char* name)
   {
     const char* Name;
     Function Own;
-  } Owns[] = { OWN(glDispatchCompute), OWN(glGetBufferSubData), OWN(glFinish), OWN(glClientWaitSync),
+  } Owns[] = { OWN(glDispatchCompute), OWN(glGetBufferSubData), OWN(glFinish), OWN(glMemoryBarrier), OWN(glClientWaitSync),
     OWN(glBufferData), OWN(glBufferSubData), OWN(glCopyBufferSubData) };
   for (size_t i = 0; i < sizeof(Owns) / sizeof(*Owns); ++i)
   {
