@@ -51,6 +51,29 @@ void TestUniformsAndDispatch(vtkComputeContext* context)
   CheckTrue("too many invocations", !program.Dispatch(std::numeric_limits<unsigned int>::max(), 64));
 }
 
+/// A program keeps its uniforms between dispatches, and is built again without them.
+void TestUniformValues(vtkComputeContext* context)
+{
+  const sm::ContextScope scope(context);
+  sm::ComputeProgram program;
+  sm::ComputeBuffer buffer(context);
+  double value = 0.0;
+  CheckTrue("a value", buffer.Upload(&value, sizeof(value)), buffer.GetError());
+  double sum = 0.0;
+  for (const int isBuiltAgain : { 0, 1 })
+  {
+    CheckTrue("builds", BuildIndexProgram(context, program, 64));
+    CheckTrue("count", program.SetUniform("smCount", 1u) && buffer.Bind(0));
+    for (const double step : { 1.0, 1.0, 4.0, 4.0, 1.0 })
+    {
+      CheckTrue("step", program.SetUniform("smStep", step) && program.Dispatch(1, 64), program.GetError());
+      CheckTrue("reads", buffer.Read(&value, sizeof(value)), buffer.GetError());
+      sum += step;
+      CheckEqual(isBuiltAgain ? "sum after the second build" : "sum", sum, value);
+    }
+  }
+}
+
 void TestManyGroups(vtkComputeContext* context)
 {
   // More groups than one axis has, and a count that does not fill the rectangle.
@@ -171,6 +194,6 @@ void TestLargeBlock(vtkComputeContext* context)
 
 int TestComputeProgram(int, char*[])
 {
-  return RunInContext(
-    { TestBrokenShader, TestUniformsAndDispatch, TestManyGroups, TestBuffers, TestMemory, TestLargeBlock });
+  return RunInContext({ TestBrokenShader, TestUniformsAndDispatch, TestUniformValues, TestManyGroups,
+    TestBuffers, TestMemory, TestLargeBlock });
 }
