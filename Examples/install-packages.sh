@@ -1,4 +1,4 @@
-# The packages with which SolidMoments is built and tested on Debian 12 and 13, and their installation. To be
+# Installs the packages with which SolidMoments is built and tested on Debian 12, 13 and testing. To be
 # sourced, POSIX sh:
 #   solidmoments_packages                      prints the names
 #   solidmoments_library_packages              prints those that a program that links SolidMoments needs, too
@@ -19,10 +19,12 @@ solidmoments_packages() {
   # Compiler and build
   echo g++ cmake ninja-build
   solidmoments_library_packages
-  # Titles of the table of materials in ParaView's panel; Debian 12's ParaView has Qt 5, newer ones Qt 6
+  # Titles of the table of materials in ParaView's panel; Debian 12's ParaView has Qt 5, newer ones Qt 6, and
+  # that of Debian testing uses Debian's VTK
   case $(. /etc/os-release 2>/dev/null && echo "${VERSION_CODENAME:-}") in
     bookworm) echo qtbase5-dev ;;
-    *) echo qt6-base-dev ;;
+    trixie) echo qt6-base-dev ;;
+    *) echo qt6-base-dev libvtk9-qt-dev ;;
   esac
   # OpenGL on machines without a GPU, and a display for those without one
   echo libgl1-mesa-dri libegl1 xvfb xauth

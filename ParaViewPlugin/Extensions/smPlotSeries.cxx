@@ -53,16 +53,17 @@ void ChoosePlotSeries()
   }
   isChosen = true;
   // Names of series are "MaxGap (id=0)", "CenterOfMass_X (id=0)" of one row, "MaxGap (stats)", "CenterOfMass
-  // (0) (stats)" of statistics.
-  for (const char* column : HiddenColumns)
+  // (0) (stats)" of statistics; of one row "MaxGap" from ParaView 6.1 on, where charts of others have some.
+  for (const std::string column : HiddenColumns)
   {
-    SetVisible(
-      "^" + std::string(column) + "(" + names::BoundSuffix + "|" + names::SpreadSuffix + ")?(_[^ ]+)? [(]",
+    const bool isCommon = column == names::Density || column == names::Mass || column == names::Faces;
+    SetVisible("^" + column + "(" + names::BoundSuffix + "|" + names::SpreadSuffix + ")?(_[^ ]+)?" +
+        (isCommon ? " [(]" : "( [(]|$)"),
       false);
   }
   // For a vector ParaView would show only the magnitude, which has no meaning for a position.
   const std::string center = "^" + std::string(names::CenterOfMass);
   SetVisible(center + "(_| [(])Magnitude", false);
-  SetVisible(center + "(_[XYZ]| [(][012][)]) [(]", true);
+  SetVisible(center + "(_[XYZ]| [(][012][)])( [(]|$)", true);
 }
 }

@@ -160,7 +160,13 @@ void STEPCensusTaker::JoinMappedOccurrences()
       const std::vector<Index> wholes = this->GetShapes(this->File.Find(occurrence.Parent));
       for (const Index part : this->GetShapes(this->File.Find(occurrence.Child)))
       {
-        std::any_of(wholes.begin(), wholes.end(), [&](Index whole) { return join(k, whole, part); });
+        for (const Index whole : wholes)
+        {
+          if (join(k, whole, part))
+          {
+            break;
+          }
+        }
       }
     }
   }

@@ -121,20 +121,21 @@ int ContextSearch::TryWindow()
     return this->Fail(label, std::string(this->State.Given->GetClassName()) + " is not an OpenGL window",
       Context::NO_CONTEXT);
   }
+  static const char* const closed = "it was closed; render into it again";
+  // An X window without a display would abort the process in Initialize(), and VTK 9.6 warns in IsCurrent().
+  if (window->IsA("vtkXOpenGLRenderWindow") && !window->GetGenericDisplayId())
+  {
+    const char* reason = closed;
+    void* display = this->State.WasOpened ? nullptr : GetXDisplay(reason);
+    if (!display)
+    {
+      return this->Fail(label, reason, Context::NO_CONTEXT);
+    }
+    window->SetDisplayId(display);
+  }
   const ScopedErrorSilencer silencer(window);
   if (!MakeWindowCurrent(window) && !this->State.WasOpened)
   {
-    // An X window without a display would abort the process.
-    if (window->IsA("vtkXOpenGLRenderWindow") && !window->GetGenericDisplayId())
-    {
-      const char* reason = "";
-      void* display = GetXDisplay(reason);
-      if (!display)
-      {
-        return this->Fail(label, reason, Context::NO_CONTEXT);
-      }
-      window->SetDisplayId(display);
-    }
     window->Initialize();
     MakeWindowCurrent(window);
   }
@@ -142,7 +143,7 @@ int ContextSearch::TryWindow()
   {
     return this->Fail(label,
       this->State.WasOpened
-        ? "it was closed; render into it again"
+        ? closed
         : "its context cannot be made current; a vtkGenericOpenGLRenderWindow needs observers of "
           "WindowMakeCurrentEvent and WindowIsCurrentEvent",
       Context::NO_CONTEXT);

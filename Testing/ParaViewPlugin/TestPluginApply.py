@@ -123,6 +123,7 @@ check_true("shares differ from face to face", shares[0] < 0.1 < shares[1] < 1.0,
 check_true("gaps are small and known", 0.0 <= arrays["FaceGap"].GetRange()[1] < 1e-6, str(arrays["FaceGap"].GetRange()))
 check_true("bounds are positive", 0.0 < arrays["FaceBound"].GetRange()[0], str(arrays["FaceBound"].GetRange()))
 simple.ColorBy(bodies, ("CELLS", "FaceShare"))
+simple.GetColorTransferFunction("FaceShare").ApplyPreset("Cool to Warm", True)  # ParaView 6 has another default
 bodies.RescaleTransferFunctionToDataRange(False, True)
 bodies.Opacity = 1.0
 check_true("coloured by share: red and blue faces", count_pixels(is_red) > 1000, str(count_pixels(is_red)))

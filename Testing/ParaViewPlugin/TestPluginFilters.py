@@ -166,9 +166,14 @@ for name, property_name in (("Buoyancy", "Point"), ("Section", "Point"), ("NURBS
     check_true(f"{name}: the same default", not make or (values[0] == values[1] and (values[0] != [0.0, 0.0, 0.0] or name == "NURBSDeform")), str(values))
 
 # ParaView's filters call Modified() on the points that they read (Clip does): their input stays what it is.
-for name in ("Clip", "Cut", "Threshold", "PolyDataNormals", "CleanPolyData", "ExtractEdges", "FeatureEdges", "ElevationFilter",
-             "CellSize", "DecimatePro", "QuadricClustering", "MeshQuality", "GenerateIdScalars", "OutlineFilter", "ConvertToPointCloud"):
-    beside = servermanager._getPyProxy(servermanager.ProxyManager().SMProxyManager.NewProxy("filters", name))
+# Two have other names in 6.1.
+manager = servermanager.ProxyManager().SMProxyManager
+filters = [name for name in ("Clip", "Cut", "Threshold", "PolyDataNormals", "SurfaceNormals", "CleanPolyData", "ExtractEdges", "FeatureEdges", "ElevationFilter",
+                             "CellSize", "DecimatePro", "QuadricClustering", "MeshQuality", "GenerateIdScalars", "PointAndCellIds", "OutlineFilter", "ConvertToPointCloud")
+           if manager.GetProxyDefinitionManager().HasDefinition("filters", name)]
+check_true("filters of ParaView", len(filters) >= 14, str(filters))
+for name in filters:
+    beside = servermanager._getPyProxy(manager.NewProxy("filters", name))
     beside.Input = source
     beside.UpdatePipeline()
     check_true(f"after {name} the reader has exact solids", is_accepted("MassPropertiesGPU", source))

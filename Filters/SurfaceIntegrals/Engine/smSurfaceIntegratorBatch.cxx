@@ -58,12 +58,13 @@ std::vector<RowPart> FindParts(const WorkItems& items, std::size_t begin, std::s
 std::vector<RowPart> FindParts(const WorkItems& items)
 {
   std::vector<std::vector<RowPart>> found((items.size() + ItemsOfTask - 1) / ItemsOfTask);
-  ParallelFor(items.size(), ItemsOfTask,
+  ParallelFor(found.size(), 1,
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t from = begin; from < end; from += ItemsOfTask)
+      for (std::size_t task = begin; task < end; ++task)
       {
-        found[from / ItemsOfTask] = FindParts(items, from, std::min(from + ItemsOfTask, end));
+        const std::size_t from = task * ItemsOfTask;
+        found[task] = FindParts(items, from, std::min(from + ItemsOfTask, items.size()));
       }
     });
   std::vector<RowPart> parts;

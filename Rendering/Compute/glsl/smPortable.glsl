@@ -30,7 +30,9 @@ struct smStoredVector
 uvec2 smStoreDouble(double value)
 {
 #ifdef SM_FLOAT_ARRAYS
-  return unpackDouble2x32(double(float(value)));
+  // Mesa 26 takes double(float(value)) for value.
+  uvec2 bits = unpackDouble2x32(value);
+  return uvec2(bits.x & 0xe0000000u, bits.y);
 #else
   return unpackDouble2x32(value);
 #endif
