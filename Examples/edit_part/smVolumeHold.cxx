@@ -20,12 +20,17 @@ const int Directions = 4;
 const int MaxSteps = 30;
 // Faces that follow: each costs an update some 0.4 ms.
 const std::size_t MaxFaces = 12;
+// Trimmed ones cost more, up to 10 ms.
+const std::size_t MaxTrimmedFaces = 1;
 // Newton's method ends below this deviation, relative to the volume: rounding of the polynomial.
 const double SolveTolerance = 1e-13;
 // A gap that a direction opens, relative to its amount: rounding.
 const double NoGap = 1e-9;
 // The moves for which the polynomials are made, over half the diagonal; their bounds hold for any move.
 const double ShareOfReach = 0.1;
+
+// Distances in parameters that count as none, relative to the range.
+const double NoWidth = 1e-11;
 
 using TiedGroups = std::vector<std::vector<int>>;
 
@@ -74,9 +79,55 @@ bool HasSharedBorder(
   return true;
 }
 
-/// The faces that are farthest from a control point and have borders that other faces share.
-std::set<int> FindFarFaces(vtkTrimmedNURBSModel* model, const Grip& grip, const TiedGroups& groups,
-  const std::map<int, std::set<int>>& facesOf)
+/// True where the basis function `index` of a direction is 0 on an interval.
+bool IsZero(const NURBSSurface& surface, int direction, int index, double low, double high)
+{
+  const std::vector<double>& knots = surface.Knots[direction];
+  const int p = surface.Degree[direction];
+  const double room = NoWidth * (knots.back() - knots.front());
+  // At an end where p + 1 knots are equal the function is 1.
+  const bool isBelow = high <= knots[index] + (knots[index] < knots[index + p] ? room : -room);
+  const bool isAbove = low >= knots[index + p + 1] - (knots[index + 1] < knots[index + p + 1] ? room : -room);
+  return isBelow || isAbove;
+}
+
+/// The edges of a face, by the order of their coedges, that a control point moves.
+std::set<int> FindMovedEdges(const Face& face, int u, int v)
+{
+  std::set<int> moved;
+  int edge = 0;
+  for (const Loop& loop : face.Loops)
+  {
+    for (const Coedge& coedge : loop.Coedges)
+    {
+      const TrimCurve& curve = coedge.Curve;
+      for (int piece = 0; piece < curve.GetNumberOfPieces() && moved.count(edge) == 0; ++piece)
+      {
+        double low[2];
+        double high[2];
+        for (int d = 0; d < 2; ++d)
+        {
+          const auto [from, to] = std::minmax_element(curve.Coefficients.begin() + curve.Offsets[piece],
+            curve.Coefficients.begin() + curve.Offsets[piece + 1],
+            [d](const auto& a, const auto& b) { return a[d] < b[d]; });
+          low[d] = (*from)[d];
+          high[d] = (*to)[d];
+        }
+        if (!IsZero(face.Surface, 0, u, low[0], high[0]) && !IsZero(face.Surface, 1, v, low[1], high[1]))
+        {
+          moved.insert(edge);
+        }
+      }
+      ++edge;
+    }
+  }
+  return moved;
+}
+
+/// The faces that are farthest from a control point, of those that a condition holds for.
+template <class Holds>
+std::set<int> FindFarFaces(
+  vtkTrimmedNURBSModel* model, const Grip& grip, std::size_t maxFaces, const Holds& holds)
 {
   std::array<double, 4> dragged{ 0.0, 0.0, 0.0, 1.0 };
   GetControlPoint(model, grip.Face, grip.Index, dragged);
@@ -85,7 +136,7 @@ std::set<int> FindFarFaces(vtkTrimmedNURBSModel* model, const Grip& grip, const 
   for (int f = 0; f < model->GetNumberOfFaces(); ++f)
   {
     const NURBSSurface& surface = model->GetFaces()[f]->Surface;
-    if (f != grip.Face && HasSharedBorder(surface, groups[f], facesOf))
+    if (f != grip.Face && holds(f))
     {
       faces.push_back(
         { -std::sqrt(vtkMath::Distance2BetweenPoints(GetMean(surface).data(), dragged.data())), f });
@@ -93,7 +144,7 @@ std::set<int> FindFarFaces(vtkTrimmedNURBSModel* model, const Grip& grip, const 
   }
   std::sort(faces.begin(), faces.end());
   std::set<int> far;
-  for (std::size_t i = 0; i < std::min(faces.size(), MaxFaces); ++i)
+  for (std::size_t i = 0; i < std::min(faces.size(), maxFaces); ++i)
   {
     far.insert(faces[i].second);
   }
@@ -103,11 +154,122 @@ std::set<int> FindFarFaces(vtkTrimmedNURBSModel* model, const Grip& grip, const 
 /// For each face, control points and their displacements in world coordinates.
 using PointMoves = std::map<int, std::vector<std::pair<ControlPointIndex, std::array<double, 3>>>>;
 
-/// Returns the derivatives of the volume by the points that only `far` faces share, a group once, and the
-/// length of the largest one.
-PointMoves FindPointMoves(const MomentGradientResult& gradient, const std::set<int>& far,
-  const TiedGroups& groups, const std::map<int, std::set<int>>& facesOf, double& largest)
+/// Faces whose control points follow, and which of them: those of a group, if all faces that share it permit
+/// them.
+struct Followers
 {
+  std::set<int> Faces;
+  /// For each of these faces, by the order of its ControlPoints.
+  std::map<int, std::vector<bool>> Points;
+  /// True if they open edges, those that the drag opens, too.
+  bool MayOpen = false;
+
+  void Add(int face, std::vector<bool> points)
+  {
+    this->Faces.insert(face);
+    this->Points[face] = std::move(points);
+  }
+};
+
+/// Finds control points that may follow, in the order of preference.
+class FollowerSearch
+{
+public:
+  FollowerSearch(vtkTrimmedNURBSModel* model, const Grip& grip)
+    : Groups(FindTiedPoints(model))
+    , FacesOf(FindFacesOfGroups(this->Groups))
+    , Model(model)
+    , Dragged(grip)
+  {
+  }
+
+  /// All points of the farthest faces that are their whole nets.
+  Followers FindWholeNets() const
+  {
+    Followers found;
+    for (const int f : FindFarFaces(this->Model, this->Dragged, MaxFaces,
+           [this](int face)
+           { return HasSharedBorder(this->GetFace(face).Surface, this->Groups[face], this->FacesOf); }))
+    {
+      found.Add(f, std::vector<bool>(this->Groups[f].size(), true));
+    }
+    return found;
+  }
+
+  /// Points of the dragged face that move no other edges than the dragged one does.
+  Followers FindInSameFace() const
+  {
+    const Face& face = this->GetFace(this->Dragged.Face);
+    const std::set<int> allowed = FindMovedEdges(face, this->Dragged.Index.U, this->Dragged.Index.V);
+    Followers found;
+    found.MayOpen = true;
+    found.Add(this->Dragged.Face, this->Select(this->Dragged.Face, allowed));
+    return found;
+  }
+
+  /// Points of other faces that move no edge.
+  Followers FindInsides() const
+  {
+    Followers found;
+    for (const int f : FindFarFaces(this->Model, this->Dragged, MaxTrimmedFaces,
+           [this](int face)
+           {
+             const std::vector<bool> points = this->Select(face, {});
+             return std::find(points.begin(), points.end(), true) != points.end();
+           }))
+    {
+      found.Add(f, this->Select(f, {}));
+    }
+    return found;
+  }
+
+  const TiedGroups Groups;
+  const std::map<int, std::set<int>> FacesOf;
+
+private:
+  const Face& GetFace(int face) const { return *this->Model->GetFaces()[face]; }
+
+  /// The points of a face with loops that move no edges but some of the `allowed` ones, and are not dragged.
+  std::vector<bool> Select(int index, const std::set<int>& allowed) const
+  {
+    const Face& face = this->GetFace(index);
+    const int* count = face.Surface.NumberOfControlPoints;
+    const auto& own = this->Groups[this->Dragged.Face];
+    const int dragged = own[this->Dragged.Index.U +
+      static_cast<std::size_t>(this->GetFace(this->Dragged.Face).Surface.NumberOfControlPoints[0]) *
+        this->Dragged.Index.V];
+    std::vector<bool> selected(this->Groups[index].size(), false);
+    for (std::size_t i = 0; i < selected.size() && !face.Loops.empty(); ++i)
+    {
+      const std::set<int> moved =
+        FindMovedEdges(face, static_cast<int>(i) % count[0], static_cast<int>(i) / count[0]);
+      selected[i] = this->Groups[index][i] != dragged &&
+        std::includes(allowed.begin(), allowed.end(), moved.begin(), moved.end());
+    }
+    return selected;
+  }
+
+  vtkTrimmedNURBSModel* Model;
+  const Grip& Dragged;
+};
+
+/// Returns the derivatives of the volume by the points that follow, a group once, and the length of the
+/// largest one.
+PointMoves FindPointMoves(const MomentGradientResult& gradient, const Followers& followers,
+  const FollowerSearch& search, double& largest)
+{
+  std::set<int> refused;
+  for (std::size_t f = 0; f < search.Groups.size(); ++f)
+  {
+    const auto found = followers.Points.find(static_cast<int>(f));
+    for (std::size_t i = 0; i < search.Groups[f].size(); ++i)
+    {
+      if (found == followers.Points.end() || !found->second[i])
+      {
+        refused.insert(search.Groups[f][i]);
+      }
+    }
+  }
   PointMoves moves;
   std::set<int> seen;
   for (const FaceMomentGradient& face : gradient.Faces)
@@ -117,10 +279,8 @@ PointMoves FindPointMoves(const MomentGradientResult& gradient, const std::set<i
     {
       for (int u = 0; u < face.Count[0]; ++u)
       {
-        const int group = groups[face.Face][static_cast<std::size_t>(u) + face.Count[0] * v];
-        const std::set<int>& sharing = facesOf.at(group);
-        if (std::includes(far.begin(), far.end(), sharing.begin(), sharing.end()) &&
-          seen.insert(group).second)
+        const int group = search.Groups[face.Face][static_cast<std::size_t>(u) + face.Count[0] * v];
+        if (refused.count(group) == 0 && seen.insert(group).second)
         {
           const std::array<double, 3> along{ values[face.GetIndex(u, v, 0, 0)],
             values[face.GetIndex(u, v, 1, 0)], values[face.GetIndex(u, v, 2, 0)] };
@@ -180,27 +340,32 @@ void VolumeHold::Forget()
 vtkSmartPointer<vtkTrimmedNURBSModel> VolumeHold::MoveAlongGradient(
   vtkNURBSDataSet* body, const Grip& grip, double amount)
 {
-  vtkTrimmedNURBSModel* model = body->GetModel();
-  const TiedGroups groups = FindTiedPoints(model);
-  const std::map<int, std::set<int>> facesOf = FindFacesOfGroups(groups);
-  const std::set<int> far = FindFarFaces(model, grip, groups, facesOf);
+  const FollowerSearch search(body->GetModel(), grip);
   PointMoves moves;
   double largest = 0.0;
-  if (!far.empty())
+  for (int choice = 0; choice < 3 && !(largest > 0.0); ++choice)
   {
+    const Followers followers = choice == 0 ? search.FindWholeNets()
+      : choice == 1                         ? search.FindInSameFace()
+                                            : search.FindInsides();
+    if (followers.Faces.empty())
+    {
+      continue;
+    }
     MomentGradientOptions options;
-    options.Faces.assign(far.begin(), far.end());
+    options.Faces.assign(followers.Faces.begin(), followers.Faces.end());
     const MomentGradientResult gradient = ComputeMomentGradient(body, options);
     if (gradient.Status != "ok")
     {
       this->Message = "the volume cannot be held: the part is " + gradient.Status + "; " + gradient.Reason;
       return nullptr;
     }
-    moves = FindPointMoves(gradient, far, groups, facesOf, largest);
+    moves = FindPointMoves(gradient, followers, search, largest);
+    this->MayOpen = followers.MayOpen;
   }
   if (!(largest > 0.0))
   {
-    this->Message = "the volume cannot be held: there are no other faces whose control points may move "
+    this->Message = "the volume cannot be held: there are no other control points that may move "
                     "without opening an edge; press v to drag without";
     return nullptr;
   }
@@ -242,7 +407,7 @@ bool VolumeHold::MakePolynomial(vtkNURBSDataSet* body, const Grip& grip, EditRul
     this->Message = "the volume cannot be held: " + error;
     return false;
   }
-  if (this->Polynomial->GetGaps()[3].Distance > NoGap)
+  if (!this->MayOpen && this->Polynomial->GetGaps()[3].Distance > NoGap)
   {
     this->Message = "the volume cannot be held: the other faces would open an edge; press v to drag without";
     return false;

@@ -3,10 +3,12 @@
  * @brief Keeps the volume of a part while a control point is dragged
  *
  * Control points of other faces follow along the gradient of the volume by them, all by the same factor t.
- * They are those of the faces that are farthest from the dragged point, as far as no further face shares
- * them. With weights and trim curves fixed the volume is a polynomial of degree 3 in the displacement of the
- * drag and in t (sm::VariantPolynomial), so that Newton's method finds t from exact integrals in
- * microseconds; gradient and polynomial are made when a drag begins.
+ * They are those of the faces that are farthest from the dragged point and are their whole nets, as far as no
+ * further face shares them. Where there are none, other points of the dragged face follow that move no edges
+ * but those that the drag moves, too, and where there are none either, points of the farthest face that move
+ * no edge. With weights and trim curves fixed the volume, that of the chain which ribbons close, is a
+ * polynomial of degree 3 in the displacement of the drag and in t (sm::VariantPolynomial), so that Newton's
+ * method finds t from exact integrals in microseconds; gradient and polynomial are made when a drag begins.
  */
 #ifndef smVolumeHold_h
 #define smVolumeHold_h
@@ -76,6 +78,8 @@ private:
   /// The wanted value of the polynomial, and half the diagonal of the body.
   double Wanted = 0.0;
   double Reach = 0.0;
+  /// True if the points that follow may open edges, those that the drag opens, too.
+  bool MayOpen = false;
 };
 }
 

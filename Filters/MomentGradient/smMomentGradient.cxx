@@ -174,7 +174,7 @@ void Computation::ExplainBounds(const BodyIntegrals& body, std::size_t first, bo
     this->Result.Messages.push_back("solid " + body.Path + ": " + std::to_string(count) + " of " +
       std::to_string(all) + " bounds of derivatives of " + (isArea ? "SurfaceArea" : "the moments") +
       " are not known and NaN, first at face #" + std::to_string(face) +
-      (isArea ? ": at a pole, or where normals or weights may vanish"
+      (isArea ? ": the weight may vanish"
               : ": the weight may vanish near a trim curve, or a strip along an edge has no bound") +
       "; do not rely on these values, or take derivatives by other points");
   }

@@ -16,6 +16,8 @@ using Wide = long double;
 
 // Roundings of the few operations at the end.
 constexpr double FinalRoundings = 32.0 * UnitRoundoff;
+// Up to this growth of the Bernstein polynomials bounds on a patch hold next to it, times 1.1.
+constexpr double NegligibleGrowth = 1.01;
 // Makes up for the rounding of sums of bounds.
 constexpr double BoundGrowth = 1.0 + 1e-10;
 
@@ -151,29 +153,55 @@ double GetStripArea(const NetGradientTask& task, std::uint32_t patch, const std:
   return std::isnan(area) ? std::numeric_limits<double>::infinity() : area;
 }
 
-/// A bound of the speed of points of the patch's border. On the patch R is at most 1. Where trim curves leave
-/// it, the Bernstein polynomials' absolute values add up to at most `growth` and they to 1, so that negative
-/// ones add up to less than (growth - 1) / 2: w is no less than the smallest weight minus that times the
-/// largest, and the sum of all |R| no more than w plus twice that times the largest, over w.
+/// Bounds of the weight of a patch, also where trim curves leave it: the Bernstein polynomials' absolute
+/// values add up to at most `growth` and they to 1, so that negative ones add up to less than
+/// (growth - 1) / 2.
+struct WeightRange
+{
+  double Least;
+  double Largest;
+  /// The largest sum of terms that are negative, and a lower bound of the weight.
+  double Negative;
+  double Lowest;
+
+  WeightRange(const FacePanels& panels, const Patch& patch, double growth)
+  {
+    const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
+    const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
+    const auto [least, largest] =
+      std::minmax_element(points, points + count, [](const auto& a, const auto& b) { return a[3] < b[3]; });
+    this->Least = (*least)[3];
+    this->Largest = (*largest)[3];
+    this->Negative = 0.5 * (growth - 1.0) * this->Largest;
+    this->Lowest = this->Least == this->Largest ? this->Least : this->Least - this->Negative;
+  }
+};
+
+/// A bound of the speed of points of the patch's border. On the patch R is at most 1. Beyond, the sum of all
+/// |R| is no more than w plus twice the negative terms, over w.
 double GetSpeed(const FacePanels& panels, const Patch& patch, double growth)
 {
-  const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
-  const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
-  const auto [least, largest] =
-    std::minmax_element(points, points + count, [](const auto& a, const auto& b) { return a[3] < b[3]; });
-  const double negative = 0.5 * (growth - 1.0) * (*largest)[3];
-  const double lowest = (*least)[3] - negative;
-  return (*least)[3] == (*largest)[3] ? growth
-    : lowest > 0.0                    ? 1.0 + 2.0 * negative / lowest
-                                      : std::numeric_limits<double>::infinity();
+  const WeightRange weight(panels, patch, growth);
+  return weight.Least == weight.Largest ? growth
+    : weight.Lowest > 0.0               ? 1.0 + 2.0 * weight.Negative / weight.Lowest
+                                        : std::numeric_limits<double>::infinity();
 }
 
-/// A bound of the area of the parameters of a patch that residuals of trim curves sweep: a curve that moves
-/// by ds and dr sweeps ds |r'| + dr |s'|, and a coordinate's way is no longer than that of its coefficients.
-double GetSweptParameters(
+/// What residuals of trim curves sweep of the parameters of a patch.
+struct SweptParameters
+{
+  /// A bound of the area: a curve that moves by ds and dr sweeps ds |r'| + dr |s'|, and a coordinate's way is
+  /// no longer than that of its coefficients.
+  double Area = 0.0;
+  /// A factor for BoundBasis(), which holds on the curves, to hold there, too.
+  double Growth = 1.0;
+};
+
+SweptParameters GetSweptParameters(
   const FacePanels& panels, std::uint32_t patch, const std::vector<const Coedge*>& coedges, bool isTransposed)
 {
-  double area = 0.0;
+  SweptParameters swept;
+  double farthest[2] = { 0.0, 0.0 };
   for (const Ribbon& ribbon : panels.Ribbons)
   {
     if (ribbon.Patch != patch || ribbon.Coedge < 0)
@@ -188,35 +216,63 @@ double GetSweptParameters(
       way[0] += std::abs(trim[2 * i + 2] - trim[2 * i]);
       way[1] += std::abs(trim[2 * i + 3] - trim[2 * i + 1]);
     }
-    area += (residual[isTransposed ? 1 : 0] * way[1] + residual[isTransposed ? 0 : 1] * way[0]) /
-      (panels.Patches[patch].Width[0] * panels.Patches[patch].Width[1]);
+    const double moved[2] = { residual[isTransposed ? 1 : 0], residual[isTransposed ? 0 : 1] };
+    const double* width = panels.Patches[patch].Width;
+    swept.Area += (moved[0] * way[1] + moved[1] * way[0]) / (width[0] * width[1]);
+    farthest[0] = std::max(farthest[0], moved[0] / width[0]);
+    farthest[1] = std::max(farthest[1], moved[1] / width[1]);
   }
-  return area;
+  for (int d = 0; d < 2; ++d)
+  {
+    swept.Growth *= std::pow(1.0 + 2.0 * farthest[d], panels.Patches[patch].Degree[d]);
+  }
+  return swept;
 }
 
-/// A bound of |R_s| |Sr| + |R_r| |Ss| on a patch, with the sums of all R.
-double GetAreaSlope(const FacePanels& panels, const Patch& patch)
+/// A bound of |R_s| |Sr| + |R_r| |Ss| on a patch, with the sums of all R; `growth`: a bound of the sum of the
+/// absolute values of the Bernstein polynomials, and of those of lower degrees.
+double GetAreaSlope(const FacePanels& panels, const Patch& patch, double growth)
 {
   const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
   const int columns = patch.Degree[0] + 1;
-  double lightest = points[0][3];
-  double steps[2] = { 0.0, 0.0 };
+  const WeightRange weight(panels, patch, growth);
+  const bool isOnPatch = growth <= NegligibleGrowth;
+  // The largest steps of weights, and of points relative to the patch's centre, times weights.
+  double ofWeight[2] = { 0.0, 0.0 };
+  double ofPoint[2] = { 0.0, 0.0 };
+  double radius = 0.0;
   for (int j = 0; j <= patch.Degree[1]; ++j)
   {
     for (int i = 0; i < columns; ++i)
     {
-      const double weight = points[i + columns * j][3];
-      lightest = std::min(lightest, weight);
-      steps[0] = i > 0 ? std::max(steps[0], std::abs(weight - points[i - 1 + columns * j][3])) : steps[0];
-      steps[1] = j > 0 ? std::max(steps[1], std::abs(weight - points[i + columns * (j - 1)][3])) : steps[1];
+      const std::array<double, 4>& point = points[i + columns * j];
+      radius = std::max(radius, Norm(point.data()));
+      for (int d = 0; d < 2; ++d)
+      {
+        if ((d == 0 ? i : j) > 0)
+        {
+          const std::array<double, 4>& before = points[d == 0 ? i - 1 + columns * j : i + columns * (j - 1)];
+          ofWeight[d] = std::max(ofWeight[d], std::abs(point[3] - before[3]));
+          ofPoint[d] = std::max(ofPoint[d],
+            Norm(std::array<double, 3>{ point[0] - before[0], point[1] - before[1], point[2] - before[2] }));
+        }
+      }
     }
   }
+  // R_s = (B_s - R w_s) / w and Ss = ((w S)_s - w_s S) / w. On the patch |Ss| is known, and next to it by a
+  // factor.
+  const double lowest = isOnPatch ? weight.Least : weight.Lowest;
+  const double grown = isOnPatch ? 1.0 : growth;
   double slope = 0.0;
   for (int d = 0; d < 2; ++d)
   {
-    slope += patch.Degree[d] * (2.0 + steps[d] / lightest) / lightest * patch.Stretch[1 - d];
+    const int e = 1 - d;
+    const double ofBasis = patch.Degree[d] * grown * (2.0 + grown * ofWeight[d] / lowest) / lowest;
+    slope += ofBasis *
+      (isOnPatch ? 1.1 * patch.Stretch[e]
+                 : patch.Degree[e] * grown * (ofPoint[e] + grown * radius * ofWeight[e] / lowest) / lowest);
   }
-  return slope;
+  return lowest > 0.0 ? slope : std::numeric_limits<double>::infinity();
 }
 
 double GetUnknown(double bound)
@@ -359,11 +415,9 @@ NetGradient FinishNetGradient(
     result.Evaluations += sums.Evaluations;
     const double strips = GetStripArea(task, k, edges);
     const double moving = strips > 0.0 ? strips * GetSpeed(panels, patch, sums.Growth) : 0.0;
-    const double swept = GetSweptParameters(panels, k, coedges, patch.Exchanged);
-    // Beyond the patch the bound of the slopes does not hold.
-    const double ofSwept = swept == 0.0 ? 0.0
-      : sums.Growth <= 1.01             ? 1.1 * swept * GetAreaSlope(panels, patch)
-                                        : std::numeric_limits<double>::infinity();
+    const SweptParameters swept = GetSweptParameters(panels, k, coedges, patch.Exchanged);
+    const double ofSwept =
+      swept.Area > 0.0 ? swept.Area * GetAreaSlope(panels, patch, swept.Growth * sums.Growth) : 0.0;
     double ofArea[2];
     for (int c = 0; c < 2; ++c)
     {

@@ -30,11 +30,25 @@ PanelBounds::PanelBounds(const FacePanels& panels, const PlanRequest& request, F
   : Panels(panels)
   , Request(request)
   , Degree(degree)
+  , HasDirection(std::any_of(request.Classes.begin(), request.Classes.end(),
+      [](const BoundClass& c) { return c.Kind == BoundClass::AreaBasis; }))
   , Series(series)
 {
 }
 
-void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector<double>& change) const
+int PanelBounds::GetPoleDirection() const
+{
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    if (this->PartSeries->Traits.Collapsed[edge] && this->Box.GetDistance(edge) <= 0.0)
+    {
+      return edge / 2;
+    }
+  }
+  return -1;
+}
+
+PatchChange PanelBounds::MakeChangeBeyond(const Patch& patch, double moved) const
 {
   // A sum of control points times weights is at most `growth` times the weight and the longest of them, and
   // its derivative at most 2 n growth (1 + growth) times that.
@@ -57,28 +71,28 @@ void PanelBounds::FillChangeBeyond(const Patch& patch, double moved, std::vector
   const double slope[2] = { factor * patch.Degree[0] * moved, factor * patch.Degree[1] * moved };
   const double stretch[2] = { factor * patch.Degree[0] * patch.Radius,
     factor * patch.Degree[1] * patch.Radius };
-  FillIntegrandChange(
-    patch, this->Request, growth * moved, slope, growth * patch.Radius, stretch, basis, change);
+  return MakePatchChange(patch, this->Request, growth * moved, slope, growth * patch.Radius, stretch, basis);
 }
 
-const std::vector<double>& PanelBounds::GetChange()
+const PatchChange& PanelBounds::GetChange()
 {
   const PatchSeries& series = *this->PartSeries;
-  if (series.Change.empty() || this->Trim.IsOnPatch(*this->PartPatch))
+  if (series.Change.Integrands.empty() || this->Trim.IsOnPatch(*this->PartPatch))
   {
     return series.Change;
   }
-  this->FillChangeBeyond(*this->PartPatch, series.Moved, this->Change);
+  this->Change = this->MakeChangeBeyond(*this->PartPatch, series.Moved);
   return this->Change;
 }
 
 bool PanelBounds::Fits(const PatchSeries& series, const PanelPart& part) const
 {
   const double share = std::exp2(-part.Depth);
-  for (std::size_t i = 0; i < series.Change.size(); ++i)
+  const std::vector<double>& change = series.Change.Integrands;
+  for (std::size_t i = 0; i < change.size(); ++i)
   {
     const double tolerance = share * this->Request.Tolerances[i];
-    if (tolerance > 0.0 && 2.0 * series.Change[i] * this->Jacobian > MaxChange * tolerance)
+    if (tolerance > 0.0 && 2.0 * change[i] * this->Jacobian > MaxChange * tolerance)
     {
       return false;
     }
@@ -149,6 +163,11 @@ void PanelBounds::ExpandByPart(const Panel& panel, const PanelPart& part, bool w
   traits.PolynomialLength = traits.PolynomialLength && hasForm;
   traits.ConstantDirection = traits.ConstantDirection && hasForm;
   traits.SquareDeviation = hasForm ? traits.SquareDeviation : 0.0;
+  for (int edge = 0; this->HasDirection && edge < 4; ++edge)
+  {
+    // Beyond a collapsed edge the normal's direction is not that of the series.
+    traits.Collapsed[edge] = traits.Collapsed[edge] && this->Box.GetDistance(edge) >= 0.0;
+  }
   const Patch& patch = this->Panels.Patches[panel.Patch];
   this->OfPart.Expand(series.Points.data(), patch.Degree[0], patch.Degree[1], traits, this->Box,
     GetOrigin(patch, this->Request));
@@ -206,12 +225,10 @@ void PanelBounds::BoundAcross(const Panel& panel)
   {
     // Along a straight ruling x.n is linear, |n| too unless it vanishes somewhere, and g has its degree.
     const int order = (this->Degree + 3) / 2;
-    bool hasDirection = false;
     for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
     {
       const BoundClass& c = this->Request.Classes[i];
       // The direction of the normal is constant to 1e-13 only, which matters to derivatives of an area.
-      hasDirection = hasDirection || c.Kind == BoundClass::AreaBasis;
       if (c.Kind != BoundClass::AreaBasis &&
         (c.Kind != BoundClass::AreaMoment || panel.Shape == PanelShape::Prismatic ||
           this->Majorants->HasLength()))
@@ -219,7 +236,7 @@ void PanelBounds::BoundAcross(const Panel& panel)
         this->AcrossXi.SetExactOrder(i, order);
       }
     }
-    if (!hasDirection)
+    if (!this->HasDirection)
     {
       return;
     }

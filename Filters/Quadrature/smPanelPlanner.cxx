@@ -21,8 +21,14 @@ constexpr int MaxDepth = 30;
 constexpr std::size_t MaxParts = 128;
 constexpr std::size_t MaxAbreast = 16;
 constexpr int DepthOfLines = 6;
-// The same where an area's derivatives are bounded, whose bounds are never replaced by comparisons.
+// The same where an area's derivatives are bounded, whose bounds are never replaced by comparisons: where the
+// normal has a direction everywhere, and where it may have none. The bound of a part of the latter kind is
+// that of the largest values: what is left of a pole or an isolated point has 2^-21 of them. Boxes of smaller
+// parts would be no smaller (TrimSeries).
 constexpr int DepthOfDirections = 4;
+constexpr int DepthOfPoles = 21;
+constexpr std::size_t MaxPartsOfDirections = 1024;
+constexpr std::size_t MaxDirectionsAbreast = 64;
 // The limit of parts where the moments, too, need more points than one part may have, because weights differ
 // much.
 constexpr std::size_t MaxPartsOfMoments = 8192;
@@ -89,8 +95,6 @@ PanelPlanner::PanelPlanner(
   , Result(plan)
   , Degree(GetDegree(request))
   , FlatDegree(GetFlatDegree(request))
-  , HasDirection(std::any_of(request.Classes.begin(), request.Classes.end(),
-      [](const BoundClass& c) { return c.Kind == BoundClass::AreaBasis; }))
   , Bounds(panels, request, series, Degree)
   , Series(series)
 {
@@ -130,7 +134,7 @@ void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], doub
   }
   const double shortest = Norm(Cross(tangents[0], tangents[1])) - rotated;
   const double stretch = patch.Stretch[0] + patch.Stretch[1];
-  const double turned = shortest > 0.0 ? 2.0 * rotated / shortest : std::numeric_limits<double>::infinity();
+  const double turned = shortest > rotated ? 2.0 * rotated / shortest : 2.0;
   const double slope = (std::max(extent[0], extent[1]) - 0.5) * moved;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
@@ -242,6 +246,60 @@ bool PanelPlanner::FindOrders(double share, bool withArea, int& along, int& acro
   return true;
 }
 
+PanelPlanner::DirectionError PanelPlanner::GetDirectionError(std::size_t integrand)
+{
+  const BoundClass& c = this->Request.Classes[integrand];
+  if (c.Kind != BoundClass::AreaBasis)
+  {
+    return {};
+  }
+  const PatchMajorants& majorants = this->Bounds.GetMajorants();
+  const PatchChange& change = this->Bounds.GetChange();
+  // The direction of a vector changes by at most twice what the vector does over its length, and by 2.
+  const double length = majorants.GetMinLength();
+  double turned = majorants.GetDirectionDeviation();
+  turned += change.Rotated > 0.0 ? (length > change.Rotated ? 2.0 * change.Rotated / length : 2.0) : 0.0;
+  turned = std::min(turned, 2.0);
+  DirectionError error;
+  if (!(turned > 0.0) && !(change.Rotated > 0.0))
+  {
+    return error;
+  }
+  const PatchMajorants::Slopes slopes = majorants.GetSlopes();
+  const double reach = IntegerPower(this->GetReach() + change.Moved, c.Degree);
+  error.OfTangents = (slopes.OfBasis[0] * change.Slope[1] + slopes.OfBasis[1] * change.Slope[0]) * reach +
+    (c.Degree > 0 ? slopes.GetArea() * change.Moved + 2.0 * change.Basis * change.Rotated : 0.0);
+  // A rule is off by at most twice the largest difference.
+  error.OfTangents *= 2.0 * this->Bounds.GetJacobian();
+  error.OfDirection = 2.0 * turned * slopes.GetArea() * reach * this->Bounds.GetJacobian() +
+    (c.Degree > 0 && turned > 0.0 ? 4.0 * turned * this->Bounds.GetSupremum(integrand) : 0.0);
+  return error;
+}
+
+double PanelPlanner::GetError(std::size_t integrand, int along, int across)
+{
+  const double error = this->Bounds.GetError(integrand, along, across);
+  const DirectionError direction = this->GetDirectionError(integrand);
+  // The largest values do not depend on the direction.
+  return direction.OfTangents +
+    std::min(error + direction.OfDirection,
+      direction.OfDirection > 0.0 ? 2.0 * this->Bounds.GetSupremum(integrand) : error);
+}
+
+bool PanelPlanner::IsDirectionSmall(double share)
+{
+  for (std::size_t i = 0; this->Bounds.NeedsDirection() && i < this->Request.Classes.size(); ++i)
+  {
+    const double tolerance = share * this->Request.Tolerances[i];
+    const DirectionError error = this->GetDirectionError(i);
+    if (tolerance > 0.0 && !(error.OfTangents + error.OfDirection <= tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool PanelPlanner::IsSmall(double kink, double share) const
 {
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
@@ -333,7 +391,7 @@ void PanelPlanner::Keep(
   {
     const BoundClass& c = this->Request.Classes[i];
     this->Result.Magnitude[i] += this->Bounds.GetSupremum(i);
-    const double error = this->Bounds.GetError(i, last * along, last * across);
+    const double error = this->GetError(i, last * along, last * across);
     if (c.Kind != BoundClass::AreaMoment)
     {
       this->Result.QuadratureBound[i] += error;
@@ -346,16 +404,6 @@ void PanelPlanner::Keep(
     }
   }
   this->Result.Estimated = this->Result.Estimated || compared;
-  if (this->Bounds.GetMajorants().GetKink(0) + this->Bounds.GetMajorants().GetKink(1) > 0.0)
-  {
-    // Beyond a collapsed edge the normal's direction is reversed.
-    for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
-    {
-      this->Result.QuadratureBound[i] += this->Request.Classes[i].Kind == BoundClass::AreaBasis
-        ? std::numeric_limits<double>::infinity()
-        : 0.0;
-    }
-  }
   this->Bounds.GetMajorants().GetDropped(this->Request.Classes, this->Dropped);
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
@@ -363,18 +411,7 @@ void PanelPlanner::Keep(
     this->Result.QuadratureBound[i] +=
       this->Dropped[i] > 0.0 ? 2.0 * this->Dropped[i] * this->Bounds.GetJacobian() : 0.0;
   }
-  const double turned = this->Bounds.GetMajorants().GetDirectionDeviation();
-  for (std::size_t i = 0; turned > 0.0 && i < this->Request.Classes.size(); ++i)
-  {
-    const BoundClass& c = this->Request.Classes[i];
-    if (c.Kind == BoundClass::AreaBasis)
-    {
-      this->Result.QuadratureBound[i] += 2.0 * turned * this->Bounds.GetMajorants().GetBasisSlope() *
-          IntegerPower(this->GetReach(), c.Degree) * this->Bounds.GetJacobian() +
-        (c.Degree > 0 ? 4.0 * turned * this->Bounds.GetSupremum(i) : 0.0);
-    }
-  }
-  const std::vector<double>& change = this->Bounds.GetChange();
+  const std::vector<double>& change = this->Bounds.GetChange().Integrands;
   for (std::size_t i = 0; i < change.size(); ++i)
   {
     this->Result.QuadratureBound[i] += 2.0 * change[i] * this->Bounds.GetJacobian();
@@ -406,7 +443,7 @@ bool PanelPlanner::KeepIfSmall(std::uint32_t index, const PanelPart& part)
     return false;
   }
   const double noise = this->GetNoise(panel, 0.0);
-  if (!this->IsSmall(2.0 * noise, 1.0))
+  if (!this->IsSmall(2.0 * noise, 1.0) || !this->IsDirectionSmall(1.0))
   {
     return false;
   }
@@ -457,27 +494,33 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
   int along = 1;
   int across = 1;
   const bool found = this->FindOrders(share, true, along, across);
-  if (found && this->IsSmall(kinkArea, share))
+  const bool hasDirection = this->IsDirectionSmall(share);
+  if (found && this->IsSmall(kinkArea, share) && hasDirection)
   {
     this->Keep(index, part, along, across, false, noise);
     return;
   }
   // Where only the bounds of an area's derivatives are too large, few parts must do, with the orders of the
-  // other integrands; where the normal may vanish, or an edge is nearly one point, these bounds are infinite.
-  const bool isDirection = !found && this->HasDirection && this->FindOrders(share, false, along, across);
-  const int deepest =
-    majorants.HasLength() && kink == 0.0 && this->Bounds.GetChange().empty() ? DepthOfDirections : 0;
-  if (isDirection && part.Depth >= deepest)
+  // other integrands.
+  const bool isDirection = !(found && hasDirection) && this->Bounds.NeedsDirection() &&
+    this->FindOrders(share, false, along, across);
+  const int pole = this->Bounds.GetPoleDirection();
+  const bool isEven = majorants.HasLength() && (hasDirection || pole < 0);
+  const bool isLine = part.Depth >= DepthOfLines && this->Abreast > MaxDirectionsAbreast;
+  if (isDirection && (isLine || part.Depth >= (isEven ? DepthOfDirections : DepthOfPoles)))
   {
     this->Keep(index, part, along, across, false, noise);
     return;
   }
-  const bool canCompare = this->FindOrders(share, false, along, across) && majorants.HasEvenWeight();
-  if (part.Depth < MaxDepth &&
-    this->Pending.size() + this->Parts < (canCompare ? MaxParts : MaxPartsOfMoments) &&
+  const bool canCompare =
+    !isDirection && this->FindOrders(share, false, along, across) && majorants.HasEvenWeight();
+  const std::size_t maxParts = isDirection ? MaxPartsOfDirections : canCompare ? MaxParts : MaxPartsOfMoments;
+  if (part.Depth < MaxDepth && this->Pending.size() + this->Parts < maxParts &&
     (!canCompare || part.Depth < DepthOfLines || this->Abreast <= MaxAbreast))
   {
-    const bool inXi = found ? kinks[0] >= kinks[1] : this->ChooseDirection(part) == 1;
+    const bool inXi = isDirection && pole >= 0 && !hasDirection ? pole == 0
+      : found                                                   ? kinks[0] >= kinks[1]
+                                                                : this->ChooseDirection(part) == 1;
     PanelPart halves[2] = { part, part };
     (inXi ? halves[0].XiEnd : halves[0].End) = (inXi ? halves[1].XiStart : halves[1].Start) =
       inXi ? 0.5 * (part.XiStart + part.XiEnd) : 0.5 * (part.Start + part.End);

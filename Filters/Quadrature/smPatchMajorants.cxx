@@ -101,30 +101,46 @@ double PatchMajorants::GetBasisMajorant(const Ellipse& s, const Ellipse& r) cons
   return IntegerPower(this->GetSpread(s, 0), this->P) * IntegerPower(this->GetSpread(r, 1), this->Q);
 }
 
-double PatchMajorants::GetBasisSlope(const Ellipse& s, const Ellipse& r, double weight) const
+PatchMajorants::Slopes PatchMajorants::GetSlopes(const Ellipse& s, const Ellipse& r, double weight) const
 {
   // Derivatives are sums of differences: p (B_(i-1) - B_i) of degree p - 1, and p (P_(i+1) - P_i).
   const double basis = this->GetBasisMajorant(s, r);
   const double spread[2] = { this->GetSpread(s, 0), this->GetSpread(r, 1) };
   const int degree[2] = { this->P, this->Q };
   const double position = this->NetRadius * basis / weight;
-  double ofBasis[2];
-  double ofSurface[2];
+  Slopes slopes;
   for (int d = 0; d < 2; ++d)
   {
     const double lower = basis / spread[d];
     const double ofWeight = this->WeightSteps[d] * lower / weight;
-    ofBasis[d] = (2.0 * degree[d] * lower + ofWeight * basis) / weight;
-    ofSurface[d] = this->NetSteps[d] * lower / weight + ofWeight * position;
+    slopes.OfBasis[d] = (2.0 * degree[d] * lower + ofWeight * basis) / weight;
+    slopes.OfSurface[d] = this->NetSteps[d] * lower / weight + ofWeight * position;
   }
-  return ofBasis[0] * ofSurface[1] + ofBasis[1] * ofSurface[0];
+  return slopes;
 }
 
-double PatchMajorants::GetBasisSlope() const
+PatchMajorants::Slopes PatchMajorants::GetSlopes() const
 {
   const Ellipse real = Ellipse::FromRadius(1.0);
   const double weight = this->GetMinWeight();
-  return weight > 0.0 ? this->GetBasisSlope(real, real, weight) : std::numeric_limits<double>::infinity();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  return weight > 0.0 ? this->GetSlopes(real, real, weight)
+                      : Slopes{ { infinite, infinite }, { infinite, infinite } };
+}
+
+double PatchMajorants::GetMinLength() const
+{
+  // |m~| >= m~ . e, and h >= MinimumLength.
+  const double weight = this->GetMinWeight();
+  const double heaviest = 2.0 * this->FirstWeight - weight;
+  double minimum = this->Positive && weight > 0.0
+    ? this->MinimumLength * (1.0 - this->GetDirectionDeviation()) / (heaviest * heaviest * heaviest)
+    : 0.0;
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    minimum *= this->Traits.Collapsed[edge] ? std::max(0.0, this->Box.GetDistance(edge)) : 1.0;
+  }
+  return std::max(0.0, minimum);
 }
 
 void PatchMajorants::GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const
@@ -203,6 +219,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
   const ProductEntry products = this->SumProducts(inS, inR);
   const double numerator = products[Numerator];
   const double normal = factor * products[Normal];
+  const bool isReal = s.GetHalfAxis() == 1.0 && r.GetHalfAxis() == 1.0;
   double length = std::numeric_limits<double>::infinity();
   const double along = this->FirstLength + products[Along];
   // A lower bound of |m~|, or of |(m~.m~)^(1/2)|; not positive where there is none.
@@ -223,7 +240,7 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
       const double shortestAlong = this->FirstLength - products[Along];
       shortest = std::sqrt((shortestAlong - across) * (shortestAlong + across));
     }
-    else if (s.GetHalfAxis() == 1.0 && r.GetHalfAxis() == 1.0)
+    else if (isReal)
     {
       // For real parameters the length need not be analytic.
       length = normal;
@@ -253,8 +270,10 @@ bool PatchMajorants::Evaluate(const Ellipse& s, const Ellipse& r, const std::vec
         break;
       case BoundClass::AreaBasis:
         // |e| <= |m~| / |(m~.m~)^(1/2)|, the modulus of a product of complex vectors at most that of theirs.
-        bounds[i] = shortest > 1e-6 * this->FirstLength
-          ? products[Normal] / shortest * this->GetBasisSlope(s, r, weight) * power +
+        // For real parameters |e| is 1, also where it jumps.
+        bounds[i] = shortest > 1e-6 * this->FirstLength || isReal
+          ? (shortest > 1e-6 * this->FirstLength ? products[Normal] / shortest : 1.0) *
+              this->GetSlopes(s, r, weight).GetArea() * power +
             (classes[i].Degree > 0 ? 2.0 * this->GetBasisMajorant(s, r) / weight * length / cube : 0.0)
           : std::numeric_limits<double>::infinity();
         break;

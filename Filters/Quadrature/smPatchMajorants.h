@@ -69,6 +69,13 @@ struct ParameterBox
 {
   double Middle[2];
   double Half[2];
+
+  /// The smallest distance from an edge of the patch, s = 0, s = 1, r = 0, r = 1; negative beyond it.
+  double GetDistance(int edge) const
+  {
+    const double middle = this->Middle[edge / 2];
+    return (edge % 2 == 0 ? middle : 1.0 - middle) - this->Half[edge / 2];
+  }
 };
 
 /// Const methods are thread safe.
@@ -110,12 +117,25 @@ public:
   /// Upper bound, for real parameters, of the relative difference between |n| and its series where |n| is
   /// taken for a polynomial.
   double GetDirectionDeviation() const;
-  /// A bound, for real parameters, of |R_s| |Sr| + |R_r| |Ss|, see BoundClass::AreaBasis, with the sums of
-  /// all R.
-  double GetBasisSlope() const;
+  /// Bounds of derivatives in s and r: the sums of all |R_s| and |R_r|, and |Ss| and |Sr|.
+  struct Slopes
+  {
+    double OfBasis[2];
+    double OfSurface[2];
+
+    /// A bound of |R_s| |Sr| + |R_r| |Ss|, see BoundClass::AreaBasis.
+    double GetArea() const
+    {
+      return this->OfBasis[0] * this->OfSurface[1] + this->OfBasis[1] * this->OfSurface[0];
+    }
+  };
+  /// The same for real parameters.
+  Slopes GetSlopes() const;
 
   /// |n| has no zero on the box, but at collapsed edges.
   bool HasLength() const;
+  /// A lower bound of |n| on the box; 0 if there is none above it.
+  double GetMinLength() const;
   /// Bounds, for real parameters, of the terms that the series omit as rounding; without the Jacobian.
   void GetDropped(const std::vector<BoundClass>& classes, std::vector<double>& dropped) const;
   /// Where the box extends beyond a collapsed edge, |n| has a kink at the edge, but its factor (s, for
@@ -187,8 +207,8 @@ private:
   double GetSpread(const Ellipse& ellipse, int d) const;
   /// The largest sum of |B_ij| in the ellipses.
   double GetBasisMajorant(const Ellipse& s, const Ellipse& r) const;
-  /// GetBasisSlope() in the ellipses, where |w| is at least `weight`.
-  double GetBasisSlope(const Ellipse& s, const Ellipse& r, double weight) const;
+  /// GetSlopes() in the ellipses, where |w| is at least `weight`.
+  Slopes GetSlopes(const Ellipse& s, const Ellipse& r, double weight) const;
 
   int P = 1;
   int Q = 1;

@@ -82,21 +82,25 @@ double GetIntegrandChange(
     : c.Kind == BoundClass::HeightMoment  ? moment(k + 1)
     : c.Kind == BoundClass::NormalBasis   ? basis * moment(k)
     : c.Kind == BoundClass::FluxBasis     ? basis * moment(k + 1)
-    : c.Kind == BoundClass::AreaBasis     ? std::numeric_limits<double>::infinity()
+    : c.Kind == BoundClass::AreaBasis     ? 0.0
                                           : moment(k + 1) / (3 + k);
 }
 
-void FillIntegrandChange(const Patch& patch, const PlanRequest& request, double moved, const double slope[2],
-  double radius, const double stretch[2], double basis, std::vector<double>& change)
+PatchChange MakePatchChange(const Patch& patch, const PlanRequest& request, double moved,
+  const double slope[2], double radius, const double stretch[2], double basis)
 {
-  const double rotated = slope[0] * stretch[1] + stretch[0] * slope[1] + slope[0] * slope[1];
+  PatchChange change;
+  change.Moved = moved;
+  std::copy_n(slope, 2, change.Slope);
+  change.Rotated = slope[0] * stretch[1] + stretch[0] * slope[1] + slope[0] * slope[1];
+  change.Basis = basis;
   const double normal = (stretch[0] + slope[0]) * (stretch[1] + slope[1]);
   const double reach = Norm(GetOrigin(patch, request).data()) + radius + moved;
-  change.clear();
   for (const BoundClass& c : request.Classes)
   {
-    change.push_back(GetIntegrandChange(c, moved, rotated, normal, reach, basis));
+    change.Integrands.push_back(GetIntegrandChange(c, moved, change.Rotated, normal, reach, basis));
   }
+  return change;
 }
 
 std::array<double, 3> GetOrigin(const Patch& patch, const PlanRequest& request)
@@ -221,8 +225,8 @@ std::unique_ptr<PatchSeries> FaceSeries::Make(std::uint32_t index, Poles poles, 
     {
       lightest = std::min(lightest, points[i][3]);
     }
-    FillIntegrandChange(patch, this->Request, grown(series->Moved), slope, grown(patch.Radius), stretch,
-      grown(1.0 / lightest), series->Change);
+    series->Change = MakePatchChange(
+      patch, this->Request, grown(series->Moved), slope, grown(patch.Radius), stretch, grown(1.0 / lightest));
   }
   return series;
 }

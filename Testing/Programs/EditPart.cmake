@@ -3,7 +3,7 @@ set(edit_part "${PROJECT_SOURCE_DIR}/Examples/edit_part")
 set(free_form_part "${PROJECT_SOURCE_DIR}/Examples/Models/free_form_part.step")
 solidmoments_add_test_program(TestEditPart
   SOURCES smDragChecks.cxx smHoldChecks.cxx smPlacedChecks.cxx
-  LIBRARIES smEditPart smGaussRule SolidMoments::ReadersSTEP VTK::InteractionStyle VTK::TestingRendering)
+  LIBRARIES smEditPart smGaussRule SolidMoments::ReadersKernel SolidMoments::ReadersSTEP VTK::InteractionStyle VTK::TestingRendering)
 vtk_module_autoinit(TARGETS TestEditPart MODULES VTK::InteractionStyle)
 # Tests may run at the same time, so each has a folder of its own for its events.
 foreach (mode IN ITEMS drag hold placed open record numbers)

@@ -205,7 +205,7 @@ int main(int argc, char* argv[])
   {
     CheckHold(reader, argv[3], argv[4]);
     const std::string part = argv[2];
-    CheckHoldOfTrimmed(part.substr(0, part.rfind('/') + 1) + "sample_part.step");
+    CheckHoldOfTrimmed(part.substr(0, part.rfind('/') + 1) + "sample_part.step", argv[4]);
   }
   else if (mode == "placed")
   {

@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
-from smstepbody import Body  # noqa: E402
+from smstepbody import EMPTY, Body, format_real  # noqa: E402
 
 from solidmoments.smFiltersMassProperties import vtkMassPropertiesGPU  # noqa: E402
 from solidmoments.smFiltersNURBSEdit import vtkNURBSDeform, vtkNURBSTransform  # noqa: E402
@@ -132,6 +132,63 @@ def write_sink(path):
     return 100.0 * (100.0 * 30.0 + 100 * 0.2 * 70.0) - 80.0 * (90.0 * 3.0 + 3.0 * 17.0) - 20.0 * 10.0 * 30.0
 
 
+def circle_edge(body, start, end, center, radius, z, x):
+    return body.add(f"EDGE_CURVE('',{start},{end},{body.add(f'CIRCLE({EMPTY},{body.axes(center, z, x)},{format_real(radius)})')},.T.)")
+
+
+def write_slice(path, kind):
+    """A hundredth of a turn or less of a ring: its control points determine no axis to rounding. Returns its volume."""
+    angle, inner, outer = 0.01, 8.0, 10.0
+    height = 6.0 if kind == "sphere" else 2.0
+    body = Body()
+    turns = [(math.cos(a), math.sin(a)) for a in (0.0, angle)]
+    points = [[(radius * c, radius * s, z) for radius, z in ((inner, 0.0), (outer, 0.0), (inner, height))] for c, s in turns]
+    vertices = [[body.vertex(p) for p in row] for row in points]
+    rims = [circle_edge(body, vertices[0][k], vertices[1][k], (0.0, 0.0, points[0][k][2]), math.hypot(*points[0][k][:2]), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
+            for k in range(3)]
+    profiles = []
+    for (c, s), v, p in zip(turns, vertices, points):
+        lines = [body.line_edge(v[k], v[(k + 1) % 3], p[k], p[(k + 1) % 3]) for k in (0, 2)]
+        center = {"torus": p[0], "sphere": (0.0, 0.0, 0.0)}.get(kind)
+        round_edge = circle_edge(body, v[1], v[2], center, outer if kind == "sphere" else 2.0, (s, -c, 0.0), (c, s, 0.0)) if center else None
+        profiles.append([lines[0], round_edge or body.line_edge(v[1], v[2], p[1], p[2]), lines[1]])
+    axes = body.axes((0.0, 0.0, 0.0), (0.0, 0.0, -1.0 if kind == "cone" else 1.0))
+    round_surface = {"cone": f"CONICAL_SURFACE('',{axes},10.,{format_real(math.pi / 4.0)})", "torus": f"TOROIDAL_SURFACE('',{axes},8.,2.)",
+                     "sphere": f"SPHERICAL_SURFACE('',{axes},10.)"}[kind]
+    surfaces = [body.add(f"PLANE('',{body.axes((0.0, 0.0, 0.0), (0.0, 0.0, -1.0))})"), body.add(round_surface),
+                body.add(f"CYLINDRICAL_SURFACE('',{body.axes((0.0, 0.0, 0.0))},8.)")]
+    faces = []
+    for k, surface in enumerate(surfaces):
+        loop = body.loop([(profiles[0][k], False), (rims[k], True), (profiles[1][k], True), (rims[(k + 1) % 3], False)])
+        faces.append(body.face([loop], surface, k != 2))
+    for side, (c, s) in enumerate(turns):
+        way = 1.0 if side else -1.0
+        plane = body.add(f"PLANE('',{body.axes((0.0, 0.0, 0.0), (-way * s, way * c, 0.0), (c, s, 0.0))})")
+        uses = [(edge, side == 0) for edge in profiles[side]]
+        faces.append(body.face([body.loop(uses[::-1] if side else uses)], plane))
+    body.product("slice", body.shape([body.identity, body.solid(faces)]))
+    with open(path, "w", encoding="ascii") as text:
+        text.write(body.get_text())
+    return angle * {"cone": 2.0 * (8.0 + 2.0 / 3.0), "torus": 8.0 * math.pi + 8.0 / 3.0, "sphere": 72.0}[kind]
+
+
+def write_apple(path):
+    """The upper half of an apple: a torus that crosses its axis, and a plane. Returns its volume."""
+    body = Body()
+    top = math.sqrt(21.0)
+    rim, apex = body.vertex((7.0, 0.0, 0.0)), body.vertex((0.0, 0.0, top))
+    circle = circle_edge(body, rim, rim, (0.0, 0.0, 0.0), 7.0, (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
+    seam = circle_edge(body, rim, apex, (2.0, 0.0, 0.0), 5.0, (0.0, -1.0, 0.0), (1.0, 0.0, 0.0))
+    torus = body.add(f"TOROIDAL_SURFACE('',{body.axes((0.0, 0.0, 0.0))},2.,5.)")
+    plane = body.add(f"PLANE('',{body.axes((0.0, 0.0, 0.0), (0.0, 0.0, -1.0))})")
+    faces = [body.face([body.loop([(circle, True), (seam, True), (seam, False)])], torus), body.face([body.loop([(circle, False)])], plane)]
+    body.product("apple", body.shape([body.identity, body.solid(faces)]))
+    with open(path, "w", encoding="ascii") as text:
+        text.write(body.get_text())
+    # Of rings between the outer and, above the apex, the inner radius 2 +- sqrt(25 - z^2).
+    return math.pi * (18.0 * top - 50.0 * math.asin(top / 5.0) + 50.0 * math.pi)
+
+
 # By path: the volume, the kinds of faces, the number of solids, and the file that was read.
 saved = {}
 sources = [(manifest.solid(solid, variant)["path"], f"{solid}-{variant}", manifest.solid(solid, variant)["volume"], kinds, 1)
@@ -144,6 +201,11 @@ for solid, kinds in CERTIFIED.items():
     sources.append((os.path.join(certified, f"{solid}.step"), solid, middle, kinds, {"assembly": 3, "mirror_pair": 2}.get(solid, 1)))
 sink = os.path.join(folder, "sink.step")
 sources.append((sink, "sink", write_sink(sink), {"Plane"}, 1))
+for kind in ("cone", "sphere", "torus"):
+    path = os.path.join(folder, f"slice-{kind}.step")
+    sources.append((path, f"slice-{kind}", write_slice(path, kind), {"Cylinder", "Plane", kind.capitalize()}, 1))
+apple = os.path.join(folder, "apple.step")
+sources.append((apple, "apple", write_apple(apple), {"Plane", "Surface of Revolution"}, 1))
 readers = {}
 for path, name, volume, kinds, count in sources:
     readers[name] = read(path)

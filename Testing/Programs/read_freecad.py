@@ -10,7 +10,7 @@ sys.path[:0] = [sys.argv[1]] + [os.path.join(sys.argv[1], "..", "..", "freecad",
 import FreeCAD  # noqa: E402
 import Part  # noqa: E402
 
-KINDS = {"Toroid": "Torus", "BSplineSurface": "BSpline surface"}
+KINDS = {"SurfaceOfRevolution": "Surface of Revolution", "Toroid": "Torus", "BSplineSurface": "BSpline surface"}
 found = {"version": ".".join(FreeCAD.Version()[:3]), "OpenCASCADE": Part.OCC_VERSION, "files": {}}
 for path in sys.argv[2:]:
     shape = Part.Shape()

@@ -51,8 +51,8 @@ void CheckPlaced(vtkSTEPReader* reader, const std::string& folder);
 
 /// The shipped recording with the volume held: the volume after each update, by the filter and by Gauss sums.
 void CheckHold(vtkSTEPReader* reader, const std::string& events, const std::string& folder);
-/// Holds the volume of a part of trimmed faces: each face is held, or refused with a reason.
-void CheckHoldOfTrimmed(const std::string& file);
+/// Holds the volume of a part with trim curves inside the nets of its faces, also in files that are saved.
+void CheckHoldOfTrimmed(const std::string& file, const std::string& folder);
 }
 
 #endif

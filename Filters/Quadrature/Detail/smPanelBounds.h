@@ -42,6 +42,10 @@ public:
   const TrimSeries& GetTrim() const { return this->Trim; }
   const PatchMajorants& GetMajorants() const { return *this->Majorants; }
   const ParameterBox& GetBox() const { return this->Box; }
+  /// True if derivatives of an area are among the integrands.
+  bool NeedsDirection() const { return this->HasDirection; }
+  /// The direction across a collapsed edge that the part reaches: 0 for s, 1 for r; -1 if it reaches none.
+  int GetPoleDirection() const;
   const DirectionBound& GetAlongT() const { return this->AlongT; }
   const DirectionBound& GetAcrossXi() const { return this->AcrossXi; }
   /// Bounds of the modulus of each integrand's integral over the part, and of the Jacobian |s r'| there.
@@ -51,16 +55,16 @@ public:
   double GetError(std::size_t integrand, int along, int across) const;
   /// Largest distance from the point that moments are about, over all parts so far.
   double GetReach() const { return this->Reach; }
-  /// Bounds of the differences of the integrands from those whose error is bounded, because edges that are
-  /// nearly points were made points; without the Jacobian. Empty where nothing was changed.
-  const std::vector<double>& GetChange();
+  /// What changes on the part because edges that are nearly points were made points: the integrands differ by
+  /// as much from those whose error is bounded.
+  const PatchChange& GetChange();
 
 private:
   const PatchSeries& GetSeries(const Panel& panel, const PanelPart& part, bool withForm);
   /// Returns true if the change of the integrands is within the part's share of the tolerances.
   bool Fits(const PatchSeries& series, const PanelPart& part) const;
-  /// The changes of the integrands where the part leaves the patch and points of it move by `moved`.
-  void FillChangeBeyond(const Patch& patch, double moved, std::vector<double>& change) const;
+  /// The changes where the part leaves the patch and points of it move by `moved`.
+  PatchChange MakeChangeBeyond(const Patch& patch, double moved) const;
   void ExpandTrim(const Panel& panel, const PanelPart& part);
   void Bound(const Panel& panel, const PanelPart& part);
   void BoundAcross(const Panel& panel);
@@ -76,6 +80,7 @@ private:
   const FacePanels& Panels;
   const PlanRequest& Request;
   int Degree;
+  bool HasDirection;
   double Reach = 0.0;
   FaceSeries& Series;
   PatchMajorants OfPart;
@@ -84,7 +89,7 @@ private:
   TrimSeries Trim;
   const Patch* PartPatch = nullptr;
   const PatchSeries* PartSeries = nullptr;
-  std::vector<double> Change;
+  PatchChange Change;
   ParameterBox Box{};
   const PatchMajorants* Majorants = nullptr;
   ParameterBox MajorantsBox{};

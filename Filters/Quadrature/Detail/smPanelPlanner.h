@@ -43,6 +43,18 @@ private:
   double GetNoise(const Panel& panel, double kink) const;
   bool FindOrders(double share, bool withArea, int& along, int& across) const;
   bool IsSmall(double kink, double share) const;
+  /// Bounds of the error of an area's derivative because tangents, and the normal's direction, are not those
+  /// of the series: where edges were made points, and where |n| is nearly a polynomial. 0 for other
+  /// integrands.
+  struct DirectionError
+  {
+    double OfTangents = 0.0;
+    double OfDirection = 0.0;
+  };
+  DirectionError GetDirectionError(std::size_t integrand);
+  /// Bound of the error of a rule.
+  double GetError(std::size_t integrand, int along, int across);
+  bool IsDirectionSmall(double share);
   void AddEndError(const Panel& panel, const PanelPart& part);
   int ChooseDirection(const PanelPart& part) const;
   /// Adds a part with these orders; `compared`: the error of its area is estimated by comparing orders where
@@ -55,8 +67,6 @@ private:
   /// Highest degree of the factors g, across a straight panel and along a flat one.
   int Degree;
   int FlatDegree;
-  /// True if derivatives of an area are among the integrands.
-  bool HasDirection;
   double FlatReach = 0.0;
   PanelBounds Bounds;
   const FaceSeries& Series;

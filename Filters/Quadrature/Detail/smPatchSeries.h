@@ -18,13 +18,28 @@ namespace sm
 {
 /// The largest change of an integrand where points move by `moved` and normals by `rotated`; normals are at
 /// most `normal` long, points no farther than `reach`, and Bernstein polynomials over the weight `basis`.
+/// 0 for AreaBasis, see PanelPlanner::GetDirectionError().
 double GetIntegrandChange(
   const BoundClass& c, double moved, double rotated, double normal, double reach, double basis);
 
-/// The changes of the integrands of all classes where points move by `moved` and derivatives by `slope`, if
-/// the patch has the radius and derivatives of at most `stretch`; without the Jacobian. `basis`: see above.
-void FillIntegrandChange(const Patch& patch, const PlanRequest& request, double moved, const double slope[2],
-  double radius, const double stretch[2], double basis, std::vector<double>& change);
+/// Bounds of what changes because edges that are nearly points were made points.
+struct PatchChange
+{
+  /// Of points, of derivatives in s and r, and of normals.
+  double Moved = 0.0;
+  double Slope[2] = { 0.0, 0.0 };
+  double Rotated = 0.0;
+  /// The Bernstein polynomials' absolute values over the weight.
+  double Basis = 0.0;
+  /// Of the integrands of all classes, without the Jacobian, see GetIntegrandChange(); empty where nothing
+  /// was changed.
+  std::vector<double> Integrands;
+};
+
+/// The changes where points move by `moved` and derivatives by `slope`, if the patch has the radius and
+/// derivatives of at most `stretch`. `basis`: PatchChange::Basis.
+PatchChange MakePatchChange(const Patch& patch, const PlanRequest& request, double moved,
+  const double slope[2], double radius, const double stretch[2], double basis);
 
 /// The centre of a patch as seen from the point that moments are about.
 std::array<double, 3> GetOrigin(const Patch& patch, const PlanRequest& request);
@@ -55,14 +70,13 @@ private:
 
 struct PatchSeries
 {
-  /// Control points of the patch with poles made points; bounds of the change of points and derivatives; and
-  /// bounds of the change of the integrands on the patch, without the Jacobian, empty where nothing was
-  /// changed.
+  /// Control points of the patch with poles made points; a bound of the change of points and derivatives; and
+  /// what changes on the patch.
   std::vector<std::array<double, 4>> Points;
   double Moved = 0.0;
   /// True if that is of the size of rounding, so that the series hold everywhere.
   bool IsCertain = false;
-  std::vector<double> Change;
+  PatchChange Change;
   PatchTraits Traits;
   PatchMajorants Whole;
   /// The box of the series: of all panels of the patch, as far as they leave it by little.

@@ -1,5 +1,6 @@
 #include "smNativeSurface.h"
 
+#include "smNativeFit.h"
 #include "smPlacement.h"
 #include "smUnitRoundoff.h"
 #include "smVector.h"
@@ -17,14 +18,8 @@ constexpr double FullTurn = 2.0 * vtkMath::Pi();
 /// Allowed distance of control points from those of the elementary surface, in roundings of the largest
 /// coordinate: those of the conversion, of a placement and of a unit.
 constexpr double AllowedRoundings = 64.0;
-
-/// A control point of a profile: radius and height, homogeneous.
-struct ProfilePole
-{
-  double Radius = 0.0;
-  double Height = 0.0;
-  double Weight = 1.0;
-};
+/// Relative to the radius: lengths that may be 0 for an approximation that is fitted afterwards.
+constexpr double Negligible = 1e-3;
 
 /// Returns the arcs of a direction; Count 0 if the knots are not those of arcs.
 NativeParameter FindArcs(const NURBSSurface& surface, int direction)
@@ -174,7 +169,54 @@ private:
     {
       return true;
     }
-    return this->FindFrame() && this->FindProfile() && this->HasAllPoles();
+    if (this->FindFrame() && this->FindProfile(Kinds::Exact) && this->HasAllPoles())
+    {
+      return true;
+    }
+    // Small arcs determine neither axis nor kind to rounding.
+    const NativeParameter before = arcs;
+    for (const Kinds kinds : { Kinds::Sphere, Kinds::Other })
+    {
+      this->Result = NativeSurface();
+      arcs = before;
+      this->Profile.clear();
+      if (this->FindFrame() && this->FindProfile(kinds))
+      {
+        FitNative(this->From, this->Result);
+        this->Profile =
+          MakeProfile(this->Result, { this->From.GetDomainStart(1), this->From.GetDomainEnd(1) });
+        this->IsFitted = true;
+        if (this->IsValid() && this->HasAllPoles())
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Kinds that are looked for: those that control points show to rounding, or approximations.
+  enum class Kinds
+  {
+    Exact,
+    Sphere,
+    Other
+  };
+
+  /// Returns false for parameters of a fit that no surface has.
+  bool IsValid() const
+  {
+    const ElementarySurface& surface = this->Result.Surface;
+    const bool isRound = this->Result.Parameters[1].IsCircular;
+    const double quarter = 0.25 * FullTurn;
+    const double ends[2] = { this->Result.Start[1],
+      this->Result.Start[1] +
+        this->Result.Linear[1][1] * this->Result.Parameters[1].Count * this->Result.Parameters[1].Width };
+    const bool isSphere = surface.Kind == ElementarySurface::Type::Sphere;
+    const bool isTorus = surface.Kind == ElementarySurface::Type::Torus;
+    return surface.Radii[0] > 0.0 && (!isTorus || surface.Radii[1] > 0.0) &&
+      (isRound || (surface.Angle > 0.0 && surface.Angle < quarter)) &&
+      (!isSphere || (std::abs(ends[0]) <= quarter && std::abs(ends[1]) <= quarter));
   }
 
   /// Finds the axis by the circle of the largest radius.
@@ -255,7 +297,7 @@ private:
   }
 
   /// Finds the kind of the surface by its profile, the poles of the first column.
-  bool FindProfile()
+  bool FindProfile(Kinds kinds)
   {
     const GeometricFrame& frame = this->Result.Surface.Frame;
     for (int j = 0; j < this->From.NumberOfControlPoints[1]; ++j)
@@ -265,7 +307,8 @@ private:
       this->Profile.push_back(
         { weight * Dot(from, frame.Axes[0]), weight * Dot(from, frame.Axes[2]), weight });
     }
-    return this->From.Degree[1] == 1 ? this->FindStraightProfile() : this->FindCircularProfile();
+    return this->From.Degree[1] == 1 ? kinds != Kinds::Sphere && this->FindStraightProfile()
+                                     : this->FindCircularProfile(kinds);
   }
 
   bool FindStraightProfile()
@@ -332,7 +375,7 @@ private:
     this->Result.Start[0] = turn;
   }
 
-  bool FindCircularProfile()
+  bool FindCircularProfile(Kinds kinds)
   {
     NativeParameter& arcs = this->Result.Parameters[1];
     arcs = FindArcs(this->From, 1);
@@ -345,14 +388,29 @@ private:
       const ProfilePole& p = this->Profile[j];
       return { p.Radius / p.Weight, p.Height / p.Weight };
     };
-    const std::array<double, 2> center = FindCenter(get(0), get(1), get(2), 0.5 * arcs.Width);
+    std::array<double, 2> center = FindCenter(get(0), get(1), get(2), 0.5 * arcs.Width);
+    if (kinds != Kinds::Sphere && center[0] < -this->Allowed)
+    {
+      // The part of a torus beyond its axis: radii are negative in the frame from the centre of the circle.
+      GeometricFrame& frame = this->Result.Surface.Frame;
+      frame.Axes[0] = Multiply(-1.0, frame.Axes[0]);
+      frame.Axes[1] = Multiply(-1.0, frame.Axes[1]);
+      center[0] = -center[0];
+      for (ProfilePole& pole : this->Profile)
+      {
+        pole.Radius = -pole.Radius;
+      }
+    }
     const std::array<double, 2> from{ get(0)[0] - center[0], get(0)[1] - center[1] };
     const std::array<double, 2> to{ get(1)[0] - center[0], get(1)[1] - center[1] };
     const double radius = std::hypot(from[0], from[1]);
     const double way = from[0] * to[1] - from[1] * to[0] < 0.0 ? -1.0 : 1.0;
     ElementarySurface& surface = this->Result.Surface;
-    const bool isSphere = std::abs(center[0]) <= this->Allowed;
-    if (!isSphere && !(center[0] > 1.0001 * radius))
+    const bool isSphere = kinds == Kinds::Exact
+      ? std::abs(center[0]) <= this->Allowed
+      : kinds == Kinds::Sphere && std::abs(center[0]) <= Negligible * radius;
+    // OpenCASCADE has no torus whose radii are equal.
+    if (!isSphere && (kinds == Kinds::Sphere || !(std::abs(center[0] / radius - 1.0) > 1e-4)))
     {
       return false;
     }
@@ -409,8 +467,8 @@ private:
   {
     const GeometricFrame& frame = this->Result.Surface.Frame;
     const NativeParameter& arcs = this->Result.Parameters[0];
-    const bool isReversed = this->Result.Linear[0][0] < 0.0;
-    const double axial = isReversed ? -1.0 : 1.0;
+    // The heights of a profile that was found are along the axis before it was reversed.
+    const double axial = !this->IsFitted && this->Result.Linear[0][0] < 0.0 ? -1.0 : 1.0;
     for (int j = 0; j < this->From.NumberOfControlPoints[1]; ++j)
     {
       const ProfilePole& p = this->Profile[j];
@@ -441,6 +499,7 @@ private:
   const NURBSSurface& From;
   double Allowed = 0.0;
   std::vector<ProfilePole> Profile;
+  bool IsFitted = false;
 };
 }
 

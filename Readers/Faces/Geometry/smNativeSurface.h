@@ -46,10 +46,9 @@ struct SMREADERSFACES_EXPORT NativeSurface
  * two points of equal weight that are a parallelogram, of the others those that ConvertGeometry() makes, of
  * any number of turns about the axis, moved and scaled or not. Every control point must be that of the
  * surface within 64 roundings of the largest coordinate and the rounding that the surface states, so that the
- * result has no other error, and nothing is returned for what an edit deformed, nor for small arcs of cones,
- * spheres and tori, whose points determine an axis with few digits. The frame is right-handed, the angle of a
- * cone above 0, and a torus does not cross its axis: OpenCASCADE writes such a torus as a surface of
- * revolution.
+ * result has no other error, and nothing is returned for what an edit deformed. Small arcs of cones, spheres
+ * and tori, whose points determine an axis with few digits, get the frame that fits their points best
+ * (FitNative()). The frame is right-handed, the angle of a cone above 0, and a torus may cross its axis.
  */
 SMREADERSFACES_EXPORT std::optional<NativeSurface> FindNativeSurface(const NURBSSurface& surface);
 

@@ -6,6 +6,7 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
@@ -241,6 +242,33 @@ Handle(Geom_BSplineSurface) BuildSurface(const NURBSSurface& source, const Affin
     poles, u.Knots, v.Knots, u.Multiplicities, v.Multiplicities, surface.Degree[0], surface.Degree[1]);
 }
 
+namespace
+{
+/// The first column of control points, rotated: a torus that crosses its axis. OpenCASCADE writes such a
+/// torus to STEP files as the revolution of a polynomial spline, with an error of up to 1e-7 of the unit, and
+/// takes points of a whole circle on the axis for poles when it reads one.
+Handle(Geom_Surface)
+  RevolveProfile(const NURBSSurface& surface, const AffineMap& map, const GeometricFrame& frame)
+{
+  const int count = surface.NumberOfControlPoints[1];
+  TColgp_Array1OfPnt poles(1, count);
+  TColStd_Array1OfReal weights(1, count);
+  for (int j = 0; j < count; ++j)
+  {
+    const std::array<double, 4>& h =
+      surface.ControlPoints[static_cast<std::size_t>(j) * surface.NumberOfControlPoints[0]];
+    const Vector3 p = map.MapPoint(gp_XYZ(h[0] / h[3], h[1] / h[3], h[2] / h[3]));
+    poles(j + 1) = gp_Pnt(p[0], p[1], p[2]);
+    weights(j + 1) = h[3];
+  }
+  const KnotList knots = MakeKnotList(surface.Knots[1], surface.Degree[1]);
+  const Vector3& z = frame.Axes[2];
+  return new Geom_SurfaceOfRevolution(
+    new Geom_BSplineCurve(poles, weights, knots.Knots, knots.Multiplicities, surface.Degree[1]),
+    gp_Ax1(gp_Pnt(frame.Origin[0], frame.Origin[1], frame.Origin[2]), gp_Dir(z[0], z[1], z[2])));
+}
+}
+
 std::optional<BuiltSurface> BuildElementarySurface(const NURBSSurface& surface, const AffineMap& map)
 {
   NURBSSurface from = surface;
@@ -283,13 +311,21 @@ std::optional<BuiltSurface> BuildElementarySurface(const NURBSSurface& surface, 
       result.Native->Linear[d][1] *= scale;
     }
   }
+  if (elementary.Kind == Type::Torus && elementary.Radii[0] < elementary.Radii[1])
+  {
+    result.Surface = RevolveProfile(from, proper, elementary.Frame);
+    result.Native->Parameters[1] = NativeParameter();
+    result.Native->Start[1] = 0.0;
+    result.Native->Linear[1][1] = 1.0;
+    return result;
+  }
   std::string problem;
-  const SurfacePointer value = GeometricSurface::Make(elementary, problem);
-  if (!value)
+  const SurfacePointer made = GeometricSurface::Make(elementary, problem);
+  if (!made)
   {
     return std::nullopt;
   }
-  result.Surface = MakeKernelSurface(*value);
+  result.Surface = MakeKernelSurface(*made);
   return result;
 }
 

@@ -254,6 +254,8 @@ int TestMomentGradientIdentities(int argc, char* argv[])
     "bound; mass properties %.2f s, gradients %.2f s, of these %.2f s for integrals with %lld evaluations\n",
     numberOfFaces, numberOfUnknownAreas, worstRatio, momentSeconds, gradientSeconds, integralSeconds,
     evaluations);
+  CheckEqual(
+    "faces without a bound of the area's derivatives", 0, static_cast<long long>(numberOfUnknownAreas));
   CheckRange("closed solids", 1, numberOfSolids, 1e9);
   return Finish();
 }

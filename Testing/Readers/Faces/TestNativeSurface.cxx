@@ -96,6 +96,14 @@ std::vector<Sample> MakeSamples(double distance)
   add("sphere", Type::Sphere, 3.0, 0.0, 0.0, { { 0.0, -0.5 * Pi }, { 2.0 * Pi, 0.5 * Pi } });
   add("zone of a sphere", Type::Sphere, 3.0, 0.0, 0.0, { { 1.0, -0.3 }, { 2.5, 1.1 } });
   add("torus", Type::Torus, 5.0, 1.5, 0.0, { { 0.0, 0.0 }, { 2.0 * Pi, 2.0 * Pi } });
+  // Small arcs, whose control points determine an axis with few digits.
+  add("small part of a cone", Type::Cone, 9.0, 0.0, 0.4, { { 1.0, -0.01 }, { 1.02, 0.02 } });
+  add("short arc of a cone", Type::Cone, 9.0, 0.0, 0.4, { { 1.0, -2.0 }, { 1.01, 5.0 } });
+  add("small part of a sphere", Type::Sphere, 9.0, 0.0, 0.0, { { 1.0, -0.01 }, { 1.02, 0.02 } });
+  add("small part of a torus", Type::Torus, 9.0, 1.5, 0.0, { { 1.0, 0.4 }, { 1.01, 0.42 } });
+  add("short arc of a torus", Type::Torus, 30.0, 1.5, 0.0, { { 1.0, 0.0 }, { 1.01, 2.0 } });
+  add("torus that crosses its axis, outside", Type::Torus, 2.0, 5.0, 0.0, { { 0.2, -1.0 }, { 4.2, 1.5 } });
+  add("torus that crosses its axis, inside", Type::Torus, 2.0, 5.0, 0.0, { { 0.2, 2.2 }, { 4.2, 3.9 } });
   add("fillet of a torus", Type::Torus, 5.0, 1.5, 0.0, { { 0.2, 2.0 }, { 1.2, 3.5 } });
   return samples;
 }
