@@ -103,32 +103,40 @@ void FindOutputErrors(
 {
   // The status already explains why an unreadable or empty file has no pictures.
   const std::string& status = outcome.File->Status;
+  const auto add = [&outcome](const std::string& what, const std::string& reason)
+  {
+    if (!reason.empty())
+    {
+      outcome.OutputErrors.push_back(what + ": " + reason);
+    }
+  };
   if (!options.TexturePrefix.empty() && status != "unreadable")
   {
-    outcome.TextureError = said.Textures.value_or("the process ended before they were written");
+    add("trim textures are missing", said.Textures.value_or("the process ended before they were written"));
   }
   const bool isRead = status != "unreadable" && status != "empty";
   const auto explain = [&end](const std::optional<std::string>& reason, const std::string& process)
   { return reason.value_or(process + " " + (end.empty() ? "ended without one" : end)); };
   if (!options.MeshName.empty() && isRead)
   {
-    outcome.MeshError = explain(said.Mesh, "the process that made it");
+    add("no mesh " + options.MeshName, explain(said.Mesh, "the process that made it"));
   }
   for (const std::shared_ptr<sm::Analysis>& analysis : options.Analyses)
   {
     const std::string name = analysis->IsWanted() ? analysis->GetOutputFile() : std::string();
     const auto reported = said.Analyses.find(analysis->GetKey());
     const auto reason = reported == said.Analyses.end() ? std::nullopt : std::optional(reported->second);
-    const std::string problem =
-      name.empty() || !isRead ? std::string() : explain(reason, "the process that made it");
-    if (!problem.empty())
-    {
-      outcome.AnalysisErrors.push_back(std::string(analysis->GetOption()) + " " + name + ": " + problem);
-    }
+    add(std::string("no file of ") + analysis->GetOption() + " " + name,
+      name.empty() || !isRead ? std::string() : explain(reason, "the process that made it"));
+  }
+  if (!options.ValidationTarget.empty() && isRead)
+  {
+    add("no file of --write-validation " + options.ValidationTarget,
+      explain(said.Validation, "the process that made it"));
   }
   if (!options.RobotName.empty() && isRead)
   {
-    outcome.RobotError = explain(said.Robot, "the process that made it");
+    add("robot " + options.RobotName, explain(said.Robot, "the process that made it"));
   }
   if (!options.PictureName.empty() && isRead)
   {
@@ -175,10 +183,11 @@ void JobMessages::Take(
   }
   else
   {
-    (kind == JobMessage::Textures   ? this->Textures
-        : kind == JobMessage::Mesh  ? this->Mesh
-        : kind == JobMessage::Robot ? this->Robot
-                                    : this->Picture) = text;
+    (kind == JobMessage::Textures        ? this->Textures
+        : kind == JobMessage::Mesh       ? this->Mesh
+        : kind == JobMessage::Validation ? this->Validation
+        : kind == JobMessage::Robot      ? this->Robot
+                                         : this->Picture) = text;
   }
 }
 
