@@ -232,7 +232,8 @@ std::optional<sm::ProductDifference> Compare(
 {
   const bool areRead = files.size() == 2 &&
     std::all_of(
-      files.begin(), files.end(), [](const sm::FileResult& file) { return file.Shapes.has_value(); });
+      files.begin(), files.end(), [](const sm::FileResult& file) { return file.Shapes.has_value(); }) &&
+    !(files[0].Solids.empty() && files[1].Solids.empty());
   std::optional<sm::ProductDifference> comparison;
   if (areRead)
   {
