@@ -75,7 +75,7 @@ def masses():
     check("in doubt by the density", 0.02 * total["mass"], doubt["density"], 1e-15)
     check_equal("by gaps: boxes have none", 0.0, doubt["gaps"])
     check("by the bound", 1.02 * total["bounds"]["mass"], doubt["numerical"], 2e-3 * doubt["numerical"])
-    check("in all", doubt["density"] + doubt["numerical"], doubt["total"], 2e-6 * doubt["total"])
+    check("in all", doubt["density"] + doubt["numerical"], doubt["total"], 1e-14 * doubt["total"])
     result = run("--density", "1000", "--density-tolerance", "0.02", path)
     check_true("in the table", re.search(r"\n  mass in doubt +\S+ kg: density \S+, gaps 0, numerical \S+\n", result.stdout), result.stdout)
     check_equal("no tolerance: exit status", 1, run("--density", "1000", "--density-tolerance", "200%", path).returncode)
