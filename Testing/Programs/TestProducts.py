@@ -434,6 +434,7 @@ def validation():
     check_equal("all pass", {"pass"}, {e["result"] for e in after["validation"]})
     check_true("to rounding", all(e["difference"] <= e["bound"] + 1e-12 * abs(e["limit"]) * 1e3 for e in after["validation"]), str(after["validation"]))
     check_equal("densities", [7850.0, 2700.0], [round(solid["density"], 9) for solid in after["solids"]])
+    check_equal("materials", ["it's steel", None], [solid["material"] for solid in after["solids"]])
     # One density of nested assemblies: it is stated for the parts.
     nested = write_product(os.path.join(folder, "nested.step"), make_machine(bolt_density=None, plate_density=None))
     run("-q", "--materials", table, "--density", "steel", "--write-validation", os.path.join(folder, "nested-stated.step"), nested)
