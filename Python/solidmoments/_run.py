@@ -212,10 +212,12 @@ def _silence(algorithm):
 def make_result(file, algorithms, strict, level=3):
     """The MassProperties of the filter, the last of the algorithms, after a run; errors and warnings as mass_properties() says."""
     mass, messages = algorithms[-1], _messages(*algorithms)
-    if mass.GetStatus() not in _RESULTS:
+    solids = ()
+    if mass.GetStatus() in _RESULTS:
+        table = mass.GetOutputDataObject(1)
+        solids = tuple(_make(file, table.GetRowData(), i) for i in range(table.GetNumberOfRows()))
+    if all(solid.area is None for solid in solids):
         raise _no_result(file, mass.GetStatus(), messages)
-    table = mass.GetOutputDataObject(1)
-    solids = tuple(_make(file, table.GetRowData(), i) for i in range(table.GetNumberOfRows()))
     result = _make(file, mass.GetOutputDataObject(0).GetFieldData(), 0, messages=messages, solids=solids)
     if result.status != "ok":
         text = f"{file}: {result.status}" + "".join("\n" + message for message in messages)
