@@ -91,7 +91,9 @@ std::string CheckEvaluations(const std::string& text)
 std::string CheckSeconds(const std::string& text)
 {
   const double value = ParseNumber(text);
-  return value >= 0.0 && value < 1e300 ? "" : "the seconds must be a number that is not negative";
+  return value > 0.0 && value < 1e300 ? ""
+                                      : "the seconds must be a number above 0; without the option there "
+                                        "is no limit";
 }
 
 std::string CheckDensity(const std::string& text)

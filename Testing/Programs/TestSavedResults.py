@@ -325,6 +325,8 @@ def check_no_time():
     check_equal("no time: exit status", 3, done.returncode)
     check_equal("no time: status", "not-computed", entry["status"])
     check_true("no time: why", any("maximum seconds" in text for text in entry["messages"]), str(entry["messages"]))
+    done = run("--max-seconds", "0", GOOD)
+    check_true("0 seconds are none, as in Python", done.returncode == 1 and "above 0" in done.stderr, done.stderr)
 
 
 def write_many_points():
