@@ -207,7 +207,9 @@ JobProcess::JobProcess(std::vector<ListenedJob> jobs)
   {
     // Reading a pipe or a device may never end.
     this->Error = "Cannot read " + first.FileName +
-      (S_ISDIR(info.st_mode)
+      (S_ISDIR(info.st_mode) && access(first.FileName.c_str(), R_OK | X_OK) != 0
+          ? ": it is a folder that may not be read; change its permissions, or name files in it."
+          : S_ISDIR(info.st_mode)
           ? ": it is a folder without STEP or BREP files; name a file, or a folder that has some."
           : ": it is not a regular file; write its content to a file, or to the standard input, and name - "
             "for that.");
