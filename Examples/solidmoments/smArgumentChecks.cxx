@@ -100,7 +100,7 @@ std::string CheckDensity(const std::string& text)
 {
   return ParseDensity(text).Density > 0.0
     ? ""
-    : "the density must be a positive number, in kg/m^3, or a material of --list-materials";
+    : "the density must be a number from 1e-200 to 1e200, in kg/m^3, or a material of --list-materials";
 }
 
 std::string CheckShare(const std::string& text)

@@ -79,6 +79,12 @@ def masses():
     result = run("--density", "1000", "--density-tolerance", "0.02", path)
     check_true("in the table", re.search(r"\n  mass in doubt +\S+ kg: density \S+, gaps 0, numerical \S+\n", result.stdout), result.stdout)
     check_equal("no tolerance: exit status", 1, run("--density", "1000", "--density-tolerance", "200%", path).returncode)
+    # Subnormal numbers have few digits.
+    for density in ("1e-310", "1e250"):
+        check_true(f"a density of {density}", "1e-200 to 1e200" in run("--density", density, path).stderr)
+        with open(os.path.join(folder, "extreme.csv"), "w", encoding="utf-8") as text:
+            text.write(f"*,dust,{density}\n")
+        check_equal("  in a file of materials", 1, run("--materials", os.path.join(folder, "extreme.csv"), path).returncode)
 
     # Some parts have no density: the mass of the others, and the names.
     machine = make_machine(plate_density=None)

@@ -62,7 +62,7 @@ def check_files():
     def mass(**options):
         return lambda value: sm.mass_properties(sample, **{name: value if given is None else given for name, given in options.items()})
 
-    refuse_all("density", mass(density=None), ("steel", "7850", [7850], True, {}, b"1", 1j, numpy.array([1.0, 2.0])), (NAN, -1, 0, float("inf")))
+    refuse_all("density", mass(density=None), ("steel", "7850", [7850], True, {}, b"1", 1j, numpy.array([1.0, 2.0])), (NAN, -1, 0, float("inf"), 1e-310))
     refuse_all("tolerance", mass(tolerance=None), ("x", None, [1], True), (NAN, -1, 2))
     refuse_all("density_tolerance", mass(density_tolerance=None), ("x", None, [1], True), (NAN, -1, 2))
     refuse_all("max_seconds", mass(max_seconds=None), ("x", [1], True), (NAN, -1, 0))
