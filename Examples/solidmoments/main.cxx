@@ -176,21 +176,9 @@ void ReportFailure(const std::string& message, sm::FileResult& file, int& exitSt
 /// Returns the entry of a finished file, with messages about missing outputs.
 sm::FileResult TakeFile(sm::JobOutcome outcome, const sm::JobOptions& job, int& exitStatus)
 {
-  if (!outcome.TextureError.empty())
+  for (const std::string& error : outcome.OutputErrors)
   {
-    ReportFailure("trim textures are missing: " + outcome.TextureError, *outcome.File, exitStatus);
-  }
-  if (!outcome.MeshError.empty())
-  {
-    ReportFailure("no mesh " + job.MeshName + ": " + outcome.MeshError, *outcome.File, exitStatus);
-  }
-  for (const std::string& error : outcome.AnalysisErrors)
-  {
-    ReportFailure("no file of " + error, *outcome.File, exitStatus);
-  }
-  if (!outcome.RobotError.empty())
-  {
-    ReportFailure("robot " + job.RobotName + ": " + outcome.RobotError, *outcome.File, exitStatus);
+    ReportFailure(error, *outcome.File, exitStatus);
   }
   if (!outcome.PictureError.empty())
   {
@@ -244,7 +232,8 @@ std::optional<sm::ProductDifference> Compare(
 {
   const bool areRead = files.size() == 2 &&
     std::all_of(
-      files.begin(), files.end(), [](const sm::FileResult& file) { return file.Shapes.has_value(); });
+      files.begin(), files.end(), [](const sm::FileResult& file) { return file.Shapes.has_value(); }) &&
+    !(files[0].Solids.empty() && files[1].Solids.empty());
   std::optional<sm::ProductDifference> comparison;
   if (areRead)
   {

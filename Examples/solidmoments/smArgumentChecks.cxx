@@ -91,14 +91,16 @@ std::string CheckEvaluations(const std::string& text)
 std::string CheckSeconds(const std::string& text)
 {
   const double value = ParseNumber(text);
-  return value >= 0.0 && value < 1e300 ? "" : "the seconds must be a number that is not negative";
+  return value > 0.0 && value < 1e300 ? ""
+                                      : "the seconds must be a number above 0; without the option there "
+                                        "is no limit";
 }
 
 std::string CheckDensity(const std::string& text)
 {
   return ParseDensity(text).Density > 0.0
     ? ""
-    : "the density must be a positive number, in kg/m^3, or a material of --list-materials";
+    : "the density must be a number from 1e-200 to 1e200, in kg/m^3, or a material of --list-materials";
 }
 
 std::string CheckShare(const std::string& text)

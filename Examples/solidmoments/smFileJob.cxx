@@ -337,17 +337,6 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
       sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationLimit,
       sm::FindLeftOutNote(reader->GetOutputDataObject(0)));
   }
-  if (!options.ValidationTarget.empty())
-  {
-    const std::string problem =
-      sm::WriteValidation(GetSource(options), sm::MakeProductTree(reader->GetOutputDataObject(0)),
-        file.GetProduct(), sm::FindLeftOutNote(reader->GetOutputDataObject(0)), options.ValidationTarget);
-    if (!problem.empty())
-    {
-      messages.AddEcho(problem);
-      file.Status = names::StatusNotComputed;
-    }
-  }
 }
 
 /// Returns the bodies that are written as triangles and drawn: those that --only and --materials leave.
@@ -400,7 +389,7 @@ struct Plans
   sm::Robot Robot;
 };
 
-/// Writes trim textures, triangles, robot and picture.
+/// Writes trim textures, triangles, the file with validation properties, robot and picture.
 void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, const Drawn& drawn, Plans plans,
   const sm::JobOptions& options, const sm::JobListener& send, const FileResult& file)
 {
@@ -417,6 +406,13 @@ void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, const Dra
     send(JobMessage::OfOutput(JobMessage::Mesh,
       sm::CallExtra(&sm::ExtraFunctions::WriteMesh, bodies, reader->GetLengthUnit(), plans.MeshOrigin,
         options.MeshName)));
+  }
+  if (!options.ValidationTarget.empty())
+  {
+    send(JobMessage::OfProgress(sm::stages::Validation));
+    send(JobMessage::OfOutput(JobMessage::Validation,
+      sm::WriteValidation(GetSource(options), sm::MakeProductTree(reader->GetOutputDataObject(0)),
+        file.GetProduct(), sm::FindLeftOutNote(reader->GetOutputDataObject(0)), options.ValidationTarget)));
   }
   if (!options.RobotName.empty())
   {
@@ -507,6 +503,7 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
     {
       waiting = message.Text == stages::Mesh ? JobMessage::Mesh
         : message.Text == stages::Textures   ? JobMessage::Textures
+        : message.Text == stages::Validation ? JobMessage::Validation
         : message.Text == stages::Robot      ? JobMessage::Robot
                                              : JobMessage::Picture;
     }

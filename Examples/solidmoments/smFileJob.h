@@ -89,6 +89,7 @@ constexpr const char* Read = "read";
 constexpr const char* Integrate = "integrate";
 constexpr const char* Textures = "textures";
 constexpr const char* Mesh = "mesh";
+constexpr const char* Validation = "validation";
 constexpr const char* Robot = "robot";
 constexpr const char* Draw = "draw";
 }
@@ -103,6 +104,7 @@ struct JobMessage
     Result,
     Textures,
     Mesh,
+    Validation,
     Robot,
     Picture,
     Analysis,

@@ -103,32 +103,40 @@ void FindOutputErrors(
 {
   // The status already explains why an unreadable or empty file has no pictures.
   const std::string& status = outcome.File->Status;
+  const auto add = [&outcome](const std::string& what, const std::string& reason)
+  {
+    if (!reason.empty())
+    {
+      outcome.OutputErrors.push_back(what + ": " + reason);
+    }
+  };
   if (!options.TexturePrefix.empty() && status != "unreadable")
   {
-    outcome.TextureError = said.Textures.value_or("the process ended before they were written");
+    add("trim textures are missing", said.Textures.value_or("the process ended before they were written"));
   }
   const bool isRead = status != "unreadable" && status != "empty";
   const auto explain = [&end](const std::optional<std::string>& reason, const std::string& process)
   { return reason.value_or(process + " " + (end.empty() ? "ended without one" : end)); };
   if (!options.MeshName.empty() && isRead)
   {
-    outcome.MeshError = explain(said.Mesh, "the process that made it");
+    add("no mesh " + options.MeshName, explain(said.Mesh, "the process that made it"));
   }
   for (const std::shared_ptr<sm::Analysis>& analysis : options.Analyses)
   {
     const std::string name = analysis->IsWanted() ? analysis->GetOutputFile() : std::string();
     const auto reported = said.Analyses.find(analysis->GetKey());
     const auto reason = reported == said.Analyses.end() ? std::nullopt : std::optional(reported->second);
-    const std::string problem =
-      name.empty() || !isRead ? std::string() : explain(reason, "the process that made it");
-    if (!problem.empty())
-    {
-      outcome.AnalysisErrors.push_back(std::string(analysis->GetOption()) + " " + name + ": " + problem);
-    }
+    add(std::string("no file of ") + analysis->GetOption() + " " + name,
+      name.empty() || !isRead ? std::string() : explain(reason, "the process that made it"));
+  }
+  if (!options.ValidationTarget.empty() && isRead)
+  {
+    add("no file of --write-validation " + options.ValidationTarget,
+      explain(said.Validation, "the process that made it"));
   }
   if (!options.RobotName.empty() && isRead)
   {
-    outcome.RobotError = explain(said.Robot, "the process that made it");
+    add("robot " + options.RobotName, explain(said.Robot, "the process that made it"));
   }
   if (!options.PictureName.empty() && isRead)
   {
@@ -175,10 +183,11 @@ void JobMessages::Take(
   }
   else
   {
-    (kind == JobMessage::Textures   ? this->Textures
-        : kind == JobMessage::Mesh  ? this->Mesh
-        : kind == JobMessage::Robot ? this->Robot
-                                    : this->Picture) = text;
+    (kind == JobMessage::Textures        ? this->Textures
+        : kind == JobMessage::Mesh       ? this->Mesh
+        : kind == JobMessage::Validation ? this->Validation
+        : kind == JobMessage::Robot      ? this->Robot
+                                         : this->Picture) = text;
   }
 }
 
@@ -198,7 +207,9 @@ JobProcess::JobProcess(std::vector<ListenedJob> jobs)
   {
     // Reading a pipe or a device may never end.
     this->Error = "Cannot read " + first.FileName +
-      (S_ISDIR(info.st_mode)
+      (S_ISDIR(info.st_mode) && access(first.FileName.c_str(), R_OK | X_OK) != 0
+          ? ": it is a folder that may not be read; change its permissions, or name files in it."
+          : S_ISDIR(info.st_mode)
           ? ": it is a folder without STEP or BREP files; name a file, or a folder that has some."
           : ": it is not a regular file; write its content to a file, or to the standard input, and name - "
             "for that.");

@@ -27,12 +27,8 @@ namespace sm
 struct JobOutcome
 {
   std::optional<FileResult> File; ///< none when interrupted before there was one
-  std::string TextureError;       ///< why a requested trim texture is missing; empty: none is
-  std::string
-    MeshError; ///< why the requested triangles are missing; empty: they are not, or none were requested
-  /// Why outputs of analyses are missing, each with its option and name.
-  std::vector<std::string> AnalysisErrors;
-  std::string RobotError;   ///< what is missing of the requested robot; empty: nothing, or none was requested
+  /// Why requested outputs except the picture are missing, each with its name.
+  std::vector<std::string> OutputErrors;
   std::string PictureError; ///< why the requested picture is missing; empty: it is not, or none was requested
 };
 
@@ -44,7 +40,7 @@ struct JobMessages
   std::optional<FileResult> Result;
   bool IsComplete = false; ///< of the result
   /// Why an output was not written, empty if it was; none: not reported.
-  std::optional<std::string> Textures, Mesh, Robot, Picture;
+  std::optional<std::string> Textures, Mesh, Validation, Robot, Picture;
   /// The same of analyses, by their keys.
   std::map<std::string, std::string> Analyses;
   std::string Stage;

@@ -3,6 +3,7 @@
 #include "smInputFile.h"
 #include "smJson.h"
 #include "smText.h"
+#include "smWeights.h"
 
 #include <algorithm>
 #include <iterator>
@@ -12,11 +13,6 @@ namespace sm
 {
 namespace
 {
-bool IsDensity(double density)
-{
-  return density > 0.0 && density < 1e300;
-}
-
 std::string Trim(const std::string& text)
 {
   const size_t first = text.find_first_not_of(" \t");
@@ -210,6 +206,6 @@ Material ParseDensity(const std::string& text)
     return *common;
   }
   const double density = ParseNumber(text);
-  return { std::string(), IsDensity(density) ? density : 0.0 };
+  return { std::string(), IsWeight(density) ? density : 0.0 };
 }
 }

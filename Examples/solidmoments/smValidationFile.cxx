@@ -36,9 +36,8 @@ std::string WriteValidation(const std::string& fileName, const ProductTreeNode& 
   if (!leftOut.empty())
   {
     // The note is a message of its own.
-    return target +
-      " is not written: bodies are left out, and it would state volumes and centroids of products without "
-      "them; use --hidden count";
+    return "bodies are left out, and it would state volumes and centroids of products without them; use "
+           "--hidden count";
   }
   const StatedFile file(fileName);
   if (!file.IsRead())
@@ -79,8 +78,7 @@ std::string WriteValidation(const std::string& fileName, const ProductTreeNode& 
     statements.push_back(statement);
   }
   const std::string text = AppendSTEPValidation(file.GetFile(), statements);
-  const std::string problem = text.empty() ? "it has no entities" : SaveFile(target, text);
-  return problem.empty() ? problem : target + " cannot be written: " + problem;
+  return text.empty() ? fileName + " has no entities" : SaveFile(target, text);
 }
 
 long long CountValidation(const FileResult& file, const std::string& result)

@@ -29,6 +29,15 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
+/// Returns the limit of the stack of a process in kB, if that may be the cause of a crash; else 0.
+rlim_t GetScarceStack()
+{
+  constexpr rlim_t ample = 1024;
+  rlimit limit = {};
+  const bool isKnown = getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return isKnown && limit.rlim_cur / 1024 < ample ? limit.rlim_cur / 1024 : 0;
+}
+
 /// Head of a message in the pipe: its kind, and the number of bytes that follow.
 constexpr std::size_t HeadSize = 1 + sizeof(std::uint64_t);
 
@@ -154,7 +163,7 @@ int ProcessEnd::GetSignal() const
 bool ProcessEnd::IsForced() const
 {
   return this->IsTimeOver || this->IsOutOfMemory || this->GetSignal() == SIGKILL ||
-    this->GetSignal() == SIGXCPU;
+    this->GetSignal() == SIGXCPU || (this->GetSignal() == SIGSEGV && GetScarceStack() > 0);
 }
 
 std::string ProcessEnd::Describe() const
@@ -170,6 +179,11 @@ std::string ProcessEnd::Describe() const
     end = "ended by signal " + std::to_string(number) + " (" + strsignal(number) +
       (number == SIGKILL && !this->IsOutOfMemory ? ", from outside, as the system does when memory runs out)"
                                                  : ")");
+    if (number == SIGSEGV && GetScarceStack() > 0)
+    {
+      end += "; the system allows it a stack of " + std::to_string(GetScarceStack()) +
+        " kB (ulimit -s), which is too little: allow 8192";
+    }
   }
   else if (WEXITSTATUS(this->Status) != 0)
   {

@@ -30,7 +30,8 @@ struct SMFILTERSCOMMON_EXPORT ProcessEnd
   bool IsOutOfMemory = false;
   double PeakMegabytes = 0.0;
 
-  /// Returns true if the cause is not in the child's work: a limit of time or memory, or SIGKILL.
+  /// Returns true if the cause is not in the child's work: a limit of time, memory or stack, or
+  /// SIGKILL.
   bool IsForced() const;
   /// Returns the number of the signal that ended the child; 0 if none did.
   int GetSignal() const;

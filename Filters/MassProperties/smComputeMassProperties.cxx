@@ -7,6 +7,7 @@
 #include "smFormat.h"
 #include "smIntegralEngine.h"
 #include "smMassAnalysis.h"
+#include "smWeights.h"
 
 #include "vtkDataObject.h"
 
@@ -27,7 +28,7 @@ std::string FindWrongOption(const MassPropertiesOptions& options)
   {
     return say("RelativeTolerance", options.RelativeTolerance, "a number above 0, at most 1");
   }
-  if (!(options.Density >= 0.0) || !std::isfinite(options.Density))
+  if (options.Density != 0.0 && !IsWeight(options.Density))
   {
     return say("Density", options.Density, "kg/m^3, or 0 for what the file states");
   }

@@ -1,6 +1,7 @@
 #include "smMaterials.h"
 
 #include "smFormat.h"
+#include "smWeights.h"
 
 #include <algorithm>
 #include <charconv>
@@ -97,7 +98,7 @@ double ParseMass(const std::string& text, bool needsUnit)
   }
   const bool isKnown = known != std::end(MassUnits) || (unit.empty() && !needsUnit);
   const double mass = isKnown ? ReadDecimal(number) * (unit.empty() ? 1.0 : known->second) : 0.0;
-  return mass > 0.0 && mass < 1e300 ? mass : std::numeric_limits<double>::quiet_NaN();
+  return IsWeight(mass) ? mass : std::numeric_limits<double>::quiet_NaN();
 }
 
 double ParseShare(const std::string& text)
@@ -168,7 +169,7 @@ std::string TakeDensity(const MaterialTexts& texts, Material& material)
 {
   const Material* common = FindCommonMaterial(texts.Material);
   material.Density = !texts.Density.empty() ? ReadDecimal(texts.Density) : common ? common->Density : 0.0;
-  if (material.Density > 0.0 && material.Density < 1e300)
+  if (IsWeight(material.Density))
   {
     return {};
   }
@@ -306,7 +307,7 @@ std::string FindRuleProblem(const MaterialRule& rule)
       "; give its mass, or densities for its solids";
   }
   const double value = material.Mass != 0.0 ? material.Mass : material.Density;
-  if (!(value > 0.0) || !std::isfinite(value))
+  if (!IsWeight(value))
   {
     return material.Mass != 0.0 ? FormatDigits(value, 6) + " is not a mass above 0; give kg"
                                 : std::string("there is no density above 0; give kg/m^3, for example 7850, "

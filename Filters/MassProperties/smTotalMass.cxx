@@ -149,9 +149,12 @@ void ScaleMoments(Moments& moments, double factor, double error = 0.0)
   }
 }
 
+/// Bounds the rounding of a sum of at most three shares and of each of them.
+constexpr double SumFactor = 1.0 + 16.0 * UnitRoundoff;
+
 /// Returns the uncertainty of a mass: sum, by the density, by gaps, by the numerical bound, by the tolerance
-/// of a mass that overrides the density. The shares of gaps and bound are those at the largest density; a
-/// factor of 1 + 1e-6 includes the rounding of the shares.
+/// of a mass that overrides the density. The shares of gaps and bound are those at the largest density; the
+/// factor includes the rounding of the shares and of the sum.
 std::array<double, 5> GetMassUncertainty(const MassRow& row, double tolerance, double factor)
 {
   const bool isStated = row.OverriddenMass > 0.0;
@@ -160,7 +163,7 @@ std::array<double, 5> GetMassUncertainty(const MassRow& row, double tolerance, d
     : isStated                                 ? 0.0
                                                : (1.0 + tolerance) * factor * row.Spread.Volume;
   const double numerical = (1.0 + tolerance) * row.MassBound;
-  return { (1.0 + 1e-6) * (share + gaps + numerical), isStated ? 0.0 : share, gaps, numerical,
+  return { SumFactor * (share + gaps + numerical), isStated ? 0.0 : share, gaps, numerical,
     isStated ? share : 0.0 };
 }
 
@@ -332,7 +335,7 @@ void AddUncertainty(const MassRow& row, std::array<double, 5>& uncertainty)
   if (row.ShareOfProduct > 0.0)
   {
     shares[2] = 0.0;
-    shares[0] = (1.0 + 1e-6) * (shares[3] + shares[4]);
+    shares[0] = SumFactor * (shares[3] + shares[4]);
   }
   for (std::size_t k = 0; k < uncertainty.size(); ++k)
   {

@@ -1,6 +1,7 @@
 #include "vtkTrimmedNURBSModel.h"
 
 #include "smFormat.h"
+#include "smWeights.h"
 
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
@@ -160,7 +161,7 @@ vtkIdType vtkTrimmedNURBSModel::GetNumberOfEdges() const
 
 void vtkTrimmedNURBSModel::SetDensity(double density)
 {
-  if (!std::isfinite(density) || density < 0.0)
+  if (density != 0.0 && !sm::IsWeight(density))
   {
     vtkErrorMacro(
       "SetDensity: " << sm::FormatDigits(density, 6)

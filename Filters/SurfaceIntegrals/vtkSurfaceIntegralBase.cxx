@@ -6,6 +6,7 @@
 #include "smIntegralEngine.h"
 #include "smMeshDemand.h"
 #include "smShaderFault.h"
+#include "smWeights.h"
 
 #include "vtkAutoInit.h"
 #include "vtkInformation.h"
@@ -116,7 +117,7 @@ void vtkSurfaceIntegralBase::ChangeRelativeTolerance(double tolerance)
 
 void vtkSurfaceIntegralBase::ChangeDensity(double& setting, double density)
 {
-  this->ChangeSetting(setting, density, std::isfinite(density) && density >= 0.0, "density",
+  this->ChangeSetting(setting, density, density == 0.0 || sm::IsWeight(density), "density",
     "kg/m^3, for example 7850 for steel, or 0");
 }
 

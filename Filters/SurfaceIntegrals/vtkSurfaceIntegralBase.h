@@ -336,7 +336,7 @@ protected:
   /** Sets `setting`, a member of a subclass, to `value`. If the value is not valid, it is reported as an
    * error and changes nothing; the message has the name of the setting and, after "give", the advice. */
   void ChangeSetting(double& setting, double value, bool isValid, const char* name, const char* advice);
-  /** Changes a setting that is a density in kg/m^3: finite, not negative, 0 for none. */
+  /** Changes a setting that is a density in kg/m^3: from 1e-200 to 1e200, or 0 for none. */
   void ChangeDensity(double& setting, double density);
 
   /** Gives the collection on a port the same blocks on all ranks that run together; collective, called by

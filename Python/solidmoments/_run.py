@@ -53,12 +53,12 @@ def _make(file, data, row, **more):
                           material=_get_text(data, row, "Material"), open_edges=None if edges is None else int(edges), **values, **more)
 
 
-def _check_positive(name, value, expected):
-    """A float above 0, or 0.0 for None. Raises TypeError and ValueError."""
+def _check_positive(name, value, expected, low=0.0, high=1e308):
+    """A float above 0 within limits, or 0.0 for None. Raises TypeError and ValueError."""
     if value is None:
         return 0.0
     value = arguments.number(name, value, f"a number {expected}")
-    if not 0.0 < value < math.inf:
+    if not (value > 0.0 and low <= value <= high):
         raise ValueError(f"{name} is {value:g}; it has to be {expected}")
     return value
 
@@ -197,7 +197,7 @@ def make_filter(density, tolerance, backend, density_tolerance=0.0, max_seconds=
     arguments.choice("backend", backend, ("auto", "opengl", "cpu"))
     mass = vtkMassPropertiesGPU()
     _silence(mass)
-    mass.SetDensity(_check_positive("density", density, "above 0 and finite, in kg/m^3, or None for those of the file"))
+    mass.SetDensity(_check_positive("density", density, "from 1e-200 to 1e200, in kg/m^3, or None for those of the file", 1e-200, 1e200))
     mass.SetDensityTolerance(arguments.share("density_tolerance", density_tolerance, expected="from 0 to 1, 0.01 for one per cent"))
     mass.SetRelativeTolerance(check_tolerance(tolerance))
     mass.SetMaximumSeconds(_check_seconds(max_seconds))
@@ -214,10 +214,12 @@ def _silence(algorithm):
 def make_result(file, algorithms, strict, level=3):
     """The MassProperties of the filter, the last of the algorithms, after a run; errors and warnings as mass_properties() says."""
     mass, messages = algorithms[-1], _messages(*algorithms)
-    if mass.GetStatus() not in _RESULTS:
+    solids = ()
+    if mass.GetStatus() in _RESULTS:
+        table = mass.GetOutputDataObject(1)
+        solids = tuple(_make(file, table.GetRowData(), i) for i in range(table.GetNumberOfRows()))
+    if all(solid.area is None for solid in solids):
         raise _no_result(file, mass.GetStatus(), messages)
-    table = mass.GetOutputDataObject(1)
-    solids = tuple(_make(file, table.GetRowData(), i) for i in range(table.GetNumberOfRows()))
     result = _make(file, mass.GetOutputDataObject(0).GetFieldData(), 0, messages=messages, solids=solids)
     if result.status != "ok":
         text = f"{file}: {result.status}" + "".join("\n" + message for message in messages)

@@ -31,6 +31,16 @@ bool HasBorder(const FaceStatement& statement)
   return std::any_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.second != 0; });
 }
 
+/// Returns true if an edge is used in both directions, so that the face is on both of its sides: the other
+/// part of the surface has no such edge.
+bool HasEdgeInside(const FaceStatement& statement)
+{
+  std::unordered_map<std::uint64_t, bool> directions;
+  return std::any_of(statement.Uses.begin(), statement.Uses.end(),
+    [&directions](const EdgeUseStatement& use)
+    { return directions.emplace(use.Edge, use.IsForward).first->second != use.IsForward; });
+}
+
 /// A use of an edge by a face.
 struct UseOfEdge
 {
@@ -56,13 +66,13 @@ public:
     for (std::size_t i = 0; i < this->Faces.size(); ++i)
     {
       const FaceStatement& statement = *this->Faces[i].Statement;
+      // A face of which only one side is finite, or has the seam, has that side, whatever the file says.
+      const bool isMended = this->IsReversed(i) && (HasEdgeInside(statement) || !this->IsClosed(i));
       for (const EdgeUseStatement& use : statement.Uses)
       {
-        // A face of which only one side is finite has that side, whatever the file says.
-        const bool isMended = this->IsReversed(i) && !this->IsClosed(i);
         this->Uses[use.Edge].push_back({ i, use.IsForward != isMended, use.IsArc });
       }
-      if (this->IsReversed(i) && this->IsClosed(i))
+      if (this->IsReversed(i) && !isMended)
       {
         this->Add(BodyContradiction::Type::Reversed, i, i, 0);
       }

@@ -9,6 +9,7 @@
  * | kind of fault | found by | case that proves it (TestBodyCheck) |
  * |---|---|---|
  * | a bound, or the edges, reversed; a repair reversed the face | Reversed | "a reversed cap" |
+ * | the same, with a seam, which the other part lacks | nothing, by intent | "a reversed cap with a seam" |
  * | the same, and the face was read by the letter | SameDirection | "a cap by the letter" |
  * | same_sense reversed: the other part, inside out | InsideOut | "a rest that is inside out" |
  * | arcs that run backwards, so that all their faces are reversed | Backwards | "arcs that run backwards" |

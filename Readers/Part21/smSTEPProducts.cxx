@@ -70,6 +70,15 @@ public:
         {
           this->AddProperty(property, representation);
         }
+        const Index definition = this->Entities.Follow(this->Entities.Get(property, DefinitionOfProperty));
+        const auto found = definition == STEPAttributes::None
+          ? this->Products.end()
+          : this->Products.find(this->File.GetId(definition));
+        if (found != this->Products.end() &&
+          this->Entities.Get(representation, NameOfRepresentation).Text == "material name")
+        {
+          found->second.HasMaterial = true;
+        }
       });
     this->AddAspects();
     std::vector<STEPProduct> result;
@@ -433,8 +442,13 @@ void AddStatement(const STEPStatement& statement, EntityWriter& writer)
     const std::string item =
       writer.Add("MEASURE_REPRESENTATION_ITEM('density measure',POSITIVE_RATIO_MEASURE(" +
         FormatPart21Real(statement.Density) + ")," + unit + ")");
-    writer.AddProperty("'material property','density'", "#" + std::to_string(product.Definition),
-      Quote(statement.Material), item, product.Context);
+    const std::string definition = "#" + std::to_string(product.Definition);
+    writer.AddProperty("'material property','density'", definition, "'density'", item, product.Context);
+    if (!statement.Material.empty() && !product.HasMaterial)
+    {
+      writer.AddProperty("'material property','material name'", definition, "'material name'",
+        writer.Add("DESCRIPTIVE_REPRESENTATION_ITEM(" + Quote(statement.Material) + ",'')"), product.Context);
+    }
   }
 }
 }

@@ -41,6 +41,8 @@ struct STEPProduct
   STEPValidation Stated;
   /// True if the file states a density for it, usable or not (smSTEPDensities.h).
   bool HasDensity = false;
+  /// True if the file states the name of its material.
+  bool HasMaterial = false;
   /// The reasons why the statements of one quantity cannot be used: a wrong unit, or the same property twice
   /// with different values. Empty if they can. Those of the others can be used all the same.
   std::string VolumeProblem, AreaProblem, CentroidProblem;

@@ -203,8 +203,8 @@ void LeafMesher::ChooseCoarseness(const std::vector<LeafSource>& sources)
 MeshLimits LeafMesher::GetLimits(vtkTrimmedNURBSModel* model) const
 {
   const double diagonal = GetDiagonal(model);
-  const double wanted = this->Wanted.LinearDeflection * (this->Wanted.RelativeDeflection ? diagonal : 1.0);
-  MeshLimits limits{ LimitDeflection(wanted, diagonal), this->Wanted.AngularDeflection };
+  MeshLimits limits{ LimitDeflection(this->Wanted.GetDeflection(diagonal), diagonal),
+    this->Wanted.AngularDeflection };
   if (this->IsCoarse())
   {
     limits.Deflection = std::max(limits.Deflection, this->CoarseDeflection);
@@ -217,6 +217,10 @@ vtkSmartPointer<vtkPolyData> LeafMesher::MakeMesh(
   vtkTrimmedNURBSModel* model, const ProgressCallback& progress)
 {
   const MeshLimits limits = this->GetLimits(model);
+  if (!this->IsCoarse() && limits.Deflection > this->Wanted.GetDeflection(GetDiagonal(model)))
+  {
+    this->SmallestDeflection = std::max(this->SmallestDeflection, limits.Deflection);
+  }
   vtkPolyData* scales = model->GetScaleMesh();
   if (!scales || scales->GetNumberOfPoints() == 0 || DoesSuit(scales, limits))
   {

@@ -46,6 +46,11 @@ struct ShownMesh
   double AngularDeflection = 0.35;
   /// Number of triangles of all instances above which a coarser mesh is made; 0: none.
   vtkIdType CoarseAbove = 0;
+
+  double GetDeflection(double diagonal) const
+  {
+    return this->LinearDeflection * (this->RelativeDeflection ? diagonal : 1.0);
+  }
 };
 
 /// Makes the display meshes of instances. Those of one model share all arrays that placement and colour leave
@@ -62,6 +67,8 @@ public:
 
   /// The meshes are coarser than what is asked, for there would be more than CoarseAbove triangles.
   bool IsCoarse() const { return this->CoarseDeflection > 0.0; }
+  /// The largest deflection that took the place of a smaller one that was asked for; 0: none did.
+  double GetSmallestDeflection() const { return this->SmallestDeflection; }
   /// The problems of meshes that are not scale meshes; the models themselves have messages about those.
   const std::vector<std::string>& GetMessages() const { return this->Messages; }
 
@@ -77,6 +84,7 @@ private:
   void ChooseCoarseness(const std::vector<LeafSource>& sources);
 
   ShownMesh Wanted;
+  double SmallestDeflection = 0.0;
   /// A length; 0: what is asked for is shown.
   double CoarseDeflection = 0.0;
   std::map<vtkTrimmedNURBSModel*, Shared> Meshes;

@@ -151,10 +151,10 @@ public:
   ///@{
   /**
    * Largest distance of the display mesh from the surface: a fraction of the part's bounding-box diagonal
-   * when RelativeDeflection is on (default), else a length in OutputUnit. Clamped to [1e-7, 1e30]; 0, less
-   * and NaN give the default, 0.001. The mesher gets no less than 1e-5 of the diagonal. Faces with gaps to
-   * their edges may be farther away: the field array MeshDeviation has a bound of their distance. The
-   * deflection does not affect the exact geometry.
+   * when RelativeDeflection is on (default), else a length in OutputUnit. Clamped to [1e-30, 1e30]; 0, less
+   * and NaN give the default, 0.001. The mesher gets no less than 1e-5 of the diagonal, with a message. Faces
+   * with gaps to their edges may be farther away: the field array MeshDeviation has a bound of their
+   * distance. The deflection does not affect the exact geometry.
    */
   void SetLinearDeflection(double deflection);
   vtkGetMacro(LinearDeflection, double);

@@ -1,6 +1,7 @@
 // The display mesh of a reader: when it is made, and the output with and without it.
 #include "vtkCADReaderInternals.h"
 
+#include "smFormat.h"
 #include "smMeshDemand.h"
 
 #include "vtkCompositeDataSet.h"
@@ -103,7 +104,7 @@ void vtkCADReader::SetRelativeDeflection(bool isRelative)
 
 void vtkCADReader::SetLinearDeflection(double deflection)
 {
-  const double value = deflection > 0.0 ? std::min(std::max(deflection, 1e-7), 1e30) : 0.001;
+  const double value = deflection > 0.0 ? std::min(std::max(deflection, 1e-30), 1e30) : 0.001;
   if (value != this->LinearDeflection)
   {
     this->LinearDeflection = value;
@@ -156,6 +157,13 @@ bool vtkCADReader::FillOutput(vtkPartitionedDataSetCollection* output)
   {
     messages.push_back("The display mesh is coarse: as fine as asked for it would have more than " +
       std::to_string(this->CoarseAbove) + " triangles; Refined makes that one.");
+  }
+  if (mesher.GetSmallestDeflection() > 0.0)
+  {
+    messages.push_back(
+      "The display mesh is as fine as it can be, 1e-5 of the diagonal of each solid: up to " +
+      sm::FormatDigits(mesher.GetSmallestDeflection(), 3) + " " + this->GetLengthUnit() +
+      " from the surface, which is more than was asked for.");
   }
   this->Last->MeshSeconds += vtkTimerLog::GetUniversalTime() - start;
   this->Status = OK;

@@ -235,6 +235,11 @@ def outputs():
         error = abs(volume / ball["volume"] - 1.0)
         check_true(f"volume with a deflection of {deflection}", error < 3.5 * float(deflection) / 10.0, str(error))
     check_true("finer triangles are nearer", volumes["1"] < volumes["0.1"] < ball["volume"], str(volumes))
+    # A deflection that no mesh keeps: 1e-5 of the diagonal is the smallest.
+    for deflection, is_kept in (("0.01", True), ("1e-4", False)):
+        _, files = run_json("--mesh", os.path.join(folder, "fine.obj"), "--deflection", deflection, ball["path"])
+        said = [message for message in files[0]["messages"] if re.search(r"as fine as it can be, .* up to 0\.000346 mm", message)]
+        check_equal(f"a deflection of {deflection} is not kept", [] if is_kept else files[0]["messages"][:1], said)
     for name in ("ball.obj", "ball.ply", "ball.vtp"):
         target = os.path.join(folder, name)
         check_equal(f"exit status with {name}", 0, run("-q", "--mesh", target, ball["path"]).returncode)

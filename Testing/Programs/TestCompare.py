@@ -251,6 +251,7 @@ def outputs():
 
     # Only some products; a material for one of them; other options go on working.
     compare(old, moved, "--only", "plate", status=0, counts={"unchanged": 1})
+    check_equal("no product is chosen", None, compare(old, moved, "--only", "nothing", "--fail-on", "none", status=3))
     compare(old, old, "--density", "steel", "--bom", "--backend", "cpu", status=0, counts={"unchanged": 5})
 
     # A limit of its own: a plate that is longer by 1e-7 of itself.

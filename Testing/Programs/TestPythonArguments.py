@@ -62,7 +62,7 @@ def check_files():
     def mass(**options):
         return lambda value: sm.mass_properties(sample, **{name: value if given is None else given for name, given in options.items()})
 
-    refuse_all("density", mass(density=None), ("steel", "7850", [7850], True, {}, b"1", 1j, numpy.array([1.0, 2.0])), (NAN, -1, 0, float("inf")))
+    refuse_all("density", mass(density=None), ("steel", "7850", [7850], True, {}, b"1", 1j, numpy.array([1.0, 2.0])), (NAN, -1, 0, float("inf"), 1e-310))
     refuse_all("tolerance", mass(tolerance=None), ("x", None, [1], True), (NAN, -1, 2))
     refuse_all("density_tolerance", mass(density_tolerance=None), ("x", None, [1], True), (NAN, -1, 2))
     refuse_all("max_seconds", mass(max_seconds=None), ("x", [1], True), (NAN, -1, 0))
@@ -116,14 +116,26 @@ def check_gradients():
         refuse_all("tolerance", lambda value, call=call: call(box, tolerance=value), ("x", None, [1]), (NAN, 0))
 
 
-def make_sheet():
+def make_edge():
     model = sm.Model()
     model.add_edge([0, 1], LINE)
+    return model
+
+
+def make_sheet():
+    model = make_edge()
     model.add_face(1, KNOTS, 1, KNOTS, NET)
     return model
 
 
 def check_models():
+    # Without a face there is no result.
+    for make in (sm.Model, make_edge):
+        try:
+            make().mass_properties()
+            check_true("a model without faces has no result", False)
+        except sm.SolidMomentsError as error:
+            check_true("a model without faces", "it has no faces" in str(error) and error.status == "suspect", str(error))
     refuse_all("name", sm.Model, (None, 3, [1]))
     refuse_all("length_unit", lambda value: sm.Model("a", value), (), (None, 3, "kg", ""))
     refuse_all("breaks", lambda value: make_sheet().add_edge(value, LINE), (None, "x", ["0", "1"]), ())

@@ -325,6 +325,8 @@ def check_no_time():
     check_equal("no time: exit status", 3, done.returncode)
     check_equal("no time: status", "not-computed", entry["status"])
     check_true("no time: why", any("maximum seconds" in text for text in entry["messages"]), str(entry["messages"]))
+    done = run("--max-seconds", "0", GOOD)
+    check_true("0 seconds are none, as in Python", done.returncode == 1 and "above 0" in done.stderr, done.stderr)
 
 
 def write_many_points():
@@ -358,8 +360,24 @@ def check_memory(path, limits_in_megabytes):
     check_true("some limits were too low", said > 0)
 
 
+def check_stack():
+    """A stack that is too small is not the file's fault."""
+    said = 0
+    for kilobytes in (128, 256, 8192):
+        done = run("--json", "-", "--backend", "cpu", options.sample,
+                   prepare=lambda: resource.setrlimit(resource.RLIMIT_STACK, (kilobytes << 10, kilobytes << 10)))
+        entry = json.loads(done.stdout)["files"][0] if done.stdout.startswith("{") else None
+        if entry and entry["status"] != "ok":
+            said += 1
+            text = "\n".join(entry["messages"])
+            check_equal(f"a stack of {kilobytes} kB: status", "not-computed", entry["status"])
+            check_true(f"a stack of {kilobytes} kB: why", f"a stack of {kilobytes} kB (ulimit -s)" in text and "malformed" not in text, text)
+    check_true("some stacks were too small, and 8 MB are enough", said > 0 and entry["status"] == "ok")
+
+
 def limits():
     check_job_without_end()
+    check_stack()
     check_no_time()
     check_memory(manifest.special("assembly")["path"], range(52, 401, 12))
     check_memory(write_many_points(), range(56, 241, 8))

@@ -59,7 +59,7 @@ def stated():
         check("in doubt by the bolts", 0.06, doubt["overridden"], 1e-15)
         check_equal("not by densities", 0.0, doubt["density"])
         check_true("tolerances of faces are not given", doubt["tolerance"] is None, str(doubt))
-        check("in all", doubt["overridden"] + doubt["numerical"], doubt["total"], 2e-6 * doubt["total"])
+        check("in all", doubt["overridden"] + doubt["numerical"], doubt["total"], 1e-14 * doubt["total"])
         check_equal("of the solids", {"plate": 0.0, "bolt": 0.25, "rail": 1.5}, {s["name"]: s["overridden_mass"] for s in file["solids"]})
         rail = next(s for s in file["solids"] if s["name"] == "rail")
         check("mean density", float(Fraction("1.5") / volumes["rail"] / KG), rail["density"], 1e-9)
@@ -80,7 +80,7 @@ def stated():
     budget = file["total"]["budget"]
     check_equal("lines of the budget", ["numerical", "closing", "density", "overridden masses", "tolerance"], [line["name"] for line in budget["lines"]])
     check("the line", 0.06, budget["lines"][3]["mass"], 1e-15)
-    check("the sum is that of the mass in doubt", budget["mass"], file["total"]["mass_uncertainty"]["total"], 2e-6 * budget["mass"])
+    check("the sum is that of the mass in doubt", budget["mass"], file["total"]["mass_uncertainty"]["total"], 1e-14 * budget["mass"])
     plate = [volumes["plate"] for _ in range(2)]
     size = [Fraction("50.8"), Fraction("25.4"), Fraction("6.35")]
     grown = (size[0] + Fraction("0.2")) * (size[1] + Fraction("0.2")) * (size[2] + Fraction("0.2")) - plate[0]
@@ -173,7 +173,7 @@ def products():
         check("both stations are stated", 1.8, total["overridden_mass"], 1e-13)
         doubt = total["mass_uncertainty"]
         check("in doubt by them", 0.036, doubt["overridden"], 1e-13)
-        check("in all", doubt["overridden"] + doubt["numerical"], doubt["total"], 2e-6 * doubt["total"])
+        check("in all", doubt["overridden"] + doubt["numerical"], doubt["total"], 1e-14 * doubt["total"])
         for solid, weight, volume in zip(file["solids"], shared, volumes):
             check_bounded(f"mass of {solid['name']}", weight * volume * KG, solid["mass"], solid["bounds"]["mass"])
             check(f"density of {solid['name']}", float(weight), solid["density"], 1e-11 * float(weight))

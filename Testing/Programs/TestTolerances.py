@@ -127,7 +127,7 @@ answer = run_json(file, "--face-tolerance", "0.1", "--density", "7850", "--densi
 for body in (answer["total"], answer["solids"][0]):
     doubt = body["mass_uncertainty"]
     check("share of the tolerances", share, doubt["tolerance"], 1e-14)
-    check("sum", doubt["density"] + doubt["gaps"] + doubt["numerical"] + doubt["overridden"] + doubt["tolerance"], doubt["total"], 2e-6 * share)
+    check("sum", doubt["density"] + doubt["gaps"] + doubt["numerical"] + doubt["overridden"] + doubt["tolerance"], doubt["total"], 2e-12 * doubt["total"])
 answer = run_json(file, "--density", "7850")
 check_true("no tolerances, no share", answer["total"]["mass_uncertainty"]["tolerance"] is None, str(answer["total"]["mass_uncertainty"]))
 

@@ -138,6 +138,38 @@ def make_disc(offsets, radius=0.22479, height=0.003, circle_radius=None, seam=Fa
     return body.get_text()
 
 
+def make_rounded_cylinder(with_loop=True, long_seam=False):
+    """A cylinder of radius 4 and height 10 whose edge below is rounded by 0.7. The circles of that face run with its loop, as those of its
+    neighbours demand, or against it, as OpenCASCADE 8.0 writes them. `long_seam`: its seam is the other arc of its circle."""
+    body = Body(0.4, (1.0, 2.0, 3.0))
+    heights, radii = (0.0, 0.7, 10.0), (3.3, 4.0, 4.0)
+    low, middle, top = (body.vertex((r, 0.0, z)) for r, z in zip(radii, heights))
+    circles = []
+    for vertex, r, z in zip((low, middle, top), radii, heights):
+        circle = body.add(f"CIRCLE('',{body.axes((0, 0, z))},{format_real(r)})")
+        circles.append(body.add(f"EDGE_CURVE('',{vertex},{vertex},{circle},.T.)"))
+    below, between, above = circles
+    arc = body.add(f"CIRCLE('',{body.axes((3.3, 0, 0.7), (0, 1, 0))},0.7)")
+    rounding = body.add(f"EDGE_CURVE('',{middle},{low},{arc},.{'F' if long_seam else 'T'}.)")
+    side = body.line_edge(middle, top, (4.0, 0.0, 0.7), (4.0, 0.0, 10.0))
+    faces = [body.face([body.loop([(between, True), (side, True), (above, False), (side, False)])],
+                       body.add(f"CYLINDRICAL_SURFACE('',{body.axes((0, 0, 0))},4.)")),
+             body.face([body.loop([(above, True)])], body.add(f"PLANE('',{body.axes((0, 0, 10))})")),
+             body.face([body.loop([(below, False)])], body.add(f"PLANE('',{body.axes((0, 0, 0), (0, 0, -1))})")),
+             body.face([body.loop([(below, with_loop), (rounding, False), (between, not with_loop), (rounding, True)])],
+                       body.add(f"TOROIDAL_SURFACE('',{body.axes((0, 0, 0.7), (0, 0, -1))},3.3,0.7)"))]
+    body.product("part", body.shape([body.solid(faces)]))
+    return body.get_text()
+
+
+def check_rounded(runner):
+    """A face of a torus whose seam says which part it is, whatever the direction of its circles."""
+    volume = math.pi * (16.0 * 9.3 + 3.3 ** 2 * 0.7 + 2.0 * 3.3 * math.pi * 0.49 / 4.0 + 2.0 / 3.0 * 0.343)
+    runner.check_value("a rounded cylinder", make_rounded_cylinder(), volume)
+    runner.check_value("one with circles against the loop", make_rounded_cylinder(False), volume, allowed="its faces do not agree about their sides")
+    runner.check_flagged("one with the other arc as its seam", make_rounded_cylinder(long_seam=True))
+
+
 def check_circles(runner):
     """The vertex of a closed circle says where the edge begins, nothing else."""
     chance = random.Random(20261127)

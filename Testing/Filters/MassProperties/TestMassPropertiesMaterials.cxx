@@ -233,7 +233,7 @@ void CheckMaterials(const char* unit, long double metres)
   CheckEqual("by gaps", 0.0, share(2));
   CheckRange("by the bound", GetFieldBound(fields, names::Mass), share(3),
     1.1 * GetFieldBound(fields, names::Mass), "with the largest tolerance");
-  Check("in all", share(1) + share(3), share(0), 2e-6 * share(0), "rounding of the sum");
+  Check("in all", share(1) + share(3), share(0), 1e-14 * share(0), "rounding of the sum");
   mass->SetDensityTolerance(0.0);
 
   // The density of the filter comes behind the rules and before that of the file.
@@ -312,7 +312,7 @@ void CheckStatedMasses(const char* unit, long double metres)
   Check("in doubt by the density of the first alone", density, inDoubt(1), 1e-14 * density);
   Check("by the stated masses, of which one has a tolerance", 0.05 * 12.3, inDoubt(4), 1e-15);
   CheckEqual("by gaps", 0.0, inDoubt(2));
-  Check("in all", inDoubt(1) + inDoubt(3) + inDoubt(4), inDoubt(0), 2e-6 * inDoubt(0));
+  Check("in all", inDoubt(1) + inDoubt(3) + inDoubt(4), inDoubt(0), 1e-14 * inDoubt(0));
   CheckTrue("it names them", Says(mass, "override the mass of 2 solids: light box 12.3 kg, other 4 kg"),
     GetMessages(mass));
   auto* table = vtkTable::SafeDownCast(mass->GetOutputDataObject(1));

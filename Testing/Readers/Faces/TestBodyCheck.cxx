@@ -61,6 +61,16 @@ void TestCaps()
   TestBody reversed = MakeCap(false, false);
   reversed.Turn(0);
   CheckFound("a reversed cap", reversed, false, 1, Type::Reversed);
+  // The seam is within the cap, whatever the direction of its bound; that of its neighbour decides which of
+  // both is reversed.
+  for (const bool isDiscForward : { false, true })
+  {
+    TestBody seamed = MakeCap(false, isDiscForward);
+    seamed.Use(0, 2, true);
+    seamed.Use(0, 2, false);
+    seamed.Turn(0);
+    CheckFound("a reversed cap with a seam", seamed, false, isDiscForward ? 1 : 0, Type::SameDirection);
+  }
   CheckFound("a cap by the letter", MakeCap(false, false), false, 1, Type::SameDirection);
   // A surface that is closed, which the file does not say.
   TestBody egg = MakeCap(false, false);

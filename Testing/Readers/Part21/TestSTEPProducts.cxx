@@ -167,6 +167,7 @@ void CheckAppending()
     Check("centroid z", 1e20, product.Stated.Centroid[2], 0.0);
     CheckTrue("no area", std::isnan(product.Stated.Area));
     CheckTrue("a density", product.HasDensity && !statement.Product.HasDensity);
+    CheckTrue("a material", product.HasMaterial && !statement.Product.HasMaterial);
     CheckTrue("quotes", longer.find("'O''Neill\\\\steel'") != std::string::npos);
   }
   sm::Part21File nothing;

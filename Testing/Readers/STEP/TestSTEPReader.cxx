@@ -248,7 +248,7 @@ void CheckDeflection()
     CheckEqual("a deflection that is none is the default", 0.001, reader->GetLinearDeflection());
   }
   reader->SetLinearDeflection(1e-20);
-  CheckEqual("the smallest deflection", 1e-7, reader->GetLinearDeflection());
+  CheckEqual("the smallest deflection", 1e-20, reader->GetLinearDeflection());
   reader->SetAngularDeflection(0.0);
   CheckEqual("the smallest angle", 0.01, reader->GetAngularDeflection());
   reader->SetAngularDeflection(10.0);
