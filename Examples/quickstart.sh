@@ -1,5 +1,5 @@
 #!/bin/sh
-# From a fresh Debian 12 or 13 to the mass properties of a part:
+# From a fresh Debian 12, 13 or testing to the mass properties of a part:
 #   sh Examples/quickstart.sh [FILE.step]
 # Installs what is missing, builds in build/, prints volume, area, centre of mass and inertia of the file (by
 # default of a sample part) and draws it in build/quickstart.png. Needs no display and no GPU.

@@ -2,7 +2,7 @@
 # Runs a command in a bare Debian, in a clone of the last commit of this tree: what a new user's machine sees.
 #   sudo sh Testing/debian.sh SUITE COMMAND...
 # For example: sudo sh Testing/debian.sh trixie sh Testing/run.sh
-# SUITE is bookworm (Debian 12), trixie (13) or a later one. Needs root, debootstrap and some 8 GB of disk.
+# SUITE is bookworm (Debian 12), trixie (13) or forky (testing). Needs root, debootstrap and some 8 GB disk.
 # The system is made in build-debian-SUITE/ (or the folder that SOLIDMOMENTS_DEBIAN names), with git and
 # nothing else, and is used again where it is there, so that the next run builds only what changed; delete the
 # folder to start anew. The clone is /home/user/project in it. The exit status is the command's.

@@ -18,7 +18,7 @@ namespace sm
 {
 /**
  * Calls work(begin, end) for disjoint parts of [0, count) on as many threads as vtkSMPTools has, and returns
- * when all of them are done. A part has about `grain` indices; see RunLoop().
+ * when all of them are done. A part has `grain` indices; see RunLoop().
  *
  * With vtkSMPTools alone an exception that leaves `work` ends the process. Here the first exception is stored
  * and rethrown in the calling thread; parts that have not begun by then are skipped, so the results of the

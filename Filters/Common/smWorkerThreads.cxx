@@ -6,6 +6,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstring>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -51,9 +52,10 @@ public:
       return false;
     }
     const std::size_t parts = (count + grain - 1) / grain;
-    const std::size_t helpers = std::min(threads, parts) - 1;
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
+      this->Start(std::min(threads, parts) - 1);
+      const std::size_t helpers = std::min(std::min(threads, parts) - 1, this->Started);
       this->Count = count;
       this->Grain = grain;
       this->Part = &part;
@@ -61,10 +63,6 @@ public:
       this->Wanted = helpers;
       this->Active = helpers;
       ++this->Loop;
-      for (; this->Started < helpers; ++this->Started)
-      {
-        std::thread([this, loop = this->Loop - 1] { this->Wait(loop); }).detach();
-      }
     }
     this->Begin.notify_all();
     this->TakeParts();
@@ -77,6 +75,22 @@ public:
   }
 
 private:
+  /// Starts threads until there are so many, or as many as the system gives.
+  void Start(std::size_t threads)
+  {
+    try
+    {
+      for (; this->Started < threads; ++this->Started)
+      {
+        std::thread([this, loop = this->Loop] { this->Wait(loop); }).detach();
+      }
+    }
+    catch (const std::exception&)
+    {
+      // The loop has fewer threads.
+    }
+  }
+
   void TakeParts()
   {
     IsInLoop = true;
@@ -136,14 +150,9 @@ void RunLoop(std::size_t count, std::size_t grain, const LoopPart& part)
     return;
   }
   const char* backend = vtkSMPTools::GetBackend();
-  if (!backend || std::strcmp(backend, "STDThread") != 0)
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(grain),
-      [&part](vtkIdType begin, vtkIdType end)
-      { part(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
-    return;
-  }
-  const auto threads = static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
+  const bool isSequential = !backend || std::strcmp(backend, "Sequential") == 0;
+  const auto threads =
+    static_cast<std::size_t>(isSequential ? 1 : std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
   if (grain == 0)
   {
     grain = std::max<std::size_t>(count / (4 * threads), 1);

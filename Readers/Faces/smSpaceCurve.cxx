@@ -1,5 +1,6 @@
 #include "smSpaceCurve.h"
 
+#include "Geometry/smGeometricCurve.h"
 #include "smPolynomialCurve.h"
 
 #include "vtkMath.h"
@@ -148,7 +149,7 @@ bool FindConicRange(
     const double x = Dot(away, curve.Axes[0]);
     const double y = Dot(away, curve.Axes[1]);
     range[k] = curve.Kind == SpaceCurve::Type::Ellipse ? std::atan2(y / curve.Radii[1], x / curve.Radii[0])
-      : curve.Kind == SpaceCurve::Type::Hyperbola      ? std::asinh(y / curve.Radii[1])
+      : curve.Kind == SpaceCurve::Type::Hyperbola      ? GetHyperbolaParameter(y / curve.Radii[1])
                                                        : y / (2.0 * curve.Radii[0]);
   }
   if (curve.Kind == SpaceCurve::Type::Ellipse)

@@ -55,7 +55,9 @@ def color_by(mass, array, low, high):
     bodies = simple.GetRepresentation(servermanager.OutputPort(mass, 5), view)
     bodies.Opacity = 1.0
     simple.ColorBy(bodies, ("CELLS", array))
-    simple.GetColorTransferFunction(array).RescaleTransferFunction(low, high)
+    colors = simple.GetColorTransferFunction(array)
+    colors.ApplyPreset("Cool to Warm", True)  # ParaView 6 has another default
+    colors.RescaleTransferFunction(low, high)
     bodies.SetScalarBarVisibility(view, True)
     return bodies
 

@@ -3,7 +3,8 @@
  * @brief Threads that wait for loops; not installed
  *
  * The backend STDThread of vtkSMPTools starts and joins its threads in every loop (VTK 9.1 and 9.2), which
- * takes a millisecond with 16 threads: as long as the integration of a small part.
+ * takes a millisecond with 16 threads: as long as the integration of a small part. TBB, the default of
+ * Debian's VTK 9.6, waits for ever when memory is exhausted (TBB 2023.1), and has no threads after fork().
  */
 #ifndef smWorkerThreads_h
 #define smWorkerThreads_h
@@ -19,11 +20,10 @@ namespace sm
 using LoopPart = std::function<void(std::size_t begin, std::size_t end)>;
 
 /**
- * Calls part(begin, end) for the parts of [0, count) with about `grain` indices each (0: a quarter of each
- * thread's share), on the threads that vtkSMPTools would use. Within a part, and while another thread runs a
- * loop, all of it runs in the calling thread. `part` must not throw. Backends other than STDThread run the
- * loop themselves. The threads belong to the process that started them: after fork() the child starts its
- * own.
+ * Calls part(begin, end) for the parts of [0, count) with `grain` indices each (0: a quarter of each
+ * thread's share), on as many threads as vtkSMPTools would use; the backend Sequential has one. Within a
+ * part, and while another thread runs a loop, all of it is one part in the calling thread. `part` must not
+ * throw. The threads belong to the process that started them: after fork() the child starts its own.
  */
 SMFILTERSCOMMON_EXPORT void RunLoop(std::size_t count, std::size_t grain, const LoopPart& part);
 }

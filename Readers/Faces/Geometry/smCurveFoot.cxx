@@ -55,7 +55,7 @@ double FindOnConic(const ConicCurve<Dimension>& conic, const std::array<double, 
     case ConicCurve<Dimension>::Type::Ellipse:
       return std::atan2(y / conic.Radii[1], x / conic.Radii[0]);
     case ConicCurve<Dimension>::Type::Hyperbola:
-      return std::asinh(y / conic.Radii[1]);
+      return GetHyperbolaParameter(y / conic.Radii[1]);
     default:
       return y;
   }

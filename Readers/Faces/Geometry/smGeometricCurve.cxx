@@ -286,6 +286,15 @@ std::string CheckValue(const CompositeCurve<Dimension>& composite)
 }
 }
 
+double GetHyperbolaParameter(double y)
+{
+  const double size = std::abs(y);
+  const double root = std::sqrt(1.0 + size * size);
+  return std::copysign(
+    size > 2.0 ? std::log(2.0 * size + 1.0 / (root + size)) : std::log1p(size + size * size / (1.0 + root)),
+    y);
+}
+
 template <int Dimension>
 CurvePointer<Dimension> GeometricCurve<Dimension>::Make(Variant value, std::string& problem)
 {

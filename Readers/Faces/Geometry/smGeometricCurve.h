@@ -63,6 +63,10 @@ struct LineCurve
   std::array<double, Dimension> Direction{};
 };
 
+/// Returns the parameter of the point of a hyperbola that is `y` semi-axes away from its X axis: asinh(y),
+/// with the same bits on every system. The C library's depend on its version (glibc 2.36 and 2.43).
+SMREADERSFACES_EXPORT double GetHyperbolaParameter(double y);
+
 template <int Dimension>
 struct ConicCurve
 {

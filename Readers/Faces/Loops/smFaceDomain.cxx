@@ -300,7 +300,7 @@ void TakePart(DraftFace& face, double start, double middle)
 ParameterRange TakeWithin(const ConicCurve<3>& conic, double distance)
 {
   const bool isHyperbola = conic.Kind == ConicCurve<3>::Type::Hyperbola;
-  const double end = isHyperbola ? std::asinh(distance / conic.Radii[1]) : distance;
+  const double end = isHyperbola ? GetHyperbolaParameter(distance / conic.Radii[1]) : distance;
   return { -end, end };
 }
 

@@ -3,7 +3,9 @@
 #include "smTesting.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <mutex>
 #include <new>
 #include <set>
@@ -19,9 +21,11 @@ using namespace smtest;
 void CheckEveryIndex(std::size_t grain)
 {
   std::vector<int> visits(10007, 0);
+  std::atomic<bool> areMultiples{ true };
   sm::ParallelFor(visits.size(), grain,
     [&](std::size_t begin, std::size_t end)
     {
+      areMultiples = areMultiples && (grain == 0 || begin % grain == 0);
       for (std::size_t i = begin; i < end; ++i)
       {
         ++visits[i];
@@ -29,6 +33,7 @@ void CheckEveryIndex(std::size_t grain)
     });
   CheckTrue("every index once, grain " + std::to_string(grain),
     std::all_of(visits.begin(), visits.end(), [](int count) { return count == 1; }));
+  CheckTrue("parts begin at multiples of the grain", areMultiples);
 }
 
 void CheckException()
@@ -81,5 +86,15 @@ int TestParallelFor(int, char*[])
   CheckEveryIndex(0);
   CheckException();
   CheckEveryIndex(16);
+  // TBB cuts a loop in halves.
+  for (const char* backend : { "Sequential", "OpenMP", "TBB" })
+  {
+    if (vtkSMPTools::SetBackend(backend))
+    {
+      std::printf("--- %s\n", backend);
+      CheckEveryIndex(64);
+      CheckEveryIndex(0);
+    }
+  }
   return Finish();
 }

@@ -38,7 +38,10 @@ def check_package():
     check_equal("one face", [3], [face.face for face in one.faces])
     check_true("has the numbers of the whole", numpy.array_equal(one.faces[0].values, tied.faces[3].values, equal_nan=True))
     device = solidmoments.moment_gradient(BOX["path"], faces=[3], backend="opengl")
-    check_equal("by shaders", ("opengl", ""), (device.used_backend, device.backend_reason))
+    # A driver that takes subnormal numbers for 0 leaves gradients to the CPU.
+    flushes = "takes numbers below 2.3e-308 for 0" in device.backend_reason
+    check_equal("by shaders", "cpu" if flushes else "opengl", device.used_backend)
+    check_true("without a reason", flushes or not device.backend_reason, device.backend_reason)
     check_equal("by the processor", ("cpu", ""), (tied.used_backend, tied.backend_reason))
     cone = solidmoments.moment_gradient(CONE["path"])
     check_true("coinciding moments are NaN, and said so", any("coincide" in text for text in cone.messages) and
@@ -85,7 +88,8 @@ def check_filter():
     check_equal("backend", (gradient.CPU, ""), (gradient.GetUsedBackend(), gradient.GetBackendReason()))
     gradient.SetBackend(gradient.OPENGL)
     gradient.Update()
-    check_equal("by OpenGL", (gradient.OPENGL, ""), (gradient.GetUsedBackend(), gradient.GetBackendReason()))
+    flushes = "takes numbers below 2.3e-308 for 0" in gradient.GetBackendReason()
+    check_equal("by OpenGL", gradient.CPU if flushes else gradient.OPENGL, gradient.GetUsedBackend())
     bounds = vtk_to_numpy(gradient.GetBounds(2)).reshape(values.shape)
     apart = numpy.abs(vtk_to_numpy(gradient.GetValues(2)).reshape(values.shape) - values)
     check_true("within the bounds", bool(numpy.all((apart <= 2 * bounds) | numpy.isnan(bounds))))

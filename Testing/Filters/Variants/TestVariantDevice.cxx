@@ -2,6 +2,7 @@
 // with bits that repeat; and what happens without a context, with a wrong one, or with one that ends.
 #include "Detail/smVariantNumbers.h"
 #include "smShaderFault.h"
+#include "smSubnormals.h"
 #include "smTesting.h"
 #include "smVariantIntegrator.h"
 #include "smVariantSolids.h"
@@ -495,6 +496,10 @@ int TestVariantDevice(int, char*[])
   if (context->Start() != vtkComputeContext::READY)
   {
     std::printf("SKIP %s\n", context->GetReason().c_str());
+    return Skipped;
+  }
+  if (FlushesSubnormals())
+  {
     return Skipped;
   }
   for (const VariantSolid& solid : { MakeBoxOfSides(), MakePrism() })

@@ -18,8 +18,10 @@ rail = Part("rail", [((0, 0, 0), (200, 10, 10))])
 write_product(os.path.join(folder, "materials_window.step"), Assembly("machine", [(bolt, (0, 0, 10), None), (rail, (0, 0, 0), None)]))
 panel = "pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
 with open(os.path.join(here, "TestPluginMaterialsWindow.xml"), encoding="utf-8") as file:
-    # Qt 6, which newer versions of ParaView have, writes exponents with as few digits as it can.
-    is_qt_5 = "paraview-5.11" in plugin
+    # Qt 6, which newer versions of ParaView have, writes exponents with as few digits as it can; ParaView 6.1
+    # writes all digits of a double.
+    version = re.search(r"paraview-([0-9]+[.][0-9]+)", plugin).group(1)
+    tolerance = {"5.11": "1e-09", "5.13": "1e-9"}.get(version, "1.00000000000000006e-09")
     events = file.read()
 # Titles are those of the table's header where the plugin has its library for Qt, else a first row.
 table = 'object="PANEL/MaterialTable/ScalarValueList/Table'
@@ -28,7 +30,7 @@ titles = (f'<pqcheck {table}/1QHeaderView0" property="visible" arguments="true" 
           else f'<pqcheck {table}" property="modelItemData" arguments="0.2,kg/m^3" />')
 rows = [str(row - has_header) for row in (1, 2, 3)]
 for word, text in zip(("TITLES", "BOLT", "RAIL", "TOTAL", "PANEL", "DEFAULT_TOLERANCE"),
-                      [titles, *rows, panel, "1e-09" if is_qt_5 else "1e-9"]):
+                      [titles, *rows, panel, tolerance]):
     events = events.replace(word, text)
 script, state = (os.path.join(folder, "materials_window." + end) for end in ("xml", "pvsm"))
 with open(script, "w", encoding="utf-8") as file:

@@ -338,6 +338,21 @@ void TestPeriodicSpline()
   smtest::CheckRange("a periodic spline in several turns", 0.0, worst, Limit, "rounding");
 }
 
+/// The parameter of a hyperbola against asinh to 17 digits, and where C libraries differ, to the bit.
+void TestHyperbolaParameter()
+{
+  const double known[][2] = { { 0.0, 0.0 }, { 1e-9, 1e-9 }, { 0.09375, 0.093613211221128861 },
+    { 1.0, 0.88137358701954303 }, { 3.0, 1.8184464592320668 }, { -0.5, -0.48121182505960345 },
+    { 1e10, 23.718998110500402 } };
+  for (const auto& [y, expected] : known)
+  {
+    // Two roundings, and those of the logarithm.
+    smtest::Check(
+      "asinh " + std::to_string(y), expected, sm::GetHyperbolaParameter(y), 3e-16 * std::abs(expected));
+  }
+  smtest::CheckTrue(
+    "the same bits on every system", sm::GetHyperbolaParameter(0.09375) == 0x1.7f70910ab14f7p-4);
+}
 }
 
 int TestGeometry(int, char*[])
@@ -348,5 +363,6 @@ int TestGeometry(int, char*[])
   TestElementary();
   TestSwept();
   TestPeriodicSpline();
+  TestHyperbolaParameter();
   return smtest::Finish();
 }

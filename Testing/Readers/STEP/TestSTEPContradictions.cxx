@@ -402,8 +402,9 @@ void CheckFoldedFace()
   writer.Write(path.c_str());
   const std::string text = ReadAll(path);
   std::smatch torus;
-  // OpenCASCADE writes the torus as a surface of revolution.
-  CheckTrue("a torus", std::regex_search(text, torus, std::regex("(#[0-9]+) = SURFACE_OF_REVOLUTION")));
+  // OpenCASCADE writes the torus as a surface of revolution, 7.9 as a torus.
+  CheckTrue("a torus",
+    std::regex_search(text, torus, std::regex("(#[0-9]+) = (SURFACE_OF_REVOLUTION|TOROIDAL_SURFACE)")));
   const std::string wrong = std::regex_replace(
     text, std::regex("(ADVANCED_FACE\\('',\\([^)]*\\)," + torus[1].str() + ",)\\.T\\."), "$1.F.");
   CheckTrue("  the files differ", wrong != text);
@@ -417,7 +418,10 @@ void CheckFoldedFace()
   CheckTrue("  said where all is repaired",
     Mentions(repaired, "selects the part of its surface outside them"), repaired.Messages);
   CheckEqual("  a sound sector is not accused", "", JudgeText(text, vtkSTEPReader::ALWAYS).Messages);
-  CheckRange("  volume", 0.0, std::abs(folded.Volume - good.Volume) / good.Volume, 1e-6);
+  // The rest of a torus is a face, too: which one is meant is in doubt.
+  CheckTrue("  volume, or suspect",
+    torus[2] == "TOROIDAL_SURFACE" ? folded.Status == "suspect"
+                                   : std::abs(folded.Volume - good.Volume) <= 1e-6 * good.Volume);
 }
 
 /// Judges a whole torus of radii 1 and 2, which crosses itself, or the part that `selection` states.
