@@ -72,6 +72,10 @@ if (SOLIDMOMENTS_WRAP_PYTHON)
       COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/TestSavedSolids.py" "${SOLIDMOMENTS_TEST_SOLIDS}"
         "${SOLIDMOMENTS_TEST_OUTPUT}/saved-solids" ${reader} "${${reader}_program}")
   endforeach ()
+  if (SOLIDMOMENTS_FREECAD)
+    solidmoments_add_test(NAME MirroredTwin LABELS value package NODISPLAY COMMAND "${Python3_EXECUTABLE}" -B
+      "${CMAKE_CURRENT_SOURCE_DIR}/TestMirroredTwin.py" "$<TARGET_FILE:solidmoments>" "${SOLIDMOMENTS_TEST_OUTPUT}/mirrored-twin" "${SOLIDMOMENTS_FREECAD}")
+  endif ()
   if (SOLIDMOMENTS_FREECAD AND EXISTS "${SOLIDMOMENTS_MODELS_DIR}/reference.jsonl")
     solidmoments_add_test(NAME CompareSaved LABELS value package NODISPLAY FIXTURE models ENVIRONMENT "${python_path}"
       COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Testing/Sweeps/CompareSaved.py" --freecad "${SOLIDMOMENTS_FREECAD}"
