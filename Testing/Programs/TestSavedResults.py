@@ -204,15 +204,17 @@ def check_several_at_a_time():
     check_true("the same output for every number of jobs", texts[0] == texts[1] == texts[2] and texts[0].count("\n") > 8, texts[0][:300])
 
     target = os.path.join(folder, "out.json")
-    with subprocess.Popen([options.program, "-q", "--jobs", "2", "--json", target, "--backend", "cpu", options.sample, GOOD, GOOD, GOOD],
+    with subprocess.Popen([options.program, "-q", "--jobs", "2", "--json", target, "--backend", "cpu", "--moments", "16", options.sample, GOOD, GOOD, GOOD],
                           stderr=subprocess.PIPE, encoding="utf-8") as process:
-        while not child_of(process):
-            pass
-        os.kill(child_of(process), signal.SIGSTOP)
-        # The other files are read meanwhile: at last the stopped child is the only one.
-        others = set()
-        while len(others) < 4 or len(children_of(process)) > 1:
-            others.update(children_of(process))
+        child = None
+        while child is None and process.poll() is None:
+            child = child_of(process)
+        os.kill(child, signal.SIGSTOP)
+        # The other files are read meanwhile: at last the stopped child is the only one, for three seconds. Others may be too short to be seen.
+        alone = time.monotonic()
+        while time.monotonic() < alone + 3.0:
+            alone = alone if len(children_of(process)) == 1 else time.monotonic()
+            time.sleep(0.01)
         process.send_signal(signal.SIGTERM)
         complaint = process.communicate(timeout=100)[1]
     check_equal("interrupted: ended by", -signal.SIGTERM, process.returncode)
