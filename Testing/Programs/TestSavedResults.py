@@ -210,7 +210,7 @@ def check_several_at_a_time():
         while child is None and process.poll() is None:
             child = child_of(process)
         os.kill(child, signal.SIGSTOP)
-        # The other files are read meanwhile: at last the stopped child is the only one, for three seconds. Others may be too short to be seen.
+        # The other files are read meanwhile, too fast to be seen: at last the stopped child is alone for 3 s.
         alone = time.monotonic()
         while time.monotonic() < alone + 3.0:
             alone = alone if len(children_of(process)) == 1 else time.monotonic()
