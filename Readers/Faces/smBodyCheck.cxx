@@ -31,16 +31,6 @@ bool HasBorder(const FaceStatement& statement)
   return std::any_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.second != 0; });
 }
 
-/// Returns true if an edge is used in both directions, so that the face is on both of its sides: the other
-/// part of the surface has no such edge.
-bool HasEdgeInside(const FaceStatement& statement)
-{
-  std::unordered_map<std::uint64_t, bool> directions;
-  return std::any_of(statement.Uses.begin(), statement.Uses.end(),
-    [&directions](const EdgeUseStatement& use)
-    { return directions.emplace(use.Edge, use.IsForward).first->second != use.IsForward; });
-}
-
 /// A use of an edge by a face.
 struct UseOfEdge
 {
@@ -65,18 +55,24 @@ public:
   {
     for (std::size_t i = 0; i < this->Faces.size(); ++i)
     {
-      const FaceStatement& statement = *this->Faces[i].Statement;
-      // A face of which only one side is finite, or has the seam, has that side, whatever the file says.
-      const bool isMended = this->IsReversed(i) && (HasEdgeInside(statement) || !this->IsClosed(i));
-      for (const EdgeUseStatement& use : statement.Uses)
+      // A face of which only one side is finite has that side, whatever the file says.
+      const bool isMended = this->IsReversed(i) && !this->IsClosed(i);
+      for (const EdgeUseStatement& use : this->Faces[i].Statement->Uses)
       {
         this->Uses[use.Edge].push_back({ i, use.IsForward != isMended, use.IsArc });
       }
-      if (this->IsReversed(i) && !isMended)
+    }
+    for (std::size_t i = 0; i < this->Faces.size(); ++i)
+    {
+      if (this->IsInDoubt(i) && this->HasEdgeInside(i) && this->HasWitness(i))
+      {
+        this->ReverseUses(i);
+      }
+      else if (this->IsInDoubt(i))
       {
         this->Add(BodyContradiction::Type::Reversed, i, i, 0);
       }
-      if (this->IsInsideOut && HasBorder(statement) && this->IsClosed(i))
+      if (this->IsInsideOut && HasBorder(*this->Faces[i].Statement) && this->IsClosed(i))
       {
         this->Add(BodyContradiction::Type::InsideOut, i, i, 0);
       }
@@ -109,6 +105,50 @@ private:
   bool IsReversed(std::size_t face) const
   {
     return this->Faces[face].Finding.Verdict == FaceVerdict::Reversed;
+  }
+
+  /// Returns true if the face is on the other side of its bounds than the file says, and both are finite.
+  bool IsInDoubt(std::size_t face) { return this->IsReversed(face) && this->IsClosed(face); }
+
+  /// Returns true if the face uses an edge in both directions, so that it is on both sides of the edge: the
+  /// other part of the surface has no such edge.
+  bool HasEdgeInside(std::size_t face) const
+  {
+    std::unordered_map<std::uint64_t, bool> directions;
+    const std::vector<EdgeUseStatement>& uses = this->Faces[face].Statement->Uses;
+    return std::any_of(uses.begin(), uses.end(),
+      [&directions](const EdgeUseStatement& use)
+      { return directions.emplace(use.Edge, use.IsForward).first->second != use.IsForward; });
+  }
+
+  /// Returns true if an adjacent face is not in doubt itself, so that CheckEdge() compares directions with
+  /// it.
+  bool HasWitness(std::size_t face)
+  {
+    for (const EdgeUseStatement& own : this->Faces[face].Statement->Uses)
+    {
+      for (const UseOfEdge& use : this->Uses[own.Edge])
+      {
+        if (use.Face != face && !this->IsInDoubt(use.Face))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Takes the directions of a face's edges as they are around its other side.
+  void ReverseUses(std::size_t face)
+  {
+    for (const EdgeUseStatement& own : this->Faces[face].Statement->Uses)
+    {
+      // An edge inside comes twice, and keeps its two directions.
+      for (UseOfEdge& use : this->Uses[own.Edge])
+      {
+        use.IsForward = use.IsForward != (use.Face == face);
+      }
+    }
   }
 
   void Add(BodyContradiction::Type kind, std::size_t face, std::size_t other, std::uint64_t edge)

@@ -4,12 +4,13 @@
  *
  * A loop on a closed surface bounds two finite faces, one on either side. If one flag of the file is
  * reversed, the other one is again a consistent face, with its normal on the other side. Only the rest of the
- * body shows which one is meant.
+ * body shows which one is meant, or a seam, which the other part lacks, if an adjacent face confirms it.
  *
  * | kind of fault | found by | case that proves it (TestBodyCheck) |
  * |---|---|---|
  * | a bound, or the edges, reversed; a repair reversed the face | Reversed | "a reversed cap" |
- * | the same, with a seam, which the other part lacks | nothing, by intent | "a reversed cap with a seam" |
+ * | the same, with a seam, next to a sound face | nothing, by intent | "a reversed cap with a seam" |
+ * | the same, next to such faces alone | Reversed | "a ring of two parts" |
  * | the same, and the face was read by the letter | SameDirection | "a cap by the letter" |
  * | same_sense reversed: the other part, inside out | InsideOut | "a rest that is inside out" |
  * | arcs that run backwards, so that all their faces are reversed | Backwards | "arcs that run backwards" |

@@ -71,6 +71,19 @@ void TestCaps()
     seamed.Turn(0);
     CheckFound("a reversed cap with a seam", seamed, false, isDiscForward ? 1 : 0, Type::SameDirection);
   }
+  // A ring whose section is a lens: seams and circles of both parts contradict each other, and no other face
+  // says which are right.
+  TestBody ring(2);
+  for (std::size_t face = 0; face < 2; ++face)
+  {
+    ring.Faces[face].IsClosed = true;
+    ring.Turn(face);
+    ring.Use(face, 1, face == 0);
+    ring.Use(face, 2, face == 1);
+    ring.Use(face, 3 + face, true);
+    ring.Use(face, 3 + face, false);
+  }
+  CheckFound("a ring of two parts", ring, false, 2, Type::Reversed);
   CheckFound("a cap by the letter", MakeCap(false, false), false, 1, Type::SameDirection);
   // A surface that is closed, which the file does not say.
   TestBody egg = MakeCap(false, false);
