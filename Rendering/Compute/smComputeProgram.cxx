@@ -264,9 +264,17 @@ bool ComputeProgram::Dispatch(unsigned int invocations, unsigned int localSize, 
   ++this->Resources->Dispatches;
   LogDispatch(this->Resources->Context, this->Label);
   const std::string error = GL::TakeError();
-  return error.empty() ||
-    this->Fail(
-      error + " in a dispatch of " + std::to_string(columns) + " x " + std::to_string(rows) + " groups");
+  if (error.empty())
+  {
+    return true;
+  }
+  // It may be that of a uniform.
+  for (Uniform& uniform : this->Uniforms)
+  {
+    uniform.IsSet = false;
+  }
+  return this->Fail(
+    error + " in a dispatch of " + std::to_string(columns) + " x " + std::to_string(rows) + " groups");
 }
 
 void ComputeProgram::PlaceBarrier()

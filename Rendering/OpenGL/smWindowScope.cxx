@@ -115,10 +115,14 @@ bool SavedScope::Enter(vtkComputeContext* context, vtkOpenGLRenderWindow* window
   }
   this->Resources = context->GetResources();
   this->Generation = this->Resources->Generation;
-  // Errors of other code; inside the scope all are ours.
-  sm::GL::DrainErrors();
+  const bool isInside = this->Resources->Window->ScopeDepth > 0;
+  if (!isInside)
+  {
+    // Errors of other code; inside a scope all are ours.
+    sm::GL::DrainErrors();
+  }
   // What renders with a window of ours, such as an example, relies on no binding between its calls.
-  this->HasSaved = !this->Resources->Window->IsOwn || this->Resources->Window->ScopeDepth > 0;
+  this->HasSaved = isInside || !this->Resources->Window->IsOwn;
   if (this->HasSaved)
   {
     this->Saved.Save();
