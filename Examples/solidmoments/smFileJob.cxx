@@ -382,6 +382,18 @@ sm::Robot PlanRobot(
   return robot;
 }
 
+/// Flags a result whose triangles are written inside out.
+void CheckTriangles(const sm::JobOptions& options, FileResult& file, sm::MessageList& messages)
+{
+  const bool areWritten = !options.MeshName.empty() || !options.RobotName.empty();
+  if (areWritten && file.Total.FlippedShells > 0)
+  {
+    messages.AddEcho("the triangles of --mesh and --robot take shells that are inside out as the file "
+                     "orients them: correct the file");
+    file.Status = file.Status == names::StatusOk ? names::StatusSuspect : file.Status;
+  }
+}
+
 /// What is written besides the results: decided before these are sent, as its messages go with them.
 struct Plans
 {
@@ -469,6 +481,7 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   Plans plans;
   if (isRead)
   {
+    CheckTriangles(options, file, messages);
     plans = { PlaceMesh(reader, filter, options, messages), PlanRobot(reader, file, options, messages) };
   }
   SendResult(send, file, messages, true);

@@ -95,6 +95,11 @@ std::vector<vtkSmartPointer<vtkSurfaceIntegralGPU>> MakeFilters(
       if (filters.empty() || filters.back()->GetNumberOfIntegrands() == MomentsPerFilter)
       {
         filters.push_back(vtkSmartPointer<vtkSurfaceIntegralGPU>::New());
+        if (filters.size() > 1)
+        {
+          // The volume, from which each filter knows shells that are inside out.
+          filters.back()->AddVolumeMoment("moment_0_0_0", 0, 0, 0);
+        }
       }
       filters.back()->AddVolumeMoment(name, i, j, k);
     });
@@ -243,7 +248,8 @@ std::unique_ptr<AnalysisResult> IntegralAnalysis::MakeResult() const
 
 void IntegralAnalysis::Run(const AnalysisRun& run) const
 {
-  for (vtkSurfaceIntegralGPU* filter : MakeFilters(this->MomentDegree, this->Integrals))
+  const auto filters = MakeFilters(this->MomentDegree, this->Integrals);
+  for (vtkSurfaceIntegralGPU* filter : filters)
   {
     if (filter->GetNumberOfIntegrands() == 0)
     {
@@ -268,6 +274,12 @@ void IntegralAnalysis::Run(const AnalysisRun& run) const
       }
     }
     AddEffort(filter, run.File, run.Messages);
+    if (filter == filters.back() && run.File.Total.FlippedShells > 0 && run.File.Status == names::StatusOk)
+    {
+      run.File.Status = names::StatusSuspect;
+      run.Messages.AddEcho("integrals of expressions take shells that are inside out as the file orients "
+                           "them: correct the file");
+    }
   }
 }
 }

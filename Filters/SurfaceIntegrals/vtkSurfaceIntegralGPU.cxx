@@ -42,11 +42,41 @@ double GetScale(const sm::Integrand& integrand, const sm::BodyIntegrals& body)
     (integrand.ClosedChain && integrand.Degree >= 0 ? sm::GetVolumeScale(model) : sm::GetAreaScale(model));
 }
 
-double GetFaceValue(const sm::BodyIntegrals& body, std::size_t face, std::size_t integrand)
+double GetFaceValue(
+  const sm::BodyIntegrals& body, std::size_t face, const sm::Integrand& integrand, std::size_t index)
 {
   const sm::FaceIntegrals* result = body.Faces ? &(*body.Faces)[face] : nullptr;
-  return result && result->Error.empty() ? result->Face[integrand] + result->Closing[integrand]
+  const double side = integrand.ClosedChain ? (body.InsideOut ? -1.0 : 1.0) * body.GetSide(face) : 1.0;
+  return result && result->Error.empty() ? side * (result->Face[index] + result->Closing[index])
                                          : vtkMath::Nan();
+}
+
+/// Returns the index of the volume if all integrands are moments, whose signs follow from the sides of
+/// shells; otherwise -1.
+int FindVolume(const std::vector<sm::Integrand>& integrands)
+{
+  int volume = -1;
+  for (std::size_t k = 0; k < integrands.size(); ++k)
+  {
+    if (integrands[k].Form == sm::Integrand::Kind::User)
+    {
+      return -1;
+    }
+    const bool isVolume =
+      integrands[k].Form == sm::Integrand::Kind::VolumeMoment && integrands[k].Degree == 0;
+    volume = isVolume ? static_cast<int>(k) : volume;
+  }
+  return volume;
+}
+
+/// Reverses shells that are inside out, in the sums of fluxes, as vtkMassPropertiesGPU does.
+void OrientBody(sm::BodyIntegrals& body, const std::vector<sm::Integrand>& integrands, int volume)
+{
+  sm::ReverseShells(body, integrands, volume);
+  for (std::size_t k = 0; k < integrands.size() && body.InsideOut; ++k)
+  {
+    body.Value[k] = integrands[k].ClosedChain ? -body.Value[k] : body.Value[k];
+  }
 }
 }
 
@@ -111,6 +141,14 @@ void vtkSurfaceIntegralGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   if (!bodies.empty() && !hasTotal)
   {
     this->GetEngine().GetReport().Messages.push_back(sm::MixedUnitsMessage);
+  }
+  const int volume = this->Implementation->FaceIds.empty() ? FindVolume(integrands) : -1;
+  for (sm::BodyIntegrals& body : bodies)
+  {
+    if (volume >= 0 && body.Faces)
+    {
+      OrientBody(body, integrands, volume);
+    }
   }
   for (std::size_t k = 0; k < integrands.size(); ++k)
   {
@@ -177,8 +215,9 @@ std::vector<sm::MeshArray> vtkSurfaceIntegralGPU::GetMeshArrays(
   std::vector<sm::MeshArray> arrays;
   for (std::size_t k = 0; k < integrands.size() && integrands.size() <= MaxNumberOfMeshArrays; ++k)
   {
-    arrays.push_back({ integrands[k].Name,
-      [&bodies, k](std::size_t body, std::size_t face) { return GetFaceValue(bodies[body], face, k); } });
+    arrays.push_back({ integrands[k].Name, [&bodies, &integrands, k](std::size_t body, std::size_t face) {
+                        return GetFaceValue(bodies[body], face, integrands[k], k);
+                      } });
   }
   return arrays;
 }

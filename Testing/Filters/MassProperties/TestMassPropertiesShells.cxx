@@ -6,6 +6,7 @@
 
 #include <vtkMatrix4x4.h>
 #include <vtkPartitionedDataSetCollection.h>
+#include <vtkSurfaceIntegralGPU.h>
 #include <vtkTable.h>
 
 namespace
@@ -69,6 +70,21 @@ void CheckCase(const Case& c)
     sum += column->GetComponent(i, 0);
   }
   Check("the faces' volumes add up to it", mass->GetVolume(), sum, 1e-11 * first, "rounding of a sum");
+  // Moments alone, without an area.
+  vtkNew<vtkSurfaceIntegralGPU> moments;
+  moments->AddVolumeMoment("z", 0, 0, 1);
+  moments->AddVolumeMoment("one", 0, 0, 0);
+  moments->SetBackend(vtkSurfaceIntegralGPU::CPU);
+  moments->SetInputData(leaf);
+  moments->Update();
+  double center[3];
+  mass->GetCenterOfMass(center);
+  Check("volume as a moment", c.Volume, moments->GetIntegral("one"), 1e-12 * std::fabs(first));
+  CheckEqual("with its status", mass->GetStatus(), moments->GetStatus());
+  if (c.Volume > 0.0)
+  {
+    Check("first moment", c.Volume * center[2], moments->GetIntegral("z"), 1e-9 * std::fabs(first));
+  }
 }
 
 /// A box less a box: the centre by hand, so that all moments are reversed and not the volume alone.
