@@ -180,6 +180,13 @@ def sections():
         check("second moment in CSV", level["second_moments"][0][0], float(cells["section1_second_moments_xx"]), 0.0)
         check("mass in CSV", level["mass_above"], float(cells["section1_mass_above"]), 0.0)
         check_equal("no centroid in CSV", "", cells["section2_centroid_x"])
+    # Densities by name, and by solid.
+    rules = os.path.join(options.output, "section_materials.csv")
+    with open(rules, "w", encoding="utf-8") as file:
+        file.write("*,,7850\n")
+    for density in (["--density", "steel"], ["--materials", rules]):
+        found = run_json("--section", "0,0,2.5,0,0,2", *density, part["path"])[1][0]["sections"][0]
+        check(" ".join(density[:1]) + ": mass below", level["mass_below"], found["mass_below"], level["bounds"]["mass_below"])
     table = run("--section", "0,0,2.5,0,0,1", part["path"]).stdout
     check_true("section in the table", "section at" in table and "600 mm^2" in table, table)
     # Along a face the area is not determined: the bound says so, and the exit status.

@@ -7,12 +7,15 @@
 #include "vtkNew.h"
 #include "vtkSolidSection.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sm
 {
 namespace
 {
-/// Reads the results in a row of field data or of a table. `hasMass`: false with materials by name, which the
-/// filter does not know.
+/// Reads the results in a row of field data or of a table. `hasMass`: false where solids have several
+/// densities, or masses of their own, which the filter does not know.
 void ReadSection(vtkFieldData* data, vtkIdType row, bool hasMass, SectionEntry& section)
 {
   section.Area = GetQuantity<1>(data, row, names::SectionArea);
@@ -39,12 +42,15 @@ void RunSections(const SectionPlanes& planes, const AnalysisRun& run)
 {
   vtkNew<vtkSolidSection> filter;
   filter->SetRelativeTolerance(run.Options.Tolerance);
-  filter->SetDensity(run.Options.Density);
+  const std::vector<MaterialRule>& rules = run.Options.Materials;
+  const bool isStated = std::any_of(
+    rules.begin(), rules.end(), [](const MaterialRule& rule) { return rule.Material.Mass > 0.0; });
+  const bool hasMass = rules.empty() || (!isStated && std::isfinite(run.File.Total.Density));
+  filter->SetDensity(rules.empty() || !hasMass ? run.Options.Density : run.File.Total.Density);
   for (std::size_t i = 0; i < planes.size(); ++i)
   {
     filter->SetPoint(planes[i].data());
     filter->SetNormal(planes[i].data() + 3);
-    const bool hasMass = run.Options.Materials.empty();
     RunPlaneCut<SectionResult>(run, filter,
       [i, hasMass](vtkFieldData* data, vtkIdType row, SectionResult& result)
       { ReadSection(data, row, hasMass, result.Sections[i]); });
