@@ -121,6 +121,7 @@ public:
       }
     }
     this->RepeatedSolids.Report(this->Result.Defects);
+    this->ClosedShells.Report(this->Result.Defects);
   }
 
 private:
@@ -304,14 +305,54 @@ private:
     }
   }
 
-  /// Counts the faces of surface models, which are left out if there are solids.
+  /// Counts the faces of surface models, which are left out if there are solids, and reports closed shells.
   void CountFreeFaces(std::uint64_t representation)
   {
     for (const Index item : this->GetItems(representation))
     {
       const auto surfaces = this->FreeFaces.find(this->Entities.File.GetId(item));
-      this->Result.FreeFaces += surfaces == this->FreeFaces.end() ? 0 : static_cast<int>(surfaces->second);
+      if (surfaces == this->FreeFaces.end())
+      {
+        continue;
+      }
+      this->Result.FreeFaces += static_cast<int>(surfaces->second);
+      if (this->HasClosedShell(item))
+      {
+        this->ClosedShells.Add(
+          [&]
+          {
+            return "Surface model #" + std::to_string(surfaces->first) +
+              " of the file has a closed shell, and lies beside solids: it is not counted, although it may "
+              "be meant as a solid. Make it a solid, or remove it.";
+          });
+      }
     }
+  }
+
+  /// Returns true if a SHELL_BASED_SURFACE_MODEL has a CLOSED_SHELL (ISO 10303-42).
+  bool HasClosedShell(Index model) const
+  {
+    std::string_view parameters;
+    if (!this->Entities.FindRecord(model, "SHELL_BASED_SURFACE_MODEL", parameters))
+    {
+      return false;
+    }
+    Part21Values values(parameters);
+    Part21Value name;
+    Part21Value boundary;
+    if (!values.Next(name) || !values.Next(boundary))
+    {
+      return false;
+    }
+    Part21Values shells(boundary.Text);
+    for (Part21Value shell; shells.Next(shell);)
+    {
+      if (this->Entities.FindRecord(this->Entities.Follow(shell), "CLOSED_SHELL", parameters))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Returns the items of a representation, each once.
@@ -442,6 +483,7 @@ private:
   int HiddenDepth = 0;
   RepeatedBodies Repeated;
   FirstOfSeveral RepeatedSolids;
+  FirstOfSeveral ClosedShells;
   Document& Result;
   ShapeAdder Adder;
   /// Indices of bodies in the census by the number of their entity.
