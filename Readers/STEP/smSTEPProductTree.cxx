@@ -322,7 +322,7 @@ private:
           [&]
           {
             return "Surface model #" + std::to_string(surfaces->first) +
-              " of the file has a closed shell, and lies beside solids: it is not counted, although it may "
+              " of the file has a closed shell, next to solids: it is not counted, although it may "
               "be meant as a solid. Make it a solid, or remove it.";
           });
       }
