@@ -2,11 +2,14 @@
  * @file smVolumeHold.h
  * @brief Keeps the volume of a part while a control point is dragged
  *
- * Control points of other faces follow along the gradient of the volume by them, all by the same factor t.
- * They are those of the faces that are farthest from the dragged point and are their whole nets, as far as no
- * further face shares them. Where there are none, other points of the dragged face follow that move no edges
- * but those that the drag moves, too, and where there are none either, points of the farthest face that move
- * no edge. With weights and trim curves fixed the volume, that of the chain which ribbons close, is a
+ * Other control points follow along the gradient of the volume by them, all by the same factor t: the first
+ * of these sets that is not empty.
+ * 1. Points of the farthest faces that are their whole nets, as far as no further face shares them. They open
+ *    no edge.
+ * 2. Other points of the dragged face that move no edges except those that the drag moves. They may open
+ * these edges, as the drag itself may.
+ * 3. Points of the farthest face that move no edge.
+ * With weights and trim curves fixed the volume, that of the chain which ribbons close, is a
  * polynomial of degree 3 in the displacement of the drag and in t (sm::VariantPolynomial), so that Newton's
  * method finds t from exact integrals in microseconds; gradient and polynomial are made when a drag begins.
  */
@@ -40,8 +43,9 @@ public:
 
   /**
    * Prepares a drag of `grip` by `rule`; `volume` is that of the whole part now, in its unit. Returns false,
-   * with GetMessage(), if the volume cannot be held: a part that is open, or one without other faces whose
-   * control points may move without opening an edge.
+   * with GetMessage(), if the volume cannot be held: the part is open; all three sets of points above are
+   * empty; or points of the first or the third set would open an edge. Points of the second set may open
+   * edges that the drag moves; the volume held is then that of the chain which ribbons close.
    */
   bool Begin(const EditedPart& part, const Grip& grip, EditRule rule, double volume);
   /// Returns the model of the dragged body for a displacement of the dragged point from its start, in world

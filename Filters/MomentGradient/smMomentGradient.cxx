@@ -55,6 +55,8 @@ private:
   void Explain(const BodyIntegrals& body, const DerivedGradient& derived, bool hasVolume);
   /// Adds a message about bounds of the faces from index `first` of the result on that are NaN.
   void ExplainBounds(const BodyIntegrals& body, std::size_t first, bool hasVolume);
+  /// Adds one about faces whose bounds of the area's derivatives by points exceed these derivatives.
+  void ExplainLargeBounds(const BodyIntegrals& body, std::size_t first);
 
   const MomentGradientOptions& Options;
   PatchIntegrator Integrator;
@@ -180,6 +182,41 @@ void Computation::ExplainBounds(const BodyIntegrals& body, std::size_t first, bo
   }
 }
 
+void Computation::ExplainLargeBounds(const BodyIntegrals& body, std::size_t first)
+{
+  std::size_t count = 0;
+  std::int64_t id = 0;
+  for (std::size_t f = first; f < this->Result.Faces.size(); ++f)
+  {
+    const FaceMomentGradient& face = this->Result.Faces[f];
+    double value = 0.0;
+    double bound = 0.0;
+    for (std::size_t at = 0; at < face.Values.size(); at += NumberOfGradientQuantities)
+    {
+      if (at / NumberOfGradientQuantities % 4 < 3)
+      {
+        value = std::max(value, std::abs(face.Values[at + AreaAt]));
+        bound = std::max(bound, face.Bounds[at + AreaAt]);
+      }
+    }
+    if (bound > value)
+    {
+      id = count == 0 ? face.FileId : id;
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    this->Result.Messages.push_back("solid " + body.Path + ": on " + std::to_string(count) + " of " +
+      std::to_string(this->Result.Faces.size() - first) +
+      " faces bounds of derivatives of SurfaceArea exceed the derivatives, first on face #" +
+      std::to_string(id) +
+      ": normals may nearly vanish, weights differ much, or a trim curve is far off; do not rely on these "
+      "values, or take "
+      "derivatives by other points");
+  }
+}
+
 FaceMomentGradient Computation::MakeFace(std::size_t body, std::size_t face, const Part& part)
 {
   const BodyIntegrals& source = this->Mass.Bodies[body];
@@ -283,6 +320,7 @@ void Computation::AddBody(std::size_t body, const Part& part)
   }
   this->FirstVariable += points;
   this->ExplainBounds(source, first, hasVolume);
+  this->ExplainLargeBounds(source, first);
   this->Explain(source, DerivedGradient(properties), hasVolume);
 }
 

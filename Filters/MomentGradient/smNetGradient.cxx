@@ -16,8 +16,6 @@ using Wide = long double;
 
 // Roundings of the few operations at the end.
 constexpr double FinalRoundings = 32.0 * UnitRoundoff;
-// Up to this growth of the Bernstein polynomials bounds on a patch hold next to it, times 1.1.
-constexpr double NegligibleGrowth = 1.01;
 // Makes up for the rounding of sums of bounds.
 constexpr double BoundGrowth = 1.0 + 1e-10;
 
@@ -153,39 +151,29 @@ double GetStripArea(const NetGradientTask& task, std::uint32_t patch, const std:
   return std::isnan(area) ? std::numeric_limits<double>::infinity() : area;
 }
 
-/// Bounds of the weight of a patch, also where trim curves leave it: the Bernstein polynomials' absolute
-/// values add up to at most `growth` and they to 1, so that negative ones add up to less than
-/// (growth - 1) / 2.
-struct WeightRange
+/// Bounds on a patch and where trim curves leave it: the Bernstein polynomials' absolute values add up to at
+/// most `growth` and they to 1, so that negative ones add up to less than (growth - 1) / 2.
+struct WeightBounds
 {
-  double Least;
-  double Largest;
-  /// The largest sum of terms that are negative, and a lower bound of the weight.
-  double Negative;
-  double Lowest;
+  /// A lower bound of the weight; not positive where it may vanish.
+  double Minimum;
+  /// An upper bound of the sum of all |R|: of the weight plus twice the negative terms, over the weight.
+  double Speed;
 
-  WeightRange(const FacePanels& panels, const Patch& patch, double growth)
+  WeightBounds(const FacePanels& panels, const Patch& patch, double growth)
   {
     const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
     const int count = (patch.Degree[0] + 1) * (patch.Degree[1] + 1);
-    const auto [least, largest] =
+    const auto [minimum, maximum] =
       std::minmax_element(points, points + count, [](const auto& a, const auto& b) { return a[3] < b[3]; });
-    this->Least = (*least)[3];
-    this->Largest = (*largest)[3];
-    this->Negative = 0.5 * (growth - 1.0) * this->Largest;
-    this->Lowest = this->Least == this->Largest ? this->Least : this->Least - this->Negative;
+    const bool isEven = (*minimum)[3] == (*maximum)[3];
+    const double negative = 0.5 * (growth - 1.0) * (*maximum)[3];
+    this->Minimum = isEven ? (*minimum)[3] : (*minimum)[3] - negative;
+    this->Speed = isEven    ? growth
+      : this->Minimum > 0.0 ? 1.0 + 2.0 * negative / this->Minimum
+                            : std::numeric_limits<double>::infinity();
   }
 };
-
-/// A bound of the speed of points of the patch's border. On the patch R is at most 1. Beyond, the sum of all
-/// |R| is no more than w plus twice the negative terms, over w.
-double GetSpeed(const FacePanels& panels, const Patch& patch, double growth)
-{
-  const WeightRange weight(panels, patch, growth);
-  return weight.Least == weight.Largest ? growth
-    : weight.Lowest > 0.0               ? 1.0 + 2.0 * weight.Negative / weight.Lowest
-                                        : std::numeric_limits<double>::infinity();
-}
 
 /// What residuals of trim curves sweep of the parameters of a patch.
 struct SweptParameters
@@ -229,24 +217,26 @@ SweptParameters GetSweptParameters(
   return swept;
 }
 
-/// A bound of |R_s| |Sr| + |R_r| |Ss| on a patch, with the sums of all R; `growth`: a bound of the sum of the
-/// absolute values of the Bernstein polynomials, and of those of lower degrees.
+/// A bound of |R_s| |Sr| + |R_r| |Ss|, with the sums of all R, on a patch and beyond it; `growth`: a bound of
+/// the sum of the absolute values of the Bernstein polynomials, and of those of lower degrees.
 double GetAreaSlope(const FacePanels& panels, const Patch& patch, double growth)
 {
   const std::array<double, 4>* points = panels.Points.data() + patch.FirstPoint;
   const int columns = patch.Degree[0] + 1;
-  const WeightRange weight(panels, patch, growth);
-  const bool isOnPatch = growth <= NegligibleGrowth;
+  const WeightBounds bounds(panels, patch, growth);
+  const double weight = bounds.Minimum;
+  if (!(weight > 0.0))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
   // The largest steps of weights, and of points relative to the patch's centre, times weights.
   double ofWeight[2] = { 0.0, 0.0 };
   double ofPoint[2] = { 0.0, 0.0 };
-  double radius = 0.0;
   for (int j = 0; j <= patch.Degree[1]; ++j)
   {
     for (int i = 0; i < columns; ++i)
     {
       const std::array<double, 4>& point = points[i + columns * j];
-      radius = std::max(radius, Norm(point.data()));
       for (int d = 0; d < 2; ++d)
       {
         if ((d == 0 ? i : j) > 0)
@@ -259,20 +249,18 @@ double GetAreaSlope(const FacePanels& panels, const Patch& patch, double growth)
       }
     }
   }
-  // R_s = (B_s - R w_s) / w and Ss = ((w S)_s - w_s S) / w. On the patch |Ss| is known, and next to it by a
-  // factor.
-  const double lowest = isOnPatch ? weight.Least : weight.Lowest;
-  const double grown = isOnPatch ? 1.0 : growth;
-  double slope = 0.0;
+  // A derivative is p times a sum of steps with polynomials of degree p - 1; a single polynomial has two
+  // steps of 1. R_s = (B_s - B w_s / w) / w and Ss = ((w S)_s - w_s S) / w, where |S| is at most the patch's
+  // radius times the sum of all |R|.
+  double ofBasis[2];
+  double ofSurface[2];
   for (int d = 0; d < 2; ++d)
   {
-    const int e = 1 - d;
-    const double ofBasis = patch.Degree[d] * grown * (2.0 + grown * ofWeight[d] / lowest) / lowest;
-    slope += ofBasis *
-      (isOnPatch ? 1.1 * patch.Stretch[e]
-                 : patch.Degree[e] * grown * (ofPoint[e] + grown * radius * ofWeight[e] / lowest) / lowest);
+    const double factor = patch.Degree[d] * growth / weight;
+    ofBasis[d] = factor * (2.0 + growth * ofWeight[d] / weight);
+    ofSurface[d] = factor * (ofPoint[d] + bounds.Speed * patch.Radius * ofWeight[d]);
   }
-  return lowest > 0.0 ? slope : std::numeric_limits<double>::infinity();
+  return ofBasis[0] * ofSurface[1] + ofBasis[1] * ofSurface[0];
 }
 
 double GetUnknown(double bound)
@@ -414,7 +402,7 @@ NetGradient FinishNetGradient(
     const Patch& patch = panels.Patches[k];
     result.Evaluations += sums.Evaluations;
     const double strips = GetStripArea(task, k, edges);
-    const double moving = strips > 0.0 ? strips * GetSpeed(panels, patch, sums.Growth) : 0.0;
+    const double moving = strips > 0.0 ? strips * WeightBounds(panels, patch, sums.Growth).Speed : 0.0;
     const SweptParameters swept = GetSweptParameters(panels, k, coedges, patch.Exchanged);
     const double ofSwept =
       swept.Area > 0.0 ? swept.Area * GetAreaSlope(panels, patch, swept.Growth * sums.Growth) : 0.0;

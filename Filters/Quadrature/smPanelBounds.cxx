@@ -40,7 +40,7 @@ int PanelBounds::GetPoleDirection() const
 {
   for (int edge = 0; edge < 4; ++edge)
   {
-    if (this->PartSeries->Traits.Collapsed[edge] && this->Box.GetDistance(edge) <= 0.0)
+    if (this->PartSeries->Traits.Collapsed[edge] && this->Box.GetDistance(edge) < this->Box.Half[edge / 2])
     {
       return edge / 2;
     }

@@ -22,11 +22,12 @@ constexpr std::size_t MaxParts = 128;
 constexpr std::size_t MaxAbreast = 16;
 constexpr int DepthOfLines = 6;
 // The same where an area's derivatives are bounded, whose bounds are never replaced by comparisons: where the
-// normal has a direction everywhere, and where it may have none. The bound of a part of the latter kind is
-// that of the largest values: what is left of a pole or an isolated point has 2^-21 of them. Boxes of smaller
-// parts would be no smaller (TrimSeries).
+// normal has a direction everywhere and a rule's error is below MaxUnresolved of the largest values, and
+// elsewhere. The bound of a part without a direction is that of the largest values: what is left of a pole or
+// an isolated point has 2^-21 of them. Boxes of smaller parts would be no smaller (TrimSeries).
 constexpr int DepthOfDirections = 4;
 constexpr int DepthOfPoles = 21;
+constexpr double MaxUnresolved = 1e-3;
 constexpr std::size_t MaxPartsOfDirections = 1024;
 constexpr std::size_t MaxDirectionsAbreast = 64;
 // The limit of parts where the moments, too, need more points than one part may have, because weights differ
@@ -134,7 +135,7 @@ void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], doub
   }
   const double shortest = Norm(Cross(tangents[0], tangents[1])) - rotated;
   const double stretch = patch.Stretch[0] + patch.Stretch[1];
-  const double turned = shortest > rotated ? 2.0 * rotated / shortest : 2.0;
+  const double directionChange = shortest > rotated ? 2.0 * rotated / shortest : 2.0;
   const double slope = (std::max(extent[0], extent[1]) - 0.5) * moved;
   for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
   {
@@ -142,7 +143,7 @@ void PanelPlanner::AddFlatError(const Panel& panel, const double extent[2], doub
     double change = 0.0;
     if (c.Kind == BoundClass::AreaBasis)
     {
-      change = 2.0 * basis * (turned * (stretch + 2.0 * slope) + 2.0 * slope);
+      change = 2.0 * basis * (directionChange * (stretch + 2.0 * slope) + 2.0 * slope);
       change = c.Degree == 0
         ? change
         : change * reach + 2.0 * basis * (stretch + 2.0 * slope) * position + 2.0 * basis * rotated;
@@ -257,11 +258,12 @@ PanelPlanner::DirectionError PanelPlanner::GetDirectionError(std::size_t integra
   const PatchChange& change = this->Bounds.GetChange();
   // The direction of a vector changes by at most twice what the vector does over its length, and by 2.
   const double length = majorants.GetMinLength();
-  double turned = majorants.GetDirectionDeviation();
-  turned += change.Rotated > 0.0 ? (length > change.Rotated ? 2.0 * change.Rotated / length : 2.0) : 0.0;
-  turned = std::min(turned, 2.0);
+  double directionChange = majorants.GetDirectionDeviation();
+  directionChange +=
+    change.Rotated > 0.0 ? (length > change.Rotated ? 2.0 * change.Rotated / length : 2.0) : 0.0;
+  directionChange = std::min(directionChange, 2.0);
   DirectionError error;
-  if (!(turned > 0.0) && !(change.Rotated > 0.0))
+  if (!(directionChange > 0.0) && !(change.Rotated > 0.0))
   {
     return error;
   }
@@ -271,8 +273,9 @@ PanelPlanner::DirectionError PanelPlanner::GetDirectionError(std::size_t integra
     (c.Degree > 0 ? slopes.GetArea() * change.Moved + 2.0 * change.Basis * change.Rotated : 0.0);
   // A rule is off by at most twice the largest difference.
   error.OfTangents *= 2.0 * this->Bounds.GetJacobian();
-  error.OfDirection = 2.0 * turned * slopes.GetArea() * reach * this->Bounds.GetJacobian() +
-    (c.Degree > 0 && turned > 0.0 ? 4.0 * turned * this->Bounds.GetSupremum(integrand) : 0.0);
+  error.OfDirection = 2.0 * directionChange * slopes.GetArea() * reach * this->Bounds.GetJacobian() +
+    (c.Degree > 0 && directionChange > 0.0 ? 4.0 * directionChange * this->Bounds.GetSupremum(integrand)
+                                           : 0.0);
   return error;
 }
 
@@ -293,6 +296,19 @@ bool PanelPlanner::IsDirectionSmall(double share)
     const double tolerance = share * this->Request.Tolerances[i];
     const DirectionError error = this->GetDirectionError(i);
     if (tolerance > 0.0 && !(error.OfTangents + error.OfDirection <= tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool PanelPlanner::ConvergesInArea(int along, int across) const
+{
+  for (std::size_t i = 0; i < this->Request.Classes.size(); ++i)
+  {
+    if (this->Request.Classes[i].Kind == BoundClass::AreaBasis &&
+      !(this->Bounds.GetError(i, along, across) <= MaxUnresolved * this->Bounds.GetSupremum(i)))
     {
       return false;
     }
@@ -505,7 +521,8 @@ void PanelPlanner::PlanPart(std::uint32_t index, const PanelPart& part)
   const bool isDirection = !(found && hasDirection) && this->Bounds.NeedsDirection() &&
     this->FindOrders(share, false, along, across);
   const int pole = this->Bounds.GetPoleDirection();
-  const bool isEven = majorants.HasLength() && (hasDirection || pole < 0);
+  const bool isEven =
+    majorants.HasLength() && (hasDirection || pole < 0) && this->ConvergesInArea(along, across);
   const bool isLine = part.Depth >= DepthOfLines && this->Abreast > MaxDirectionsAbreast;
   if (isDirection && (isLine || part.Depth >= (isEven ? DepthOfDirections : DepthOfPoles)))
   {

@@ -44,7 +44,8 @@ public:
   const ParameterBox& GetBox() const { return this->Box; }
   /// True if derivatives of an area are among the integrands.
   bool NeedsDirection() const { return this->HasDirection; }
-  /// The direction across a collapsed edge that the part reaches: 0 for s, 1 for r; -1 if it reaches none.
+  /// The direction across a collapsed edge whose distance from the part is less than half the part's width: 0
+  /// for s, 1 for r; -1 if there is none.
   int GetPoleDirection() const;
   const DirectionBound& GetAlongT() const { return this->AlongT; }
   const DirectionBound& GetAcrossXi() const { return this->AcrossXi; }

@@ -55,6 +55,9 @@ private:
   /// Bound of the error of a rule.
   double GetError(std::size_t integrand, int along, int across);
   bool IsDirectionSmall(double share);
+  /// True if the bound of a rule's error is a small part of the integral of the largest values, for each of
+  /// an area's derivatives.
+  bool ConvergesInArea(int along, int across) const;
   void AddEndError(const Panel& panel, const PanelPart& part);
   int ChooseDirection(const PanelPart& part) const;
   /// Adds a part with these orders; `compared`: the error of its area is estimated by comparing orders where

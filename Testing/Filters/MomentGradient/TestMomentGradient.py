@@ -1,9 +1,12 @@
 """TestMomentGradient.py FOLDER: the filter of VTK and moment_gradient() of the package: arrays, shapes, progress, abort, errors."""
+import math
 import os
 import sys
+import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Support"))
 from smcheck import Manifest, check, check_equal, check_true, finish  # noqa: E402
+from smstepbody import EMPTY, Body, format_real  # noqa: E402
 
 import numpy  # noqa: E402
 import solidmoments  # noqa: E402
@@ -59,6 +62,43 @@ def check_package():
         check_true("a file that does not exist", False)
     except FileNotFoundError:
         check_true("a file that does not exist", True)
+
+
+def write_cap(path, body, radius, low):
+    """Writes the part of a ball about the body's origin above z = low, with a seam that ends at the pole."""
+    rim = math.sqrt(radius * radius - low * low)
+    start, pole = body.vertex((rim, 0, low)), body.vertex((0, 0, radius))
+
+    def arc(end, center, size, z):
+        circle = body.add(f"CIRCLE({EMPTY},{body.axes(center, z)},{format_real(size)})")
+        return body.add(f"EDGE_CURVE('',{start},{end},{circle},.T.)")
+
+    border, seam = arc(start, (0, 0, low), rim, (0, 0, 1)), arc(pole, (0, 0, 0), radius, (0, -1, 0))
+    faces = [body.face([body.loop([(border, True), (seam, True), (seam, False)])],
+                       body.add(f"SPHERICAL_SURFACE('',{body.axes((0, 0, 0))},{format_real(radius)})")),
+             body.face([body.loop([(border, False)])], body.add(f"PLANE('',{body.axes((0, 0, low), (0, 0, -1))})"))]
+    body.product("cap", body.shape([body.identity, body.solid(faces)]))
+    with open(path, "w", encoding="ascii") as file:
+        file.write(body.get_text())
+
+
+def check_cap():
+    """The area of a spherical cap by a factor about the centre, 2 A = 4 pi r h: in frames in which the pole is a point to rounding only."""
+    radius = 5.0
+    with tempfile.TemporaryDirectory() as folder:
+        for origin in ((0.0, 0.0, 0.0), (1.0, 2.0, 3.0), (11.8, -17.6, 30.0)):
+            for low in (0.0, 2.0, 4.0):
+                path = os.path.join(folder, "cap.step")
+                write_cap(path, Body(0.4 if any(origin) else 0.0, origin), radius, low)
+                gradient = solidmoments.moment_gradient(path, tied=False, backend="cpu")
+                q = gradient.index("SurfaceArea")
+                face, away = gradient.faces[0], gradient.faces[0].points - origin
+                value = float((away * face.values[..., :3, q]).sum())
+                bound = float((abs(away) * face.bounds[..., :3, q]).sum())
+                twice = 4.0 * math.pi * radius * (radius - low)
+                check(f"cap above {low} at {origin}: the area by its size", twice, value, min(bound, 1e-9 * twice))
+                check_true("whose bound is small", bound < 5e-4 * twice, f"{bound:.2g} of {twice:.4g}")
+                check_true("without a message about it", not any("SurfaceArea" in text for text in gradient.messages))
 
 
 def check_filter():
@@ -122,5 +162,6 @@ def check_filter():
 
 
 check_package()
+check_cap()
 check_filter()
 finish()
