@@ -17,6 +17,7 @@
 #include "smProducts.h"
 #include "smResults.h"
 #include "smRobotFile.h"
+#include "smSafeFile.h"
 #include "smValidationFile.h"
 
 #include "vtkAlgorithm.h"
@@ -394,11 +395,30 @@ void CheckTriangles(const sm::JobOptions& options, FileResult& file, sm::Message
   }
 }
 
+/// Returns what --write-validation writes, and adds its message.
+sm::ValidationPlan PlanValidation(
+  vtkCADReader* reader, const FileResult& file, const sm::JobOptions& options, sm::MessageList& messages)
+{
+  if (options.ValidationTarget.empty())
+  {
+    return {};
+  }
+  sm::ValidationPlan plan =
+    sm::PlanValidation(GetSource(options), sm::MakeProductTree(reader->GetOutputDataObject(0)),
+      file.GetProduct(), sm::FindLeftOutNote(reader->GetOutputDataObject(0)));
+  if (!plan.Message.empty())
+  {
+    messages.AddEcho(plan.Message);
+  }
+  return plan;
+}
+
 /// What is written besides the results: decided before these are sent, as its messages go with them.
 struct Plans
 {
   std::array<double, 3> MeshOrigin{};
   sm::Robot Robot;
+  sm::ValidationPlan Validation;
 };
 
 /// Writes trim textures, triangles, the file with validation properties, robot and picture.
@@ -423,8 +443,8 @@ void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, const Dra
   {
     send(JobMessage::OfProgress(sm::stages::Validation));
     send(JobMessage::OfOutput(JobMessage::Validation,
-      sm::WriteValidation(GetSource(options), sm::MakeProductTree(reader->GetOutputDataObject(0)),
-        file.GetProduct(), sm::FindLeftOutNote(reader->GetOutputDataObject(0)), options.ValidationTarget)));
+      plans.Validation.Problem.empty() ? sm::SaveFile(options.ValidationTarget, plans.Validation.Text)
+                                       : plans.Validation.Problem));
   }
   if (!options.RobotName.empty())
   {
@@ -482,7 +502,8 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   if (isRead)
   {
     CheckTriangles(options, file, messages);
-    plans = { PlaceMesh(reader, filter, options, messages), PlanRobot(reader, file, options, messages) };
+    plans = { PlaceMesh(reader, filter, options, messages), PlanRobot(reader, file, options, messages),
+      PlanValidation(reader, file, options, messages) };
   }
   SendResult(send, file, messages, true);
   if (isRead)

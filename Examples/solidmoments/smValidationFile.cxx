@@ -1,11 +1,13 @@
 #include "smValidationFile.h"
 
+#include "smMaterials.h"
 #include "smProductResults.h"
 #include "smResults.h"
-#include "smSafeFile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 namespace sm
 {
@@ -30,23 +32,69 @@ std::vector<StatedProduct> StatedFile::List() const
   return list;
 }
 
-std::string WriteValidation(const std::string& fileName, const ProductTreeNode& tree,
-  const ProductResults& results, const std::string& leftOut, const std::string& target)
+namespace
+{
+/// Returns a material that the file names for the product and whose density was not computed with; nothing if
+/// there is none. The material of an assembly counts only where that of the density has no name to write.
+std::optional<std::string> FindOtherMaterial(const STEPProduct& product, const ComputedProduct& computed)
+{
+  const std::set<std::string>& names = computed.FileMaterials;
+  const auto found = std::find_if(names.begin(), names.end(),
+    [&](const std::string& name)
+    { return name.empty() ? product.HasMaterial : !IsSameMaterial(name, computed.Material); });
+  return found == names.end() || !(product.HasMaterial || computed.Material.empty()) ? std::nullopt
+                                                                                     : std::optional(*found);
+}
+
+/// Products whose density is not written.
+class OtherMaterials
+{
+public:
+  void Add(const STEPProduct& product, const std::string& name, const std::string& material)
+  {
+    if (this->Count++ == 0)
+    {
+      this->Product = product.Name + " (#" + std::to_string(product.Definition) + ")";
+      this->Reason = ": the file names the material " + (name.empty() ? "in another way" : name) +
+        ", and the density is that of " + (material.empty() ? "no named material" : material) +
+        "; give the material of the file and its density in a line of --materials";
+    }
+  }
+  std::string Describe() const
+  {
+    const int others = this->Count - 1;
+    return this->Count == 0 ? std::string()
+                            : "--write-validation: no density is written for " + this->Product +
+        (others > 0 ? " and " + std::to_string(others) + " other product" + (others > 1 ? "s" : "") : "") +
+        this->Reason;
+  }
+
+private:
+  int Count = 0;
+  std::string Product, Reason;
+};
+}
+
+ValidationPlan PlanValidation(const std::string& fileName, const ProductTreeNode& tree,
+  const ProductResults& results, const std::string& leftOut)
 {
   if (!leftOut.empty())
   {
     // The note is a message of its own.
-    return "bodies are left out, and it would state volumes and centroids of products without them; use "
-           "--hidden count";
+    return { {},
+      "bodies are left out, and it would state volumes and centroids of products without them; use "
+      "--hidden count",
+      {} };
   }
   const StatedFile file(fileName);
   if (!file.IsRead())
   {
-    return fileName + " is not a STEP file that can be written again with validation properties";
+    return { {}, fileName + " is not a STEP file that can be written again with validation properties", {} };
   }
   const ProductSums sums(file.List(), tree, results);
   const bool isFileSound = IsFileSound(results);
   std::vector<STEPStatement> statements;
+  OtherMaterials others;
   for (const STEPProduct& product : file.GetProducts())
   {
     const ComputedProduct computed = sums.Find(product.Name);
@@ -70,7 +118,13 @@ std::string WriteValidation(const std::string& fileName, const ProductTreeNode& 
     {
       statement.Values.Centroid = computed.Center;
     }
-    if (!std::isnan(computed.Density) && !product.HasDensity)
+    const std::optional<std::string> other = FindOtherMaterial(product, computed);
+    const bool hasDensity = !std::isnan(computed.Density) && !product.HasDensity;
+    if (hasDensity && other)
+    {
+      others.Add(product, *other, computed.Material);
+    }
+    else if (hasDensity)
     {
       statement.Density = computed.Density;
       statement.Material = computed.Material;
@@ -78,7 +132,7 @@ std::string WriteValidation(const std::string& fileName, const ProductTreeNode& 
     statements.push_back(statement);
   }
   const std::string text = AppendSTEPValidation(file.GetFile(), statements);
-  return text.empty() ? fileName + " has no entities" : SaveFile(target, text);
+  return { text, text.empty() ? fileName + " has no entities" : std::string(), others.Describe() };
 }
 
 long long CountValidation(const FileResult& file, const std::string& result)

@@ -32,11 +32,21 @@ private:
   std::vector<STEPProduct> Products;
 };
 
-/// Writes the text of the file with the validation properties and densities of the products that were
-/// computed. Existing statements are kept. `leftOut` is FindLeftOutNote() of the reader: nothing is written
-/// unless it is empty. Returns an error message; empty if the file was written.
-std::string WriteValidation(const std::string& fileName, const ProductTreeNode& tree,
-  const ProductResults& results, const std::string& leftOut, const std::string& target);
+/// What --write-validation writes.
+struct ValidationPlan
+{
+  std::string Text;
+  /// The reason why nothing can be written; empty if it can.
+  std::string Problem;
+  /// Names products whose density is not written; empty if there are none.
+  std::string Message;
+};
+
+/// Returns the text of the file with the validation properties and densities of the products that were
+/// computed. Existing statements are kept, and a density is not written next to the name of another material.
+/// `leftOut` is FindLeftOutNote() of the reader: nothing is written unless it is empty.
+ValidationPlan PlanValidation(const std::string& fileName, const ProductTreeNode& tree,
+  const ProductResults& results, const std::string& leftOut);
 
 /// Returns the number of entries with that result.
 long long CountValidation(const FileResult& file, const std::string& result);

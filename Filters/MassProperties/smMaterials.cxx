@@ -49,12 +49,16 @@ const std::vector<Material>& GetCommonMaterials()
   return materials;
 }
 
+bool IsSameMaterial(const std::string& a, const std::string& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), AreEqual);
+}
+
 const Material* FindCommonMaterial(const std::string& name)
 {
   const std::vector<Material>& materials = GetCommonMaterials();
   const auto found = std::find_if(materials.begin(), materials.end(),
-    [&name](const Material& material)
-    { return std::equal(name.begin(), name.end(), material.Name.begin(), material.Name.end(), AreEqual); });
+    [&name](const Material& material) { return IsSameMaterial(name, material.Name); });
   return found == materials.end() ? nullptr : &*found;
 }
 

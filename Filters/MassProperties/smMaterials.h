@@ -68,6 +68,9 @@ constexpr const char* CountedInPlaceMaterial = "counted once in place";
 /// Common engineering materials with usual densities at room temperature, in the order of their names.
 SMFILTERSMASSPROPERTIES_EXPORT const std::vector<Material>& GetCommonMaterials();
 
+/// Returns true for equal names; letters of ASCII match in either case.
+SMFILTERSMASSPROPERTIES_EXPORT bool IsSameMaterial(const std::string& a, const std::string& b);
+
 /// Returns the common material of that name, whatever its case, or null.
 SMFILTERSMASSPROPERTIES_EXPORT const Material* FindCommonMaterial(const std::string& name);
 

@@ -7,6 +7,8 @@
 #include "smProducts.h"
 #include "smVector.h"
 
+#include "vtkTrimmedNURBSModel.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +25,7 @@ constexpr const char* MissingProduct = "no product of this name was read";
 struct PlacedSolid
 {
   const SolidResults* Solid;
-  const double* Placement;
+  const ProductTreeNode::Body* Body;
 };
 
 using SolidsById = std::map<std::string, const SolidResults*>;
@@ -49,7 +51,7 @@ bool Collect(const ProductTreeNode& node, const SolidsById& byId, std::vector<Pl
     {
       return false;
     }
-    solids.push_back({ found->second, body.Placement });
+    solids.push_back({ found->second, &body });
   }
   return std::all_of(node.Children.begin(), node.Children.end(),
     [&](const ProductTreeNode& child) { return Collect(child, byId, solids); });
@@ -96,7 +98,7 @@ ComputedProduct Compute(const ProductTreeNode& node, bool isRoot, const SolidsBy
     sum.Area += millimetres * millimetres * values.Area.Get();
     sum.AreaBound += millimetres * millimetres * values.Area.Bound;
     const Vector3& world = values.Center.Value;
-    const double* placement = node.Placement ? node.Placement->data() : solid.Placement;
+    const double* placement = node.Placement ? node.Placement->data() : solid.Body->Placement;
     centers.push_back(isPlaced ? PlaceBack(world, placement) : world);
     for (size_t i = 0; i < 3; ++i)
     {
@@ -155,8 +157,9 @@ void ListNodes(const ProductTreeNode& node, bool isTop, Nodes& nodes,
   }
 }
 
-/// Takes material and density from a sum where the solids of another occurrence have others.
-void RemoveOtherMaterials(const ProductTreeNode& node, const SolidsById& byId, ComputedProduct& sum)
+/// Adds the materials that the file names for an occurrence, and takes material and density from a sum where
+/// its solids have others.
+void CompareMaterials(const ProductTreeNode& node, const SolidsById& byId, ComputedProduct& sum)
 {
   std::vector<PlacedSolid> solids;
   if (!std::isnan(sum.Density) && Collect(node, byId, solids))
@@ -165,6 +168,7 @@ void RemoveOtherMaterials(const ProductTreeNode& node, const SolidsById& byId, C
     {
       sum.Material = solid.Solid->Values.Material == sum.Material ? sum.Material : "";
       sum.Density = solid.Solid->Values.Density == sum.Density ? sum.Density : std::nan("");
+      sum.FileMaterials.insert(solid.Body->Model->GetMaterial());
     }
   }
 }
@@ -293,7 +297,7 @@ ComputedProduct ProductSums::Find(const std::string& name) const
     result = Compute(*found->second.first, found->second.second, this->ById, this->Millimetres);
     for (const ProductTreeNode* node : this->Occurrences.at(name))
     {
-      RemoveOtherMaterials(*node, this->ById, result);
+      CompareMaterials(*node, this->ById, result);
     }
   }
   return result;

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +51,9 @@ struct ComputedProduct
   /// Material and density; empty and NaN for an assembly.
   std::string Material;
   double Density = Unknown;
+  /// The materials that the file names for its solids, as those of the product or of an assembly; an empty
+  /// name where it names none.
+  std::set<std::string> FileMaterials;
 };
 
 /// The sums of products that are found by their names.

@@ -457,6 +457,22 @@ def validation():
     before = run_json("--materials", table, "--write-validation", both, shared)
     check_true("one part by two densities", len({solid["density"] for solid in before["solids"]}) == 2, str(before["solids"]))
     check_equal("no density is stated", [None, None], [solid["density"] for solid in run_json(both)["solids"]])
+    # The density of another material than the file names, for the part or for its assembly, is not written
+    # next to the name.
+    alloy = Assembly("frame", [(Part("rod", [((0, 0, 0), (2, 2, 10))], material="AlMg3"), (0, 0, 0), None), (Part("cap", [((0, 0, 0), (3, 3, 1))]), (9, 0, 0), None)],
+                     material="POM-C")
+    alloy = write_product(os.path.join(folder, "alloy.step"), alloy)
+    stated = os.path.join(folder, "alloy-stated.step")
+    with open(table, "w", encoding="utf-8") as text:
+        text.write("rod,almg3,2660\ncap,POM-C,1410\n")
+    for arguments, rod, cap, said in ((("--density", "steel"), ("AlMg3", None), ("steel", 7850.0), r"rod \(#\d+\): .* AlMg3, .* steel; "),
+                                      (("--density", "2660"), ("AlMg3", None), ("POM-C", None), r"rod \(#\d+\) and 1 other product: .* AlMg3, .* no named material; "),
+                                      (("--materials", table), ("AlMg3", 2660.0), ("POM-C", 1410.0), None)):
+        messages = run_json(*arguments, "--write-validation", stated, alloy)["messages"]
+        check_equal(f"{arguments}: material and density", {"rod": rod, "cap": cap},
+                    {solid["name"]: (solid["material"], solid["density"] and round(solid["density"], 9)) for solid in run_json(stated)["solids"]})
+        check_equal(f"{arguments}: messages", 1 if said else 0, len(messages))
+        check_true(f"{arguments}: said", not said or re.search("density is written for " + said, "".join(messages)), str(messages))
     # A second time nothing is added, as everything is stated.
     again = os.path.join(folder, "again.step")
     run("-q", "--write-validation", again, target)

@@ -21,10 +21,10 @@ DENSITY_UNITS = {
 
 
 class Part:
-    def __init__(self, name, boxes, density=None, density_unit="kg/m^3", unit="mm", validation=None, polyhedra=()):
+    def __init__(self, name, boxes, density=None, density_unit="kg/m^3", unit="mm", validation=None, polyhedra=(), material=None):
         """boxes: (corner, size) in the unit; density: a decimal as text; validation: (volume, area, centroid) in the unit, as texts;
-        polyhedra: more solids, points in the unit and faces as make_prism() has them, which expand() does not know."""
-        self.polyhedra = polyhedra
+        polyhedra: more solids, points in the unit and faces as make_prism() has them, which expand() does not know; material: its name."""
+        self.polyhedra, self.material = polyhedra, material
         self.name, self.boxes, self.unit = name, boxes, unit
         self.density, self.density_unit, self.validation = density, density_unit, validation
 
@@ -33,9 +33,9 @@ class Part:
 
 
 class Assembly:
-    def __init__(self, name, uses, unit="mm", validation=None):
-        """uses: (node, shift in the unit, rotation or None); validation: as of a part."""
-        self.name, self.uses, self.unit, self.validation = name, uses, unit, validation
+    def __init__(self, name, uses, unit="mm", validation=None, material=None):
+        """uses: (node, shift in the unit, rotation or None); validation and material: as of a part."""
+        self.name, self.uses, self.unit, self.validation, self.material = name, uses, unit, validation, material
 
 
 class Writer(Part21):
@@ -68,8 +68,7 @@ class Writer(Part21):
         definition = self._add_product(part.name, self.application, shape)
         if part.density is not None:
             self._add_density(part, definition, context)
-        if part.validation:
-            self._add_validation(part, definition, context)
+        self._add_statements(part, definition, context)
         return definition, shape, origin, context
 
     def _add_product(self, name, application, shape, identifier=None):
@@ -86,6 +85,13 @@ class Writer(Part21):
     def _add_property(self, names, definition, representation):
         described = self.add(f"PROPERTY_DEFINITION({names},{definition})")
         self.add(f"PROPERTY_DEFINITION_REPRESENTATION({described},{self.add(representation)})")
+
+    def _add_statements(self, node, definition, context):
+        if node.validation:
+            self._add_validation(node, definition, context)
+        if node.material is not None:
+            item = self.add(f"DESCRIPTIVE_REPRESENTATION_ITEM('{node.material}','')")
+            self._add_property("'material property','material name'", definition, f"REPRESENTATION('material name',({item}),{context})")
 
     def _add_validation(self, part, definition, context):
         volume, area, centroid = part.validation
@@ -120,8 +126,7 @@ class Writer(Part21):
             relation = self.add(f"(REPRESENTATION_RELATIONSHIP('','',{child[1]},{whole})"
                                 f"REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({moved})SHAPE_REPRESENTATION_RELATIONSHIP())")
             self.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({relation},{described})")
-        if assembly.validation:
-            self._add_validation(assembly, definition, context)
+        self._add_statements(assembly, definition, context)
         return definition, whole, origin, context
 
 
