@@ -66,8 +66,8 @@ class Parser(argparse.ArgumentParser):
     def parse(self):
         """The arguments, with `pictures`, a path or None for every file."""
         arguments = self.parse_args()
-        if not 0.0 <= arguments.density < math.inf:
-            self.error("the density must be finite and not negative")
+        if arguments.density != 0.0 and not 1e-200 <= arguments.density <= 1e200:
+            self.error("the density must be from 1e-200 to 1e200 kg/m^3, or 0")
         arguments.pictures = [arguments.png] * len(arguments.files)
         if arguments.png and len(arguments.files) > 1:
             base, extension = os.path.splitext(arguments.png)

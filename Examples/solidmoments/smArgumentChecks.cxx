@@ -4,6 +4,7 @@
 #include "smOptionValues.h"
 #include "smText.h"
 #include "smTrimText.h"
+#include "smWeights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,9 +99,9 @@ std::string CheckSeconds(const std::string& text)
 
 std::string CheckDensity(const std::string& text)
 {
-  return ParseDensity(text).Density > 0.0
-    ? ""
-    : "the density must be a number from 1e-200 to 1e200, in kg/m^3, or a material of --list-materials";
+  return ParseDensity(text).Density > 0.0 ? ""
+                                          : std::string("the density must be a number from ") + WeightRange +
+      ", in kg/m^3, or a material of --list-materials";
 }
 
 std::string CheckShare(const std::string& text)

@@ -30,7 +30,8 @@ std::string FindWrongOption(const MassPropertiesOptions& options)
   }
   if (options.Density != 0.0 && !IsWeight(options.Density))
   {
-    return say("Density", options.Density, "kg/m^3, or 0 for what the file states");
+    return say("Density", options.Density,
+      (std::string("kg/m^3 from ") + WeightRange + ", or 0 for what the file states").c_str());
   }
   if (!(options.DensityTolerance >= 0.0 && options.DensityTolerance <= 1.0))
   {

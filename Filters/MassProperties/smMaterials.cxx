@@ -161,8 +161,8 @@ std::string TakeMass(const MaterialTexts& texts, Material& material)
   material.Mass = ParseMass(text, isInDensity);
   if (!(material.Mass > 0.0))
   {
-    return text +
-      " is not a mass; give a number above 0 in kg, or with one of the units kg, g, mg, t, lb, oz" +
+    return text + " is not a mass; give a number from " + WeightRange +
+      " in kg, or with one of the units kg, g, mg, t, lb, oz" +
       (isInDensity ? ", which it needs in the place of a density" : "") + DescribeCase(text);
   }
   return {};
@@ -179,9 +179,8 @@ std::string TakeDensity(const MaterialTexts& texts, Material& material)
   }
   return texts.Density.empty()
     ? texts.Material + " is none of the materials of --list-materials: it needs a density"
-    : texts.Density +
-      " is not a density; give kg/m^3, for example 7850, or a mass with a unit, for example 250 g" +
-      DescribeCase(texts.Density);
+    : texts.Density + " is not a density; give kg/m^3 from " + WeightRange +
+      ", for example 7850, or a mass with a unit, for example 250 g" + DescribeCase(texts.Density);
 }
 }
 
@@ -313,9 +312,10 @@ std::string FindRuleProblem(const MaterialRule& rule)
   const double value = material.Mass != 0.0 ? material.Mass : material.Density;
   if (!IsWeight(value))
   {
-    return material.Mass != 0.0 ? FormatDigits(value, 6) + " is not a mass above 0; give kg"
-                                : std::string("there is no density above 0; give kg/m^3, for example 7850, "
-                                              "one of the common materials, or a mass");
+    const std::string range = std::string(" from ") + WeightRange;
+    return material.Mass != 0.0 ? FormatDigits(value, 6) + " is not a mass; give kg" + range
+                                : FormatDigits(value, 6) + " is not a density; give kg/m^3" + range +
+        ", for example 7850, one of the common materials, or a mass";
   }
   return {};
 }

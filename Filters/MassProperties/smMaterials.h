@@ -104,8 +104,8 @@ SMFILTERSMASSPROPERTIES_EXPORT bool MatchesPattern(const std::string& pattern, c
 SMFILTERSMASSPROPERTIES_EXPORT std::size_t FindPattern(std::size_t count,
   const std::function<const std::string&(std::size_t)>& getPattern, const std::string& name);
 
-/// Returns why a rule is none, with a remedy; empty if it is one: either a density or a mass, finite and
-/// above 0, the latter for a product, and a tolerance of at most 1; or a pattern of what is left out or
+/// Returns why a rule is none, with a remedy; empty if it is one: either a density or a mass, from 1e-200 to
+/// 1e200, the latter for a product, and a tolerance of at most 1; or a pattern of what is left out or
 /// counted once.
 SMFILTERSMASSPROPERTIES_EXPORT std::string FindRuleProblem(const MaterialRule& rule);
 

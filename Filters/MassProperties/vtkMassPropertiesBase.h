@@ -89,7 +89,8 @@ public:
 
   ///@{
   /** Density of all solids in kg/m^3. 0 (default): the density that the file of each part states, if any; no
-   * mass without a density. A negative, infinite or NaN value is reported as an error and changes nothing. */
+   * mass without a density. Another value that is not from 1e-200 to 1e200 is reported as an error and
+   * changes nothing. */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
 
@@ -107,17 +108,18 @@ public:
    * `*` stands for any characters and `?` for one; letters of ASCII match in either case. The first pattern,
    * in the order of the calls, that is equal to the name of a solid, else the first that matches it, gives
    * the solid its material and density in kg/m^3. The density as text may be empty: then the material is one
-   * of the common ones (smMaterials.h). A density that is not above 0 and finite, and a material that is not
-   * known, is reported as an error and changes nothing; a pattern that gives no solid its material gets a
+   * of the common ones (smMaterials.h). A density that is not from 1e-200 to 1e200, and a material that is
+   * not known, is reported as an error and changes nothing; a pattern that gives no solid its material gets a
    * message. `tolerance` is relative, negative for that of DensityTolerance. Default: none.
    */
   void AddMaterial(const char* pattern, const char* material, double density, double tolerance = -1.0);
   void AddMaterial(const char* pattern, const char* material, const char* density);
-  /** Overrides the mass of each of these solids: `mass` in kg, above 0 and finite, takes the place of volume
-   * times density. First moments and inertia are those of the volume, scaled to it; Density is the mean
-   * density. `tolerance` is that of the mass, relative; negative: DensityTolerance does not apply, the mass
-   * counts as exact. The order of the calls counts as for AddMaterial(), which takes a mass with a unit in
-   * place of a density, too ("250 g"; kg, g, mg, t, lb, oz), and the material "left out" for AddLeftOut(). */
+  /** Overrides the mass of each of these solids: `mass` in kg, from 1e-200 to 1e200, takes the place of
+   * volume times density. First moments and inertia are those of the volume, scaled to it; Density is the
+   * mean density. `tolerance` is that of the mass, relative; negative: DensityTolerance does not apply, the
+   * mass counts as exact. The order of the calls counts as for AddMaterial(), which takes a mass with a unit
+   * in place of a density, too ("250 g"; kg, g, mg, t, lb, oz), and the material "left out" for AddLeftOut().
+   */
   void AddMass(const char* pattern, const char* material, double mass, double tolerance = -1.0);
   /** As AddMass(), for all solids of every product of that name together, part or assembly: each occurrence
    * has that mass. Solids of it with a stated mass of their own, and products in it, keep theirs; the others

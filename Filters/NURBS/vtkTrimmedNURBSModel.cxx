@@ -163,9 +163,8 @@ void vtkTrimmedNURBSModel::SetDensity(double density)
 {
   if (density != 0.0 && !sm::IsWeight(density))
   {
-    vtkErrorMacro(
-      "SetDensity: " << sm::FormatDigits(density, 6)
-                     << " is not a density; give kg/m^3, for example 7850 for steel, or 0 for none.");
+    vtkErrorMacro("SetDensity: " << sm::FormatDigits(density, 6) << " is not a density; give kg/m^3 from "
+                                 << sm::WeightRange << ", for example 7850 for steel, or 0 for none.");
     return;
   }
   if (density != this->Density)

@@ -62,7 +62,7 @@ public:
 
   ///@{
   /** Material name and density (kg/m^3) the file states; empty and 0 when it states none. A density that is
-   * negative or not finite is an error, and changes nothing. */
+   * neither 0 nor from 1e-200 to 1e200 is an error, and changes nothing. */
   vtkSetMacro(Material, std::string);
   vtkGetMacro(Material, std::string);
   void SetDensity(double density);

@@ -52,7 +52,8 @@ public:
 
   ///@{
   /** Density of all solids in kg/m^3. 0 (default): the density that the file of each part states, if any; no
-   * mass without a density. A negative, infinite or NaN value is reported as an error and changes nothing. */
+   * mass without a density. Another value that is not from 1e-200 to 1e200 is reported as an error and
+   * changes nothing. */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
   ///@}

@@ -134,8 +134,8 @@ public:
   ///@}
 
   ///@{
-  /** Options of the mass filter inside, see there: density in kg/m^3, 0 (default) that of the file; relative
-   * tolerance; backend. */
+  /** Options of the mass filter inside, see there: density in kg/m^3, from 1e-200 to 1e200, or 0 (default)
+   * for that of the file; relative tolerance; backend. */
   void SetDensity(double density);
   double GetDensity();
   void SetRelativeTolerance(double tolerance);

@@ -118,7 +118,7 @@ void vtkSurfaceIntegralBase::ChangeRelativeTolerance(double tolerance)
 void vtkSurfaceIntegralBase::ChangeDensity(double& setting, double density)
 {
   this->ChangeSetting(setting, density, density == 0.0 || sm::IsWeight(density), "density",
-    "kg/m^3, for example 7850 for steel, or 0");
+    (std::string("kg/m^3 from ") + sm::WeightRange + ", for example 7850 for steel, or 0").c_str());
 }
 
 void vtkSurfaceIntegralBase::ChangeSetting(

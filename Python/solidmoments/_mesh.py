@@ -33,7 +33,7 @@ def display_mesh(file, *, unit="mm", input_unit="mm", deflection=0.001):
     """The SolidMesh of each solid and shell of a STEP or BREP file, in the order of `mass_properties(file).solids`. Needs NumPy.
 
     file: path. unit: of lengths, mm, cm, m, um, inch, ft, or file. input_unit: that of a BREP file, which states none. deflection: largest distance from
-    the exact faces as a fraction of the diagonal of the solid, at least 1e-7.
+    the exact faces as a fraction of the diagonal of the solid, at least 1e-30; below 1e-5 the mesh is that of 1e-5.
 
     Raises FileNotFoundError and IsADirectoryError, TypeError and ValueError for a wrong argument, and SolidMomentsError when the file cannot be read.
     """
@@ -45,7 +45,7 @@ def display_mesh(file, *, unit="mm", input_unit="mm", deflection=0.001):
     from ._run import check_unit
 
     check_unit(unit, input_unit)
-    deflection = arguments.share("deflection", deflection, minimum=1e-7, expected="from 1e-7 to 1")
+    deflection = arguments.share("deflection", deflection, minimum=1e-30, expected="from 1e-30 to 1")
     file = arguments.existing("file", file)
     here = os.path.dirname(os.path.abspath(__file__))
     python = PYTHON if os.path.exists(PYTHON) else sys.executable

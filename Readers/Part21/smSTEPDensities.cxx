@@ -2,6 +2,7 @@
 
 #include "smSTEPPropertyAttributes.h"
 #include "smSTEPUnits.h"
+#include "smWeights.h"
 
 #include <algorithm>
 #include <array>
@@ -146,9 +147,9 @@ private:
     {
       density.Problem = "its unit is not a mass by the third power of a length";
     }
-    else if (!(number > 0.0) || !std::isfinite(number * unit))
+    else if (!IsWeight(number * unit))
     {
-      density.Problem = "it is not above 0";
+      density.Problem = std::string("it is not from ") + WeightRange + " kg/m^3";
     }
     else
     {

@@ -239,7 +239,7 @@ def outputs():
     for deflection, is_kept in (("0.01", True), ("1e-4", False)):
         _, files = run_json("--mesh", os.path.join(folder, "fine.obj"), "--deflection", deflection, ball["path"])
         said = [message for message in files[0]["messages"] if re.search(r"as fine as it can be, .* up to 0\.000346 mm", message)]
-        check_equal(f"a deflection of {deflection} is not kept", [] if is_kept else files[0]["messages"][:1], said)
+        check_equal(f"a deflection of {deflection}: messages that it is not kept", 0 if is_kept else 1, len(said))
     for name in ("ball.obj", "ball.ply", "ball.vtp"):
         target = os.path.join(folder, name)
         check_equal(f"exit status with {name}", 0, run("-q", "--mesh", target, ball["path"]).returncode)

@@ -52,6 +52,7 @@ solids = solidmoments.mass_properties(two).solids
 for i, (solid, part) in enumerate(zip(solids, solidmoments.display_mesh(two))):
     check_mesh(f"two solids: {i}", part, solid.volume, 0.02)
     check_equal(f"two solids: name {i}", solid.name, part.name)
+check_equal("a deflection as small as the reader's", 2, len(solidmoments.display_mesh(two, deflection=1e-30)))
 
 
 def raised(error, *arguments, **options):

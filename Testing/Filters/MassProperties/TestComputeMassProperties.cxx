@@ -209,8 +209,8 @@ void CheckFailures()
   mesh->SetPoints(points);
   CheckFailure("a mesh", names::StatusEmpty, "without exact geometry", sm::ComputeMassProperties(mesh));
   const char* const notComputed = names::StatusNotComputed;
-  CheckFailure(
-    "density", notComputed, "Density is -1", compute([](Options& options) { options.Density = -1.0; }));
+  CheckFailure("density", notComputed, "Density is 1e+250; give kg/m^3 from 1e-200 to 1e200",
+    compute([](Options& options) { options.Density = 1e250; }));
   CheckFailure("tolerance", notComputed, "RelativeTolerance is",
     compute([](Options& options) { options.RelativeTolerance = std::numeric_limits<double>::quiet_NaN(); }));
   CheckFailure("density tolerance", notComputed, "DensityTolerance is 2",
@@ -221,7 +221,7 @@ void CheckFailures()
     compute([](Options& options) { options.MaximumEvaluations = 0; }));
   CheckFailure("seconds", notComputed, "MaximumSeconds is -1",
     compute([](Options& options) { options.MaximumSeconds = -1.0; }));
-  CheckFailure("material", notComputed, "Materials, x: there is no density above 0",
+  CheckFailure("material", notComputed, "Materials, x: 0 is not a density; give kg/m^3 from 1e-200",
     compute(
       [](Options& options) {
         options.Materials = { { "x", { "steel" } } };

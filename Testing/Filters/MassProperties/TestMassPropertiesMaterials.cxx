@@ -460,6 +460,8 @@ void CheckTexts()
     { { "a", "", "", "", "250 Mg" }, "the case of the unit Mg counts" },
     { { "a", "", "", "5 Mg", "2 t" }, "the case of the unit Mg counts" },
     { { "a", "", "2 stone", "", "" }, "2 stone is not a density" },
+    { { "a", "", "1e250", "", "" }, "1e250 is not a density; give kg/m^3 from 1e-200 to 1e200" },
+    { { "a", "", "", "", "1e250" }, "1e250 is not a mass; give a number from 1e-200 to 1e200 in kg" },
     { { "", "steel", "", "", "" }, "name is empty" } };
   for (const auto& entry : wrong)
   {
@@ -467,6 +469,14 @@ void CheckTexts()
     const std::string said = sm::MakeRule(entry.Texts, rule);
     CheckTrue(std::string("refused: ") + entry.Said, said.find(entry.Said) != std::string::npos, said);
     CheckEqual("  no rule", "as it was", rule.Pattern);
+  }
+  for (const bool isMass : { false, true })
+  {
+    const std::string problem =
+      sm::FindRuleProblem({ "a", { "dust", isMass ? 0.0 : 1e250, -1.0, isMass ? 1e250 : 0.0 } });
+    CheckTrue("a rule out of range",
+      problem.find("1e+250 is not a ") == 0 && problem.find("from 1e-200 to 1e200") != std::string::npos,
+      problem);
   }
   sm::MaterialRule rule;
   CheckEqual("a mass with a tolerance", "", sm::MakeRule({ "a", "pump", "", "5 g", "2 kg" }, rule));
@@ -490,6 +500,9 @@ void CheckErrors()
   mass->AddMass("*", "", 1.0, 1.5);
   mass->AddMaterial("*", "left out", 7850.0);
   mass->AddMass("*", "Left Out", 2.0);
+  mass->SetDensity(1e250);
+  CheckTrue("range of densities",
+    trap.Errors.find("give kg/m^3 from 1e-200 to 1e200, for example 7850") != std::string::npos, trap.Errors);
   mass->SetDensityTolerance(-0.1);
   mass->SetDensityTolerance(5.0);
   mass->SetDensityTolerance(std::numeric_limits<double>::quiet_NaN());
@@ -499,7 +512,7 @@ void CheckErrors()
   const double parallel[3] = { 0.0, 0.0, -5.0 };
   mass->SetReferenceFrame(origin, z, parallel);
   mass->SetReferenceFrame(origin, origin, z);
-  CheckEqual("errors", 16, trap.NumberOfErrors);
+  CheckEqual("errors", 17, trap.NumberOfErrors);
   CheckEqual("no material", 0, mass->GetNumberOfMaterials());
   CheckTrue("no frame", !mass->HasReferenceFrame());
 }

@@ -223,9 +223,9 @@ void CheckDensity()
 {
   Square s;
   s.Model->SetDensity(2700.0);
-  for (const double density : { -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
+  for (const double density : { -1.0, 1e250, std::numeric_limits<double>::infinity(), std::nan("") })
   {
-    CheckRefused("a density that is none", "SetDensity", s,
+    CheckRefused("a density that is none", "is not a density; give kg/m^3 from 1e-200 to 1e200", s,
       [&]()
       {
         s.Model->SetDensity(density);

@@ -96,8 +96,8 @@ void CheckProperties()
     StateDensity(100, "1000.", kilograms, metres, "#44") + "#200=SHAPE_REPRESENTATION('',(#31),#6);\n");
   CheckBall("a zero for none", 0.0, StateDensity(100, "0.", kilograms, metres, "#44"));
 
-  for (const auto& [value, unit] :
-    { std::pair<std::string, std::string>{ "7850.", "#82,-2." }, { "-7850.", metres } })
+  for (const auto& [value, unit] : { std::pair<std::string, std::string>{ "7850.", "#82,-2." },
+         { "-7850.", metres }, { "1.E250", metres }, { "1.E-250", metres } })
   {
     const sm::STEPCensus census = TakeBall(StateDensity(100, value, kilograms, unit, "#44"));
     CheckEqual("not usable: statements", 1, static_cast<int>(census.Densities.size()));
@@ -137,7 +137,7 @@ void CheckSeveral()
   CheckEqual("  and said", " #113 states 1000 kg/m^3 and is not used.", recommended.Others);
   const sm::STEPDensity negative = take(steel + StateDensity(110, "-5.", "#80,1.", "#82,-3.", "#44"));
   CheckEqual("a negative one next to it", 7850.0, negative.Density);
-  CheckEqual("  is said", " #113 is not used: it is not above 0.", negative.Others);
+  CheckEqual("  is said", " #113 is not used: it is not from 1e-200 to 1e200 kg/m^3.", negative.Others);
 }
 
 sm::CensusBody TakeBoxed(const std::string& statements)
@@ -190,7 +190,8 @@ void CheckAssemblies()
     take(part + StateDensity(170, "7.85", "#81,1.", "#83,-3.", "#60")).Bodies.at(0).Density);
   const sm::STEPCensus unusable = take(part + StateDensity(170, "-1.", "#80,1.", "#82,-3.", "#60"));
   CheckEqual("of one occurrence, not usable", 7850.0, unusable.Bodies.at(0).Density);
-  CheckEqual("  and said", " #173 for the occurrence #60 alone is not used: it is not above 0.",
+  CheckEqual("  and said",
+    " #173 for the occurrence #60 alone is not used: it is not from 1e-200 to 1e200 kg/m^3.",
     unusable.Densities.at(0).Others);
   CheckTrue("in assemblies that agree", ball.Density == 2700.0 && !ball.DensitiesDiffer);
 }
