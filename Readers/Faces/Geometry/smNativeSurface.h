@@ -49,6 +49,9 @@ struct SMREADERSFACES_EXPORT NativeSurface
  * result has no other error, and nothing is returned for what an edit deformed. Small arcs of cones, spheres
  * and tori, whose points determine an axis with few digits, get the frame that fits their points best
  * (FitNative()). The frame is right-handed, the angle of a cone above 0, and a torus may cross its axis.
+ * Nothing is returned for a torus whose radii differ by at most 1e-4 of the minor one, nor, as measured, for
+ * faces that hardly determine their cone: less than 5e-5 rad about its axis, or with a tip whose half angle
+ * is below 3e-5.
  */
 SMREADERSFACES_EXPORT std::optional<NativeSurface> FindNativeSurface(const NURBSSurface& surface);
 

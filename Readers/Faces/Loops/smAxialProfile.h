@@ -48,6 +48,10 @@ public:
   double GetDistance(const Point& point, double first, double last) const;
 
 private:
+  /// Returns the parameters inside of the profile at which it crosses or touches the axis, ascending, however
+  /// near each other they are.
+  std::vector<double> FindZeros() const;
+
   const RevolvedSurface* Surface;
   bool IsPeriodic;
   double First;
