@@ -11,7 +11,7 @@ namespace sm
 {
 void DrawComparison(const JobOptions& options, const JobListener& send)
 {
-  const std::string& name = options.SourceName.empty() ? options.FileName : options.SourceName;
+  const std::string& name = options.GetSource();
   const vtkSmartPointer<vtkCADReader> before = MakeReader(options.ComparedName);
   const vtkSmartPointer<vtkCADReader> after = MakeReader(name);
   send(JobMessage::OfProgress(stages::Read));

@@ -7,11 +7,11 @@
 #include "smFilterSetUp.h"
 #include "smLengthUnits.h"
 #include "smMassPropertyNames.h"
-#include "smMeshOrigin.h"
 #include "smMessageCollector.h"
 #include "smMessageList.h"
 #include "smOptionValues.h"
 #include "smOptions.h"
+#include "smOutputPlans.h"
 #include "smPicture.h"
 #include "smProductBodies.h"
 #include "smProducts.h"
@@ -34,7 +34,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -85,17 +84,12 @@ private:
   double Last = -1.0;
 };
 
-const std::string& GetSource(const sm::JobOptions& options)
-{
-  return options.SourceName.empty() ? options.FileName : options.SourceName;
-}
-
 /// Reads the file. Returns false if there is nothing to integrate; status and messages of the entry then have
 /// the reason.
 bool Read(vtkCADReader* reader, const sm::JobOptions& options, const sm::JobListener& send, FileResult& file,
   sm::MessageList& messages)
 {
-  sm::SetUpReader(reader, GetSource(options), options);
+  sm::SetUpReader(reader, options.GetSource(), options);
   const bool isShown =
     !options.MeshName.empty() || !options.PictureName.empty() || !options.RobotName.empty();
   reader->SetDisplayMesh(isShown ? vtkCADReader::MESH_ALWAYS : vtkCADReader::MESH_NEVER);
@@ -334,96 +328,15 @@ void AddProducts(vtkCADReader* reader, const vtkMassPropertiesBase* filter, cons
   }
   if (options.Validate)
   {
-    file.Validation = sm::CompareValidation(sm::StatedFile(GetSource(options)).List(),
+    file.Validation = sm::CompareValidation(sm::StatedFile(options.GetSource()).List(),
       sm::MakeProductTree(reader->GetOutputDataObject(0)), file.GetProduct(), options.ValidationLimit,
       sm::FindLeftOutNote(reader->GetOutputDataObject(0)));
   }
 }
 
-/// Returns the bodies that are written as triangles and drawn: those that --only and --materials leave.
-vtkPartitionedDataSetCollection* GetShownBodies(
-  vtkCADReader* reader, vtkMassPropertiesBase* filter, const sm::JobOptions& options)
-{
-  return vtkPartitionedDataSetCollection::SafeDownCast(options.Only.empty() && !options.LeavesOut()
-      ? reader->GetOutputDataObject(0)
-      : filter->GetOutputDataObject(5));
-}
-
-/// Returns the origin of the mesh that is written, and adds a message if it is not 0.
-std::array<double, 3> PlaceMesh(vtkCADReader* reader, vtkMassPropertiesBase* filter,
-  const sm::JobOptions& options, sm::MessageList& messages)
-{
-  vtkPartitionedDataSetCollection* bodies = GetShownBodies(reader, filter, options);
-  if (options.MeshName.empty() || !bodies)
-  {
-    return {};
-  }
-  const sm::MeshOrigin origin =
-    sm::FindMeshOrigin(bodies, reader->GetLengthUnit(), options.Deflection, options.MeshName);
-  if (!origin.Message.empty())
-  {
-    messages.AddEcho(origin.Message);
-  }
-  return origin.Origin;
-}
-
-/// Returns the robot to write, and adds its messages.
-sm::Robot PlanRobot(
-  vtkCADReader* reader, const FileResult& file, const sm::JobOptions& options, sm::MessageList& messages)
-{
-  if (options.RobotName.empty())
-  {
-    return {};
-  }
-  sm::Robot robot = sm::MakeFileRobot(reader->GetOutputDataObject(0), file.GetProduct(), options);
-  for (const std::string& message : robot.Messages)
-  {
-    messages.AddEcho("robot: " + message);
-  }
-  return robot;
-}
-
-/// Flags a result whose triangles are written inside out.
-void CheckTriangles(const sm::JobOptions& options, FileResult& file, sm::MessageList& messages)
-{
-  const bool areWritten = !options.MeshName.empty() || !options.RobotName.empty();
-  if (areWritten && file.Total.FlippedShells > 0)
-  {
-    messages.AddEcho("the triangles of --mesh and --robot take shells that are inside out as the file "
-                     "orients them: correct the file");
-    file.Status = file.Status == names::StatusOk ? names::StatusSuspect : file.Status;
-  }
-}
-
-/// Returns what --write-validation writes, and adds its message.
-sm::ValidationPlan PlanValidation(
-  vtkCADReader* reader, const FileResult& file, const sm::JobOptions& options, sm::MessageList& messages)
-{
-  if (options.ValidationTarget.empty())
-  {
-    return {};
-  }
-  sm::ValidationPlan plan =
-    sm::PlanValidation(GetSource(options), sm::MakeProductTree(reader->GetOutputDataObject(0)),
-      file.GetProduct(), sm::FindLeftOutNote(reader->GetOutputDataObject(0)));
-  if (!plan.Message.empty())
-  {
-    messages.AddEcho(plan.Message);
-  }
-  return plan;
-}
-
-/// What is written besides the results: decided before these are sent, as its messages go with them.
-struct Plans
-{
-  std::array<double, 3> MeshOrigin{};
-  sm::Robot Robot;
-  sm::ValidationPlan Validation;
-};
-
 /// Writes trim textures, triangles, the file with validation properties, robot and picture.
-void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, const Drawn& drawn, Plans plans,
-  const sm::JobOptions& options, const sm::JobListener& send, const FileResult& file)
+void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, const Drawn& drawn,
+  sm::OutputPlans plans, const sm::JobOptions& options, const sm::JobListener& send, const FileResult& file)
 {
   if (!options.TexturePrefix.empty())
   {
@@ -431,7 +344,7 @@ void WriteOutputs(vtkCADReader* reader, vtkMassPropertiesBase* filter, const Dra
     send(JobMessage::OfOutput(
       JobMessage::Textures, sm::Scheme::WriteTrimPictures(filter, options.TexturePrefix)));
   }
-  auto* const bodies = GetShownBodies(reader, filter, options);
+  auto* const bodies = sm::GetShownBodies(reader, filter, options);
   if (!options.MeshName.empty())
   {
     send(JobMessage::OfProgress(sm::stages::Mesh));
@@ -498,12 +411,10 @@ void Run(const sm::JobOptions& given, const sm::JobListener& send, vtkCADReader*
   {
     messages.AddEcho(message);
   }
-  Plans plans;
+  sm::OutputPlans plans;
   if (isRead)
   {
-    CheckTriangles(options, file, messages);
-    plans = { PlaceMesh(reader, filter, options, messages), PlanRobot(reader, file, options, messages),
-      PlanValidation(reader, file, options, messages) };
+    plans = sm::PlanOutputs(reader, filter, options, file, messages);
   }
   SendResult(send, file, messages, true);
   if (isRead)
@@ -550,7 +461,7 @@ void RunFileJob(const JobOptions& given, const JobListener& send, vtkCADReader* 
   };
   try
   {
-    const auto own = reader ? vtkSmartPointer<vtkCADReader>(reader) : MakeReader(GetSource(options));
+    const auto own = reader ? vtkSmartPointer<vtkCADReader>(reader) : MakeReader(options.GetSource());
     Run(options, listener, own);
   }
   catch (const std::exception& error)

@@ -78,6 +78,11 @@ struct JobOptions
 
   /// Returns the seconds to Deadline, above 0; 0 without MaximumSeconds.
   double GetSecondsLeft() const;
+  /// Returns the name of the plain file to read.
+  const std::string& GetSource() const
+  {
+    return this->SourceName.empty() ? this->FileName : this->SourceName;
+  }
 };
 
 /// Stages of a job, in their order: reading; mass properties; then, behind those of the analyses, the

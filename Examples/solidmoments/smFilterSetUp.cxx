@@ -80,12 +80,15 @@ vtkOpenGLRenderWindow* StartWindow(vtkSurfaceIntegralBase* filter, std::string& 
   return window;
 }
 
+void AddStatus(const std::string& status, FileResult& file)
+{
+  const bool isWorse = file.Status == names::StatusToleranceNotMet && status == names::StatusSuspect;
+  file.Status = file.Status == names::StatusOk || isWorse ? status : file.Status;
+}
+
 void AddEffort(vtkSurfaceIntegralBase* filter, FileResult& file, MessageList& messages)
 {
-  if (file.Status == names::StatusOk)
-  {
-    file.Status = filter->GetStatus();
-  }
+  AddStatus(filter->GetStatus(), file);
   file.Evaluations += filter->GetEvaluations();
   file.Dispatches += filter->GetDispatches();
   messages.AddFilter(filter);

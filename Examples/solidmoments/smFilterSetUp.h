@@ -29,8 +29,10 @@ void SetTimeLimit(vtkSurfaceIntegralBase* filter, const JobOptions& options);
 /// Starts the OpenGL context of a filter, and returns its window; null with the reason in `problem`.
 vtkOpenGLRenderWindow* StartWindow(vtkSurfaceIntegralBase* filter, std::string& problem);
 
-/// Adds evaluations, dispatches and messages of a filter's last run to the file's. If the file was ok, it
-/// gets the status of the filter.
+/// Adds the status of an analysis, or of an output, to that of a file: it replaces "ok", and "suspect" also
+/// replaces "tolerance-not-met".
+void AddStatus(const std::string& status, FileResult& file);
+/// Adds status, evaluations, dispatches and messages of a filter's last run to the file's.
 void AddEffort(vtkSurfaceIntegralBase* filter, FileResult& file, MessageList& messages);
 }
 

@@ -274,9 +274,9 @@ void IntegralAnalysis::Run(const AnalysisRun& run) const
       }
     }
     AddEffort(filter, run.File, run.Messages);
-    if (filter == filters.back() && run.File.Total.FlippedShells > 0 && run.File.Status == names::StatusOk)
+    if (filter == filters.back() && run.File.Total.FlippedShells > 0)
     {
-      run.File.Status = names::StatusSuspect;
+      AddStatus(names::StatusSuspect, run.File);
       run.Messages.AddEcho("integrals of expressions take shells that are inside out as the file orients "
                            "them: correct the file");
     }

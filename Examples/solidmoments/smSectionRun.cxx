@@ -1,4 +1,5 @@
 #include "smExtras.h"
+#include "smFilterSetUp.h"
 #include "smMassPropertyNames.h"
 #include "smMessageList.h"
 #include "smResults.h"
@@ -20,6 +21,6 @@ void SectionAnalysis::Run(const AnalysisRun& run) const
     return;
   }
   run.Messages.AddEcho("no section was computed: " + problem);
-  run.File.Status = run.File.Status == names::StatusOk ? names::StatusNotComputed : run.File.Status;
+  AddStatus(names::StatusNotComputed, run.File);
 }
 }

@@ -79,10 +79,7 @@ void StabilityAnalysis::Run(const AnalysisRun& run) const
   const auto update = [&]()
   {
     run.Update(filter);
-    if (run.File.Status == names::StatusOk)
-    {
-      run.File.Status = filter->GetStatus();
-    }
+    AddStatus(filter->GetStatus(), run.File);
     for (int i = 0; i < filter->GetNumberOfMessages(); ++i)
     {
       run.Messages.AddEcho(filter->GetMessage(i));

@@ -145,7 +145,8 @@ void vtkSurfaceIntegralGPU::AnalyzeBodies(std::vector<sm::BodyIntegrals>& bodies
   const int volume = this->Implementation->FaceIds.empty() ? FindVolume(integrands) : -1;
   for (sm::BodyIntegrals& body : bodies)
   {
-    if (volume >= 0 && body.Faces)
+    // The sign of an open body's volume depends on the origin.
+    if (volume >= 0 && body.Faces && body.OpenEdges == 0)
     {
       OrientBody(body, integrands, volume);
     }

@@ -8,8 +8,8 @@
  *   - `position`: dvec3, world coordinates, in the model's length unit,
  *   - `normal`:   dvec3, outward normal whose length is that of the area element `dA`. The file defines which
  *     side is outward. Where all integrands are moments and AddVolumeMoment(name, 0, 0, 0) is one of them,
- *     shells that are inside out are reversed in the sums of moments, as vtkMassPropertiesGPU does; otherwise
- *     FlippedShells is 0,
+ *     shells of closed bodies that are inside out are reversed in the sums of moments, as
+ *     vtkMassPropertiesGPU does; otherwise FlippedShells is 0,
  *   - `unitNormal`: dvec3; `dA`: double, length(normal),
  *   - on FACES also `u`, `v`: double, the face's own parameters; `du`, `dv`, `duu`, `duv`, `dvv`: dvec3,
  *     first and second derivatives of the position with respect to them, in world coordinates;

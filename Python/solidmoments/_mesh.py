@@ -31,6 +31,7 @@ class SolidMesh:
 
 def display_mesh(file, *, unit="mm", input_unit="mm", deflection=0.001):
     """The SolidMesh of each solid and shell of a STEP or BREP file, in the order of `mass_properties(file).solids`. Needs NumPy.
+    Shells are oriented as in the file: mass_properties() reverses those that are inside out, and says so in its messages.
 
     file: path. unit: of lengths, mm, cm, m, um, inch, ft, or file. input_unit: that of a BREP file, which states none. deflection: largest distance from
     the exact faces as a fraction of the diagonal of the solid, at least 1e-30; below 1e-5 the mesh is that of 1e-5.

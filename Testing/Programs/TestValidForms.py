@@ -272,8 +272,23 @@ def make_polygons(body, corner, size, shared=True):
     return faces
 
 
+def weigh_reversed_void(runner):
+    """A void whose shell points the wrong way: moments are those of the solid, and triangles that are not are flagged."""
+    body = Body(0.2)
+    outer, inner = (body.add(f"CLOSED_SHELL('',({','.join(body.box((low,) * 3, (size,) * 3))}))") for low, size in ((0, 4), (1, 1)))
+    void = body.add(f"ORIENTED_CLOSED_SHELL('',*,{inner},.T.)")
+    body.product("part", body.shape([body.add(f"BREP_WITH_VOIDS('',{outer},({void}))")]))
+    entry = runner.run("a reversed void, its moments", body.get_text(), ("--moments", "0"))[1]
+    check_true("its moment is its volume", entry["status"] == "ok" and abs(entry["integrals"]["moment_0_0_0"]["value"] - 63.0) < 1e-9,
+               str(entry["integrals"]))
+    mesh = os.path.join(runner.folder, "reversed_void.stl")
+    entry = runner.run("a reversed void, its triangles", body.get_text(), ("--mesh", mesh))[1]
+    check_true("its triangles are flagged", entry["status"] == "suspect", entry["status"])
+
+
 def check_voids(runner):
     """Solids with voids as complex instances, and faceted ones."""
+    weigh_reversed_void(runner)
     for shared in (True, False):
         body = Body(0.4, (1.0, 2.0, 3.0))
         shell = body.add(f"CLOSED_SHELL('',({','.join(make_polygons(body, (0, 0, 0), (2, 3, 4), shared))}))")
