@@ -106,16 +106,17 @@ private:
     const Distance middle = this->Sample(0.5 * (low.Parameter + high.Parameter));
     const double margin =
       this->Rounding + 4.0 * std::abs(middle.Value - 0.125 * (c[0] + 3.0 * (c[1] + c[2]) + c[3]));
-    const auto [least, greatest] = std::minmax_element(c, c + 4);
-    if (!std::isfinite(margin) || *least > margin || *greatest < -margin)
+    const auto [minimum, maximum] = std::minmax_element(c, c + 4);
+    if (!std::isfinite(margin) || *minimum > margin || *maximum < -margin)
     {
       return;
     }
     const double steps[3] = { c[1] - c[0], c[2] - c[1], c[3] - c[2] };
-    const auto [lowest, highest] = std::minmax_element(steps, steps + 3);
-    const bool isSmall = 3.0 * third <= this->MinWidth || std::max(-*least, *greatest) <= this->Rounding;
+    const auto [minStep, maxStep] = std::minmax_element(steps, steps + 3);
+    const bool isMonotonic = *minStep >= margin || *maxStep <= -margin;
+    const bool isSmall = 3.0 * third <= this->MinWidth || std::max(-*minimum, *maximum) <= this->Rounding;
     const Distance& nearest = std::abs(low.Value) < std::abs(high.Value) ? low : high;
-    if (!isSmall && *lowest<margin&& * highest> - margin)
+    if (!isSmall && !isMonotonic)
     {
       this->Search(low, middle);
       this->Search(middle, high);
